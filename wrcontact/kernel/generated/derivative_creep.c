@@ -17,8 +17,10 @@ static inline int64_t derivative_correction__correct_force_t(array_double_1d wor
     double v2;
     double mean_axis_t;
     double mean_axis;
-    double v3;
     double v4;
+    double v3;
+    double v3_t;
+    double v5;
     int64_t ratio;
     double on_ratio;
     double on_ratio_t;
@@ -37,22 +39,22 @@ static inline int64_t derivative_correction__correct_force_t(array_double_1d wor
     double on_azimuth_t;
     double on_radius;
     double on_radius_t;
-    double v5;
     double v6;
-    double v6_t;
     double v7;
+    double v7_t;
     double v8;
-    double v8_t;
     double v9;
+    double v9_t;
     double v10;
     double v11;
-    double v11_t;
     double v12;
     double v12_t;
     double v13;
     double v13_t;
     double v14;
     double v14_t;
+    double v15;
+    double v15_t;
     double force_x;
     double force_x_t;
     double force_y;
@@ -64,9 +66,10 @@ static inline int64_t derivative_correction__correct_force_t(array_double_1d wor
     v2 = sqrt(v1);
     mean_axis_t = derivative_rates__root_rate(v2, (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH)));
     mean_axis = v2;
-    v3 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    v4 = log(v3) - log(correction__FIRST_RATIO);
-    derivative_tables__table_cell_t(&ratio, &on_ratio, &on_ratio_t, v4 * correction__PER_DOUBLING, ((*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) - v3 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) / v3 * correction__PER_DOUBLING, (double)(layout__CORRECTION_RATIOS - INT64_C(1)), 0.0);
+    v4 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    derivative_powers__log_rule_t(&v3, &v3_t, v4, ((*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) - v4 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
+    v5 = v3 - correction__LN_FIRST_RATIO;
+    derivative_tables__table_cell_t(&ratio, &on_ratio, &on_ratio_t, v5 * correction__PER_DOUBLING, v3_t * correction__PER_DOUBLING, (double)(layout__CORRECTION_RATIOS - INT64_C(1)), 0.0);
     derivative_correction__saturation_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch, ratio, on_ratio, on_ratio_t);
     sign_x = 1.0;
     if (along < 0.0)
@@ -86,38 +89,38 @@ static inline int64_t derivative_correction__correct_force_t(array_double_1d wor
     }
     derivative_correction__node_at_t(&at, &on_elevation, &on_elevation_t, &on_azimuth, &on_azimuth_t, &on_radius, &on_radius_t, tables, table, along, along_t, across, across_t, turning, turning_t);
     at = at + ratio * correction__RATIO_STRIDE;
-    v5 = sign_x * bound;
-    derivative_correction__missing_t(&v6, &v6_t, tables, table, at, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) + (sign_x * bound_t * v6 + v5 * v6_t);
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + v5 * v6;
-    v7 = sign_y * bound;
-    derivative_correction__missing_t(&v8, &v8_t, tables, table, at + INT64_C(1), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) + (sign_y * bound_t * v8 + v7 * v8_t);
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + v7 * v8;
-    v9 = sign_y * bound;
-    v10 = v9 * mean_axis;
-    derivative_correction__missing_t(&v11, &v11_t, tables, table, at + INT64_C(2), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((sign_y * bound_t * mean_axis + v9 * mean_axis_t) * v11 + v10 * v11_t);
-    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + v10 * v11;
-    derivative_correction__missing_t(&v12, &v12_t, tables, table, at + INT64_C(3), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) + v12_t;
-    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) + v12;
-    v13 = (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE));
-    v13_t = (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE));
-    if (0.0 > v13)
+    v6 = sign_x * bound;
+    derivative_correction__missing_t(&v7, &v7_t, tables, table, at, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
+    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) + (sign_x * bound_t * v7 + v6 * v7_t);
+    (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + v6 * v7;
+    v8 = sign_y * bound;
+    derivative_correction__missing_t(&v9, &v9_t, tables, table, at + INT64_C(1), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
+    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) + (sign_y * bound_t * v9 + v8 * v9_t);
+    (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + v8 * v9;
+    v10 = sign_y * bound;
+    v11 = v10 * mean_axis;
+    derivative_correction__missing_t(&v12, &v12_t, tables, table, at + INT64_C(2), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
+    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((sign_y * bound_t * mean_axis + v10 * mean_axis_t) * v12 + v11 * v12_t);
+    (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + v11 * v12;
+    derivative_correction__missing_t(&v13, &v13_t, tables, table, at + INT64_C(3), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
+    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) + v13_t;
+    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) + v13;
+    v14 = (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE));
+    v14_t = (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE));
+    if (0.0 > v14)
     {
-        v13 = 0.0;
-        v13_t = 0.0;
-    }
-    v14 = v13;
-    v14_t = v13_t;
-    if (1.0 < v14)
-    {
-        v14 = 1.0;
+        v14 = 0.0;
         v14_t = 0.0;
     }
-    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = v14_t;
-    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = v14;
+    v15 = v14;
+    v15_t = v14_t;
+    if (1.0 < v15)
+    {
+        v15 = 1.0;
+        v15_t = 0.0;
+    }
+    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = v15_t;
+    (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = v15;
     derivative_tractions__cut_to_t(&force_x, &force_x_t, &force_y, &force_y_t, (*cspan_at(&work, patch + layout__PATCH_CREEP_X)), (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)), (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)), (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)), bound, bound_t);
     (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = force_x_t;
     (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = force_x;
@@ -146,30 +149,31 @@ static inline int64_t derivative_correction__saturation_t(double* result_0, doub
     double v5;
     double scale_t;
     double scale;
-    double v6;
     double v7;
     double v8;
+    double v8_t;
+    double v6;
+    double v6_t;
     double v9;
     double v10;
-    double v11;
     double wide_t;
     double wide;
     int64_t at;
+    double v11;
     double v12;
+    double v12_t;
     double v13;
-    double v13_t;
     double v14;
     double v15;
+    double v15_t;
     double v16;
-    double v16_t;
     double v17;
     double v18;
     double v19;
     double v20;
+    double v20_t;
     double v21;
-    double v21_t;
     double v22;
-    double v23;
     v1 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     ratio_t = ((*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     ratio = v1;
@@ -182,33 +186,32 @@ static inline int64_t derivative_correction__saturation_t(double* result_0, doub
     v5 = v3 / v4;
     scale_t = ((-area_t) * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) - v5 * ((*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)))) / v4;
     scale = v5;
-    v6 = -2.7;
-    v7 = log(ratio);
-    v8 = v6 * v7;
-    v9 = exp(v8);
-    v10 = 1.0 + 0.66 * v9;
-    v11 = sqrt(v10);
-    wide_t = derivative_rates__root_rate(v11, 0.66 * (v9 * (v6 * (ratio_t / ratio))));
-    wide = v11;
+    v7 = -2.7;
+    derivative_powers__log_rule_t(&v8, &v8_t, ratio, ratio_t);
+    derivative_powers__exp_rule_t(&v6, &v6_t, v7 * v8, v7 * v8_t);
+    v9 = 1.0 + 0.66 * v6;
+    v10 = sqrt(v9);
+    wide_t = derivative_rates__root_rate(v10, 0.66 * v6_t);
+    wide = v10;
     at = INT64_C(3) * cell;
-    v12 = scale * first;
-    derivative_correction__scale_at_t(&v13, &v13_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at, share, share_t);
-    v14 = v12 * v13;
-    v15 = scale * second;
-    derivative_correction__scale_at_t(&v16, &v16_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(1), share, share_t);
-    v17 = v15 * v16;
-    v18 = sqrt(area);
-    v19 = scale * v18;
-    v20 = v19 * third;
-    derivative_correction__scale_at_t(&v21, &v21_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(2), share, share_t);
-    v22 = v20 * v21;
-    v23 = v22 * (*cspan_at(&work, patch + layout__PATCH_SPIN));
-    (*result_0) = v14 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-    (*result_1) = ((scale_t * first + scale * first_t) * v13 + v12 * v13_t) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + v14 * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X));
-    (*result_2) = v17 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
-    (*result_3) = ((scale_t * second + scale * second_t) * v16 + v15 * v16_t) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + v17 * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y));
-    (*result_4) = v23 * wide;
-    (*result_5) = ((((scale_t * v18 + scale * derivative_rates__root_rate(v18, area_t)) * third + v19 * third_t) * v21 + v20 * v21_t) * (*cspan_at(&work, patch + layout__PATCH_SPIN)) + v22 * (*cspan_at(&work_t, patch + layout__PATCH_SPIN))) * wide + v23 * wide_t;
+    v11 = scale * first;
+    derivative_correction__scale_at_t(&v12, &v12_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at, share, share_t);
+    v13 = v11 * v12;
+    v14 = scale * second;
+    derivative_correction__scale_at_t(&v15, &v15_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(1), share, share_t);
+    v16 = v14 * v15;
+    v17 = sqrt(area);
+    v18 = scale * v17;
+    v19 = v18 * third;
+    derivative_correction__scale_at_t(&v20, &v20_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(2), share, share_t);
+    v21 = v19 * v20;
+    v22 = v21 * (*cspan_at(&work, patch + layout__PATCH_SPIN));
+    (*result_0) = v13 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
+    (*result_1) = ((scale_t * first + scale * first_t) * v12 + v11 * v12_t) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + v13 * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X));
+    (*result_2) = v16 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
+    (*result_3) = ((scale_t * second + scale * second_t) * v15 + v14 * v15_t) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + v16 * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y));
+    (*result_4) = v22 * wide;
+    (*result_5) = ((((scale_t * v17 + scale * derivative_rates__root_rate(v17, area_t)) * third + v18 * third_t) * v20 + v19 * v20_t) * (*cspan_at(&work, patch + layout__PATCH_SPIN)) + v21 * (*cspan_at(&work_t, patch + layout__PATCH_SPIN))) * wide + v22 * wide_t;
     return 0;
 }
 
@@ -234,18 +237,19 @@ static inline int64_t derivative_correction__node_at_t(int64_t* at, double* on_e
     double radius_t;
     double radius;
     double v5;
+    double v5_t;
     double place_t;
     double place;
     double v6;
     double v6_t;
     int64_t elevation;
     double v7;
+    double v7_t;
     double v8;
     double v9;
-    double v10;
     int64_t azimuth;
+    double v10;
     double v11;
-    double v12;
     int64_t cell;
     v1 = across * across + turning * turning;
     v2 = sqrt(v1);
@@ -255,8 +259,8 @@ static inline int64_t derivative_correction__node_at_t(int64_t* at, double* on_e
     v4 = sqrt(v3);
     radius_t = derivative_rates__root_rate(v4, flat_t * flat + flat * flat_t + (along_t * along + along * along_t));
     radius = v4;
-    v5 = atan2(along, flat);
-    place_t = (flat * along_t - along * flat_t) / (flat * flat + along * along) * correction__PER_RADIAN;
+    derivative_circle__atan2_rule_t(&v5, &v5_t, along, along_t, flat, flat_t);
+    place_t = v5_t * correction__PER_RADIAN;
     place = v5 * correction__PER_RADIAN;
     v6 = place;
     v6_t = place_t;
@@ -266,14 +270,13 @@ static inline int64_t derivative_correction__node_at_t(int64_t* at, double* on_e
         v6_t = 0.0;
     }
     derivative_tables__table_cell_t(&elevation, on_elevation, on_elevation_t, place + v6, place_t + v6_t, (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)), 0.0);
-    v7 = fabs(turning);
-    v8 = atan2(v7, across);
-    v9 = v8 / M_PI;
-    v10 = (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1));
-    derivative_tables__table_cell_t(&azimuth, on_azimuth, on_azimuth_t, v9 * v10, (across * derivative_rates__size_rate(turning, turning_t) - v7 * across_t) / (across * across + v7 * v7) / M_PI * v10, (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), 0.0);
-    v11 = 1.0 + radius;
-    v12 = radius / v11;
-    derivative_correction__radius_cell_t(&cell, on_radius, on_radius_t, tables, table, v12, (radius_t - v12 * radius_t) / v11);
+    derivative_circle__atan2_rule_t(&v7, &v7_t, fabs(turning), derivative_rates__size_rate(turning, turning_t), across, across_t);
+    v8 = v7 / M_PI;
+    v9 = (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1));
+    derivative_tables__table_cell_t(&azimuth, on_azimuth, on_azimuth_t, v8 * v9, v7_t / M_PI * v9, (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), 0.0);
+    v10 = 1.0 + radius;
+    v11 = radius / v10;
+    derivative_correction__radius_cell_t(&cell, on_radius, on_radius_t, tables, table, v11, (radius_t - v11 * radius_t) / v10);
     (*at) = elevation * correction__ELEVATION_STRIDE + azimuth * layout__CORRECTION_LINE + cell * layout__CORRECTION_COLUMNS;
     return 0;
 }
@@ -1173,10 +1176,10 @@ static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, ar
     v3 = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y));
     vertical_t = (*cspan_at(&work_t, motion + layout__MOTION_VERTICAL)) + ((*cspan_at(&work_t, motion + layout__MOTION_TURN_X)) * y + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y_t) - ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x_t) - rolling_z_t - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL)) - ((*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) * v3 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Y))));
     vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x - rolling_z - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v3;
-    normal_y_t = -(cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE))) * (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)));
-    normal_y = -sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
-    normal_z_t = -((-sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)))) * (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)));
-    normal_z = -cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
+    normal_y_t = -(*cspan_at(&work_t, patch + layout__PATCH_ANGLE_SIN));
+    normal_y = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN));
+    normal_z_t = -(*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS));
+    normal_z = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
     derivative_creepage__reference_speed_t(&v4, &v4_t, work, work_t, motion, rolling_x, rolling_x_t);
     speed_t = v4_t;
     speed = v4;
@@ -1373,8 +1376,6 @@ static inline int64_t derivative_creepage__approach_rate_t(double* result_0, dou
     double v2;
     double vertical_t;
     double vertical;
-    double v3;
-    double v4;
     rail = motion + layout__MOTION_RAIL;
     y_t = (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y));
     y = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
@@ -1386,10 +1387,8 @@ static inline int64_t derivative_creepage__approach_rate_t(double* result_0, dou
     v2 = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y));
     vertical_t = (*cspan_at(&work_t, motion + layout__MOTION_VERTICAL)) + ((*cspan_at(&work_t, motion + layout__MOTION_TURN_X)) * y + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y_t) - ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK))) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL)) - ((*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Y))));
     vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v2;
-    v3 = sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
-    v4 = cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
-    (*result_0) = v3 * lateral + v4 * vertical;
-    (*result_1) = cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE))) * (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)) * lateral + v3 * lateral_t + ((-sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)))) * (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)) * vertical + v4 * vertical_t);
+    (*result_0) = (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) * lateral + (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) * vertical;
+    (*result_1) = (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_SIN)) * lateral + (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) * lateral_t + ((*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS)) * vertical + (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) * vertical_t);
     return 0;
 }
 
@@ -2493,10 +2492,10 @@ static inline int64_t derivative_friction__patch_friction_t(double* found, doubl
     double v3;
     double fall;
     double v4;
-    double v5;
     double v6;
+    double v5;
+    double v5_t;
     double v7;
-    double v8;
     (*found_t) = friction_t;
     (*found) = friction;
     if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO)) != 1.0)
@@ -2511,12 +2510,11 @@ static inline int64_t derivative_friction__patch_friction_t(double* found, doubl
     {
         fall = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL));
         v4 = 1.0 - fall;
-        v5 = -(*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE));
-        v6 = v5 * sliding;
-        v7 = exp(v6);
-        v8 = v4 * v7 + fall;
-        (*found_t) = (*found_t) * v8 + (*found) * (v4 * (v7 * (v5 * sliding_t)));
-        (*found) = (*found) * v8;
+        v6 = -(*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE));
+        derivative_powers__exp_rule_t(&v5, &v5_t, v6 * sliding, v6 * sliding_t);
+        v7 = v4 * v5 + fall;
+        (*found_t) = (*found_t) * v7 + (*found) * (v4 * v5_t);
+        (*found) = (*found) * v7;
     }
     return 0;
 }
@@ -2683,7 +2681,7 @@ static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d wo
     derivative_friction__creep_gain_t(&v1, &v1_t, work, work_t, patch);
     gain_t = v1_t;
     gain = v1;
-    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0) && ((*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) != 0.0))
+    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0))
     {
         v2 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
         v2_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH));
@@ -3616,53 +3614,77 @@ static inline int64_t derivative_motion__rolling_rate_t(double* rate, double* ra
 }
 
 /* Derivative of ``open_motion``. */
-static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t motion, double mirror, double mirror_t)
+static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t motion)
 {
-    double sin_yaw_t;
     double sin_yaw;
-    double cos_yaw_t;
+    double sin_yaw_t;
     double cos_yaw;
-    double sin_roll_t;
+    double cos_yaw_t;
     double sin_roll;
-    double cos_roll_t;
+    double sin_roll_t;
     double cos_roll;
+    double cos_roll_t;
     double v1;
     double v1_t;
     double v2;
-    double v3;
-    double v4;
-    sin_yaw_t = cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW))) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW));
-    sin_yaw = sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    cos_yaw_t = (-sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)))) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW));
-    cos_yaw = cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    sin_roll_t = cos((*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL))) * (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
-    sin_roll = sin((*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
-    cos_roll_t = (-sin((*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)))) * (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
-    cos_roll = cos((*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
+    derivative_circle__sine_cosine_rule_t(&sin_yaw, &sin_yaw_t, &cos_yaw, &cos_yaw_t, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    derivative_circle__sine_cosine_rule_t(&sin_roll, &sin_roll_t, &cos_roll, &cos_roll_t, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)), (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
     (*cspan_at(&work_t, motion + layout__MOTION_SPEED)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED));
     (*cspan_at(&work, motion + layout__MOTION_SPEED)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED));
-    (*cspan_at(&work_t, motion + layout__MOTION_LATERAL)) = mirror_t * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY)) + mirror * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
-    (*cspan_at(&work, motion + layout__MOTION_LATERAL)) = mirror * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
+    (*cspan_at(&work_t, motion + layout__MOTION_LATERAL)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
+    (*cspan_at(&work, motion + layout__MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
     derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, tables);
     (*cspan_at(&work_t, motion + layout__MOTION_WHEEL_RATE)) = v1_t;
     (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) = v1;
-    v2 = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE));
-    (*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE)) = mirror_t * v2 + mirror * ((*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE)));
-    (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) = mirror * v2;
-    (*cspan_at(&work_t, motion + layout__MOTION_TURN_Z)) = mirror_t * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE)) + mirror * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
-    (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) = mirror * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
-    v3 = -mirror;
-    v4 = v3 * sin_yaw;
-    (*cspan_at(&work_t, motion + layout__MOTION_AXLE_X)) = ((-mirror_t) * sin_yaw + v3 * sin_yaw_t) * cos_roll + v4 * cos_roll_t;
-    (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) = v4 * cos_roll;
+    (*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE));
+    (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE));
+    (*cspan_at(&work_t, motion + layout__MOTION_TURN_Z)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
+    (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
+    (*cspan_at(&work_t, motion + layout__MOTION_AHEAD_X)) = cos_yaw_t;
+    (*cspan_at(&work, motion + layout__MOTION_AHEAD_X)) = cos_yaw;
+    (*cspan_at(&work_t, motion + layout__MOTION_AHEAD_Y)) = sin_yaw_t;
+    (*cspan_at(&work, motion + layout__MOTION_AHEAD_Y)) = sin_yaw;
+    v2 = -sin_yaw;
+    (*cspan_at(&work_t, motion + layout__MOTION_AXLE_X)) = (-sin_yaw_t) * cos_roll + v2 * cos_roll_t;
+    (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) = v2 * cos_roll;
     (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Y)) = cos_yaw_t * cos_roll + cos_yaw * cos_roll_t;
     (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) = cos_yaw * cos_roll;
-    (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z)) = mirror_t * sin_roll + mirror * sin_roll_t;
-    (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) = mirror * sin_roll;
-    (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y)) = mirror_t * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)) + mirror * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
-    (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) = mirror * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
+    (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z)) = sin_roll_t;
+    (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) = sin_roll;
+    (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
+    (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
     (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
     (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_HEIGHT));
+    return INT64_C(0);
+}
+
+/* Derivative of ``mirror_motion``. */
+static inline int64_t derivative_motion__mirror_motion_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t mirrored)
+{
+    (*cspan_at(&work_t, mirrored + layout__MOTION_SPEED)) = (*cspan_at(&work_t, motion + layout__MOTION_SPEED));
+    (*cspan_at(&work, mirrored + layout__MOTION_SPEED)) = (*cspan_at(&work, motion + layout__MOTION_SPEED));
+    (*cspan_at(&work_t, mirrored + layout__MOTION_LATERAL)) = -(*cspan_at(&work_t, motion + layout__MOTION_LATERAL));
+    (*cspan_at(&work, mirrored + layout__MOTION_LATERAL)) = -(*cspan_at(&work, motion + layout__MOTION_LATERAL));
+    (*cspan_at(&work_t, mirrored + layout__MOTION_WHEEL_RATE)) = (*cspan_at(&work_t, motion + layout__MOTION_WHEEL_RATE));
+    (*cspan_at(&work, mirrored + layout__MOTION_WHEEL_RATE)) = (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE));
+    (*cspan_at(&work_t, mirrored + layout__MOTION_TRACK_RATE)) = -(*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE));
+    (*cspan_at(&work, mirrored + layout__MOTION_TRACK_RATE)) = -(*cspan_at(&work, motion + layout__MOTION_TRACK_RATE));
+    (*cspan_at(&work_t, mirrored + layout__MOTION_TURN_Z)) = -(*cspan_at(&work_t, motion + layout__MOTION_TURN_Z));
+    (*cspan_at(&work, mirrored + layout__MOTION_TURN_Z)) = -(*cspan_at(&work, motion + layout__MOTION_TURN_Z));
+    (*cspan_at(&work_t, mirrored + layout__MOTION_AHEAD_X)) = (*cspan_at(&work_t, motion + layout__MOTION_AHEAD_X));
+    (*cspan_at(&work, mirrored + layout__MOTION_AHEAD_X)) = (*cspan_at(&work, motion + layout__MOTION_AHEAD_X));
+    (*cspan_at(&work_t, mirrored + layout__MOTION_AHEAD_Y)) = -(*cspan_at(&work_t, motion + layout__MOTION_AHEAD_Y));
+    (*cspan_at(&work, mirrored + layout__MOTION_AHEAD_Y)) = -(*cspan_at(&work, motion + layout__MOTION_AHEAD_Y));
+    (*cspan_at(&work_t, mirrored + layout__MOTION_AXLE_X)) = -(*cspan_at(&work_t, motion + layout__MOTION_AXLE_X));
+    (*cspan_at(&work, mirrored + layout__MOTION_AXLE_X)) = -(*cspan_at(&work, motion + layout__MOTION_AXLE_X));
+    (*cspan_at(&work_t, mirrored + layout__MOTION_AXLE_Y)) = (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Y));
+    (*cspan_at(&work, mirrored + layout__MOTION_AXLE_Y)) = (*cspan_at(&work, motion + layout__MOTION_AXLE_Y));
+    (*cspan_at(&work_t, mirrored + layout__MOTION_AXLE_Z)) = -(*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z));
+    (*cspan_at(&work, mirrored + layout__MOTION_AXLE_Z)) = -(*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
+    (*cspan_at(&work_t, mirrored + layout__MOTION_CENTRE_Y)) = -(*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y));
+    (*cspan_at(&work, mirrored + layout__MOTION_CENTRE_Y)) = -(*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
+    (*cspan_at(&work_t, mirrored + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z));
+    (*cspan_at(&work, mirrored + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
     return INT64_C(0);
 }
 
@@ -3701,16 +3723,12 @@ static inline int64_t derivative_motion__open_right_rail_t(array_double_1d table
 /* Derivative of ``set_rates``. */
 static inline int64_t derivative_motion__set_rates_t(array_double_1d work, array_double_1d work_t, int64_t left, int64_t right, double vertical, double vertical_t, double roll_rate, double roll_rate_t)
 {
-    double v1;
-    double v2;
     (*cspan_at(&work_t, right + layout__MOTION_VERTICAL)) = vertical_t;
     (*cspan_at(&work, right + layout__MOTION_VERTICAL)) = vertical;
-    v1 = cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    (*cspan_at(&work_t, right + layout__MOTION_TURN_X)) = roll_rate_t * v1 + roll_rate * ((-sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)))) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    (*cspan_at(&work, right + layout__MOTION_TURN_X)) = roll_rate * v1;
-    v2 = sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    (*cspan_at(&work_t, right + layout__MOTION_TURN_Y)) = roll_rate_t * v2 + roll_rate * (cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW))) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    (*cspan_at(&work, right + layout__MOTION_TURN_Y)) = roll_rate * v2;
+    (*cspan_at(&work_t, right + layout__MOTION_TURN_X)) = roll_rate_t * (*cspan_at(&work, right + layout__MOTION_AHEAD_X)) + roll_rate * (*cspan_at(&work_t, right + layout__MOTION_AHEAD_X));
+    (*cspan_at(&work, right + layout__MOTION_TURN_X)) = roll_rate * (*cspan_at(&work, right + layout__MOTION_AHEAD_X));
+    (*cspan_at(&work_t, right + layout__MOTION_TURN_Y)) = roll_rate_t * (*cspan_at(&work, right + layout__MOTION_AHEAD_Y)) + roll_rate * (*cspan_at(&work_t, right + layout__MOTION_AHEAD_Y));
+    (*cspan_at(&work, right + layout__MOTION_TURN_Y)) = roll_rate * (*cspan_at(&work, right + layout__MOTION_AHEAD_Y));
     (*cspan_at(&work_t, left + layout__MOTION_VERTICAL)) = vertical_t;
     (*cspan_at(&work, left + layout__MOTION_VERTICAL)) = vertical;
     (*cspan_at(&work_t, left + layout__MOTION_TURN_X)) = -(*cspan_at(&work_t, right + layout__MOTION_TURN_X));
@@ -3730,6 +3748,10 @@ static inline int64_t derivative_motion__constrain_touching_t(array_double_1d wo
     double y;
     double z_t;
     double z;
+    double sine;
+    double sine_t;
+    double cosine;
+    double cosine_t;
     double normal_y_t;
     double normal_y;
     double normal_z_t;
@@ -3742,10 +3764,11 @@ static inline int64_t derivative_motion__constrain_touching_t(array_double_1d wo
     y = (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
     z_t = (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z));
     z = (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-    normal_y_t = -(cos((*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE))) * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
-    normal_y = -sin((*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
-    normal_z_t = -((-sin((*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)))) * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
-    normal_z = -cos((*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    normal_y_t = -sine_t;
+    normal_y = -sine;
+    normal_z_t = -cosine_t;
+    normal_z = -cosine;
     (*cspan_at(&work_t, constraint + layout__CONSTRAINT_Y)) = normal_y_t;
     (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) = normal_y;
     (*cspan_at(&work_t, constraint + layout__CONSTRAINT_Z)) = normal_z_t;
@@ -3803,10 +3826,10 @@ static inline int64_t derivative_motion__known_part_t(double* result_0, double* 
 /* Derivative of ``set_contact_rates``. */
 static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d work, array_double_1d work_t, int64_t left, int64_t right)
 {
-    double sin_yaw_t;
-    double sin_yaw;
-    double cos_yaw_t;
-    double cos_yaw;
+    double x_t;
+    double x;
+    double y_t;
+    double y;
     double left_roll_t;
     double left_roll;
     double right_roll_t;
@@ -3829,14 +3852,14 @@ static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d wor
     double v4;
     double v5;
     double v6;
-    sin_yaw_t = cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW))) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW));
-    sin_yaw = sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    cos_yaw_t = (-sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)))) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW));
-    cos_yaw = cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    left_roll_t = sin_yaw_t * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) + sin_yaw * (*cspan_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - (cos_yaw_t * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + cos_yaw * (*cspan_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)));
-    left_roll = sin_yaw * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - cos_yaw * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X));
-    right_roll_t = cos_yaw_t * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + cos_yaw * (*cspan_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + (sin_yaw_t * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) + sin_yaw * (*cspan_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)));
-    right_roll = cos_yaw * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + sin_yaw * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y));
+    x_t = (*cspan_at(&work_t, right + layout__MOTION_AHEAD_X));
+    x = (*cspan_at(&work, right + layout__MOTION_AHEAD_X));
+    y_t = (*cspan_at(&work_t, right + layout__MOTION_AHEAD_Y));
+    y = (*cspan_at(&work, right + layout__MOTION_AHEAD_Y));
+    left_roll_t = y_t * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) + y * (*cspan_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - (x_t * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + x * (*cspan_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)));
+    left_roll = y * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - x * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X));
+    right_roll_t = x_t * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + x * (*cspan_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + (y_t * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) + y * (*cspan_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)));
+    right_roll = x * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + y * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y));
     derivative_motion__known_part_t(&v1, &v1_t, work, work_t, left);
     known_left_t = v1_t;
     known_left = v1;
@@ -3987,15 +4010,17 @@ static inline int64_t derivative_polach__creep_force_t(double* result_0, double*
     double v7;
     double e_t;
     double e;
+    double v8;
+    double v8_t;
     double share_t;
     double share;
-    double v8;
     double v9;
     double v10;
     double v11;
     double v12;
     double v13;
     double v14;
+    double v15;
     bound_t = (*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     v1 = 0.25 * M_PI;
@@ -4007,27 +4032,28 @@ static inline int64_t derivative_polach__creep_force_t(double* result_0, double*
     v7 = v6 / bound;
     e_t = ((((v1 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + v2 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) * shear_modulus + v3 * shear_modulus_t) * coefficient + v4 * coefficient_t) * whole + v5 * whole_t - v7 * bound_t) / bound;
     e = v7;
-    share_t = e_t / (1.0 + e * e);
-    share = atan(e);
+    derivative_circle__atan_rule_t(&v8, &v8_t, e, e_t);
+    share_t = v8_t;
+    share = v8;
     if (e < 1.0)
     {
-        v8 = 1.0 + e * e;
-        v9 = e / v8;
-        share_t = share_t + (e_t - v9 * (e_t * e + e * e_t)) / v8;
-        share = share + v9;
+        v9 = 1.0 + e * e;
+        v10 = e / v9;
+        share_t = share_t + (e_t - v10 * (e_t * e + e * e_t)) / v9;
+        share = share + v10;
     }
     else
     {
-        v10 = 1.0 / e;
-        v11 = e + v10;
-        v12 = 1.0 / v11;
-        share_t = share_t + (-v12) * (e_t + (-v10) * e_t / e) / v11;
-        share = share + v12;
+        v11 = 1.0 / e;
+        v12 = e + v11;
+        v13 = 1.0 / v12;
+        share_t = share_t + (-v13) * (e_t + (-v11) * e_t / e) / v12;
+        share = share + v13;
     }
-    v13 = 2.0 / M_PI;
-    v14 = v13 * bound;
-    (*result_0) = v14 * share;
-    (*result_1) = v13 * bound_t * share + v14 * share_t;
+    v14 = 2.0 / M_PI;
+    v15 = v14 * bound;
+    (*result_0) = v15 * share;
+    (*result_1) = v14 * bound_t * share + v15 * share_t;
     return 0;
 }
 
@@ -4040,9 +4066,10 @@ static inline int64_t derivative_polach__spin_force_t(double* result_0, double* 
     double b;
     double bound_t;
     double bound;
-    double v1;
     double v2;
     double v3;
+    double v1;
+    double v1_t;
     double v4;
     double wide_t;
     double wide;
@@ -4072,11 +4099,11 @@ static inline int64_t derivative_polach__spin_force_t(double* result_0, double* 
     b = (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     bound_t = (*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    v1 = -a;
-    v2 = v1 / b;
-    v3 = exp(v2);
-    v4 = 1.0 - v3;
-    wide_t = 6.3 * (-(v3 * (((-a_t) - v2 * b_t) / b)));
+    v2 = -a;
+    v3 = v2 / b;
+    derivative_powers__exp_rule_t(&v1, &v1_t, v3, ((-a_t) - v3 * b_t) / b);
+    v4 = 1.0 - v1;
+    wide_t = 6.3 * (-v1_t);
     wide = 1.0 + 6.3 * v4;
     v5 = 8.0 / 3.0;
     v6 = v5 * shear_modulus;
@@ -4585,29 +4612,32 @@ static inline int64_t derivative_stiffness__creepage_shift_t(double* v3, double*
 static inline int64_t derivative_stiffness__mean_share_t(double* share, double* share_t, double ratio, double ratio_t)
 {
     double v1;
+    double v1_t;
     double v2;
     double v3;
-    double v3_t;
     double v4;
     double v4_t;
-    v1 = log(ratio) - stiffness__OWN_UNTIL;
-    v2 = stiffness__MEAN_FROM - stiffness__OWN_UNTIL;
-    v3 = v1 / v2;
-    v3_t = ratio_t / ratio / v2;
-    if (0.0 > v3)
+    double v5;
+    double v5_t;
+    derivative_powers__log_rule_t(&v1, &v1_t, ratio, ratio_t);
+    v2 = v1 - stiffness__OWN_UNTIL;
+    v3 = stiffness__MEAN_FROM - stiffness__OWN_UNTIL;
+    v4 = v2 / v3;
+    v4_t = v1_t / v3;
+    if (0.0 > v4)
     {
-        v3 = 0.0;
-        v3_t = 0.0;
-    }
-    v4 = v3;
-    v4_t = v3_t;
-    if (1.0 < v4)
-    {
-        v4 = 1.0;
+        v4 = 0.0;
         v4_t = 0.0;
     }
-    (*share_t) = v4_t;
-    (*share) = v4;
+    v5 = v4;
+    v5_t = v4_t;
+    if (1.0 < v5)
+    {
+        v5 = 1.0;
+        v5_t = 0.0;
+    }
+    (*share_t) = v5_t;
+    (*share) = v5;
     return 0;
 }
 
@@ -4776,9 +4806,12 @@ static inline int64_t derivative_stiffness__stiffnesses_at_t(double* along, doub
 static inline int64_t derivative_tractions__shape_place_t(double* result_0, double* result_1, double axis_ratio, double axis_ratio_t)
 {
     double v1;
-    v1 = log(axis_ratio) - layout__SHAPE_START;
-    (*result_0) = v1 * layout__SHAPE_PER_UNIT;
-    (*result_1) = axis_ratio_t / axis_ratio * layout__SHAPE_PER_UNIT;
+    double v1_t;
+    double v2;
+    derivative_powers__log_rule_t(&v1, &v1_t, axis_ratio, axis_ratio_t);
+    v2 = v1 - layout__SHAPE_START;
+    (*result_0) = v2 * layout__SHAPE_PER_UNIT;
+    (*result_1) = v1_t * layout__SHAPE_PER_UNIT;
     return 0;
 }
 
