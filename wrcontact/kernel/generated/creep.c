@@ -148,8 +148,8 @@ static inline double tractions__point_weight(array_double_1d work, int64_t strip
  *
  * is mirrored until s1 and s3 are not negative, and taken in polar coordinates: its length R as R / (1 + R), its
  * elevation arctan(s1 / sqrt(s2^2 + s3^2)) and its azimuth arctan2(s3, s2).  Over these and ln r the table holds
- * the force over mu N, the moment over mu N sqrt(ab) and the stick share that are missing; between its nodes they
- * follow straight lines along each coordinate.  The force is then cut to mu N, the stick share to 0 ... 1.
+ * the force over mu N, the moment over mu N sqrt(ab) and the stick share that are missing; between its nodes
+ * they follow straight lines along each coordinate.  The force is then cut to mu N, the stick share to 0 ... 1.
  *
  * s3 is zero on both sides of the azimuth's ends, where the table's values change over into their mirror images;
  * so the correction is continuous all over.
@@ -341,9 +341,9 @@ static inline double correction__on_line(array_double_1d tables, int64_t table, 
  * Strips slip later than lines: u, v, k and s are taken 1 - (1/2) E f^2 / (d/a) times, E = 0.08 r / (1 + r),
  * f = 2 d/a - (d/a)^2, and eq. (Z2) is solved once more.                                            (Z4)
  *
- * A strip carries more, the more its neighbours slip, which then help it less.  With its share of the force of
- * linear theory, g = 1 - d/(2 a) or a/(2 d) where d > a, and the mean G of the patch, weighted with K1 a h, u and
- * v are taken this many times as well, the second time:
+ * A strip carries more, the more its neighbours slip, which then help it less.  With its share of the force
+ * of linear theory, g = 1 - d/(2 a) or a/(2 d) where d > a, and the mean G of the patch, weighted with K1 a h,
+ * u and v are taken this many times as well, the second time:
  *
  *     1 + 0.6 / (1 + 4 k^2) (g - G) / max(g, G)                                                    (Z6)
  *
@@ -1536,12 +1536,14 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
  *
  * In steady rolling elastic deformation takes no power in sum, and over the rolling speed friction takes
  *
- *     P = -(xi F_x + eta F_y + phi M + sum_i [(w_x,i - xi + phi y_i) F_x,i
- *                                             + (w_y,i - phi_i x_i - eta) F_y,i + (phi_i - phi) M_i]) (W1)
+ *     P = -(xi F_x + eta F_y + phi M
+ *           + sum_i [(w_x,i - xi + phi y_i) F_x,i + (w_y,i - phi_i x_i - eta) F_y,i
+ *                    + (phi_i - phi) M_i])                                       (W1)
  *
- * with the creepages and the spin of the strips' own places.  The complete theory has P >= 0, and so have the models
- * almost everywhere.  In one of some thousand cases, with spin on long patches, the error of the moment makes P
- * negative; there the moment is the one with P = 0.  Forces stay as they are, and nothing jumps.
+ * with the creepages and the spin of the strips' own places.  The complete theory has P >= 0,
+ * and so have the models almost everywhere.  In one of some thousand cases, with spin on long patches, the error
+ * of the moment makes P negative; there the moment is the one with P = 0.  Forces stay as they are, and nothing
+ * jumps.
  */
 
 /* Coefficient of friction of a patch with the contact ``angle`` [rad] that slides with ``sliding`` [m/s],
