@@ -75,7 +75,8 @@ def cross_sum(state, work):
                             (-mirror * moment * own, -mirror * moment * own @ axle)]
                 force += acting
             rest = rest_x * along + rest_y * outside
-            moments += [turned(place, patch.rolling_radius, rest), (turning * normal, turning * normal @ axle)]
+            moments += [turned(place, patch.rolling_radius, rest),
+                        (turning * normal, turning * normal @ axle)]
             total += np.concatenate([force + rest, sum(moment for moment, _ in moments)])
             torque -= sum(part for _, part in moments)
             power += patch.friction_power

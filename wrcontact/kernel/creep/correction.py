@@ -8,8 +8,7 @@ For the ellipse with the patch's area and length over width, r = a/b, the satura
 is mirrored until s1 and s3 are not negative, and taken in polar coordinates: its length R as R / (1 + R), its
 elevation arctan(s1 / sqrt(s2^2 + s3^2)) and its azimuth arctan2(s3, s2).  Over these and ln r the table holds
 the force over mu N, the moment over mu N sqrt(ab) and the stick share that are missing; between its nodes
-they follow straight lines along each coordinate.  The force is then cut to mu N, the stick share to
-0 ... 1.
+they follow straight lines along each coordinate.  The force is then cut to mu N, the stick share to 0 ... 1.
 
 s3 is zero on both sides of the azimuth's ends, where the table's values change over into their mirror images;
 so the correction is continuous all over.

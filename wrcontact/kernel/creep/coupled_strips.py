@@ -25,9 +25,9 @@ passes 1:
 Strips slip later than lines: u, v, k and s are taken 1 - (1/2) E f^2 / (d/a) times, E = 0.08 r / (1 + r),
 f = 2 d/a - (d/a)^2, and eq. (Z2) is solved once more.                                            (Z4)
 
-A strip carries more, the more its neighbours slip, which then help it less.  With its share of the force of
-linear theory, g = 1 - d/(2 a) or a/(2 d) where d > a, and the mean G of the patch, weighted with K1 a h, u and
-v are taken this many times as well, the second time:
+A strip carries more, the more its neighbours slip, which then help it less.  With its share of the force
+of linear theory, g = 1 - d/(2 a) or a/(2 d) where d > a, and the mean G of the patch, weighted with K1 a h,
+u and v are taken this many times as well, the second time:
 
     1 + 0.6 / (1 + 4 k^2) (g - G) / max(g, G)                                                    (Z6)
 

@@ -12,8 +12,9 @@ Friction takes power: where a model would give some back, its moment is changed.
 
 In steady rolling elastic deformation takes no power in sum, and over the rolling speed friction takes
 
-    P = -(xi F_x + eta F_y + phi M + sum_i [(w_x,i - xi + phi y_i) F_x,i
-                                            + (w_y,i - phi_i x_i - eta) F_y,i + (phi_i - phi) M_i]) (W1)
+    P = -(xi F_x + eta F_y + phi M
+          + sum_i [(w_x,i - xi + phi y_i) F_x,i + (w_y,i - phi_i x_i - eta) F_y,i
+                   + (phi_i - phi) M_i])                                       (W1)
 
 with the creepages and the spin of the strips' own places.  The complete theory has P >= 0, and so have the
 models almost everywhere.  In one of some thousand cases, with spin on long patches, the error of the moment
