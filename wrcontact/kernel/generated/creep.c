@@ -94,7 +94,8 @@ static inline int64_t march__march_strips(array_double_1d tables, array_double_1
 static inline bool motion__is_rail_moderate(double lateral, double vertical, double roll);
 static inline bool motion__is_moderate(array_double_1d work);
 static inline double motion__rolling_rate(array_double_1d work, array_double_1d tables);
-static inline int64_t motion__open_motion(array_double_1d work, array_double_1d tables, int64_t motion, double mirror);
+static inline int64_t motion__open_motion(array_double_1d work, array_double_1d tables, int64_t motion);
+static inline int64_t motion__mirror_motion(array_double_1d work, int64_t motion, int64_t mirrored);
 static inline int64_t motion__open_left_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail);
 static inline int64_t motion__open_right_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail);
 static inline int64_t motion__set_rates(array_double_1d work, int64_t left, int64_t right, double vertical, double roll_rate);
@@ -177,7 +178,7 @@ static inline int64_t correction__correct_force(array_double_1d work, array_doub
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING)));
     bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     mean_axis = sqrt((*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
-    tables__table_cell(&ratio, &on_ratio, (log((*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH))) - log(correction__FIRST_RATIO)) * correction__PER_DOUBLING, (double)(layout__CORRECTION_RATIOS - INT64_C(1)));
+    tables__table_cell(&ratio, &on_ratio, (powers__log((*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH))) - correction__LN_FIRST_RATIO) * correction__PER_DOUBLING, (double)(layout__CORRECTION_RATIOS - INT64_C(1)));
     correction__saturation(&along, &across, &turning, work, tables, patch, ratio, on_ratio);
     sign_x = 1.0;
     if (along < 0.0)
@@ -222,7 +223,7 @@ static inline int64_t correction__saturation(double* result_0, double* result_1,
     area = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), ratio);
     scale = (-area) * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) / ((*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
-    wide = sqrt(1.0 + 0.66 * exp((-2.7) * log(ratio)));
+    wide = sqrt(1.0 + 0.66 * powers__exp((-2.7) * powers__log(ratio)));
     at = INT64_C(3) * cell;
     (*result_0) = scale * first * correction__scale_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at, share) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
     (*result_1) = scale * second * correction__scale_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), at + INT64_C(1), share) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
@@ -251,9 +252,9 @@ static inline int64_t correction__node_at(int64_t* at, double* on_elevation, dou
     int64_t cell;
     flat = sqrt(across * across + turning * turning);
     radius = sqrt(flat * flat + along * along);
-    place = atan2(along, flat) * correction__PER_RADIAN;
+    place = circle__atan2(along, flat) * correction__PER_RADIAN;
     tables__table_cell(&elevation, on_elevation, place + double_min(2, place, 1.0), (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)));
-    tables__table_cell(&azimuth, on_azimuth, atan2(fabs(turning), across) / M_PI * (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)));
+    tables__table_cell(&azimuth, on_azimuth, circle__atan2(fabs(turning), across) / M_PI * (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)));
     correction__radius_cell(&cell, on_radius, tables, table, radius / (1.0 + radius));
     (*at) = elevation * correction__ELEVATION_STRIDE + azimuth * layout__CORRECTION_LINE + cell * layout__CORRECTION_COLUMNS;
     return 0;
@@ -336,7 +337,7 @@ static inline double correction__on_line(array_double_1d tables, int64_t table, 
  * of u over the strip's width, and a floor in long patches, where all strips would begin to slip at once as k
  * passes 1:
  *
- *     s^2 = (K1 phi h / m)^2 / 6 + (0.3 min(1, r/6) min(|k|, 1.5)^2 a)^2,   r = a/b of the patch     (Z3)
+ *     s^2 = (K1 phi h / m)^2 / 6 + (0.3 min(1, r/4.5) min(|k|, 1.5)^2 a)^2,   r = a/b of the patch     (Z3)
  *
  * Strips slip later than lines: u, v, k and s are taken 1 - (1/2) E f^2 / (d/a) times, E = 0.08 r / (1 + r),
  * f = 2 d/a - (d/a)^2, and eq. (Z2) is solved once more.                                            (Z4)
@@ -783,8 +784,8 @@ static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion,
     along = creepage__velocity_along(work, motion, y, z, rolling_x);
     lateral = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * x - (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * z - rolling_y - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)));
     vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x - rolling_z - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)));
-    normal_y = -sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
-    normal_z = -cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)));
+    normal_y = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN));
+    normal_z = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
     speed = creepage__reference_speed(work, motion, rolling_x);
     (*cspan_at(&work, patch + layout__PATCH_SPEED)) = speed;
     (*cspan_at(&work, patch + layout__PATCH_RADIUS_SHARE)) = share;
@@ -904,7 +905,7 @@ static inline double creepage__approach_rate(array_double_1d work, int64_t motio
     z = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
     lateral = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * z - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)));
     vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)));
-    result = sin((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE))) * lateral + cos((*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE))) * vertical;
+    result = (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) * lateral + (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) * vertical;
     return result;
 }
 
@@ -1540,10 +1541,9 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
  *           + sum_i [(w_x,i - xi + phi y_i) F_x,i + (w_y,i - phi_i x_i - eta) F_y,i
  *                    + (phi_i - phi) M_i])                                       (W1)
  *
- * with the creepages and the spin of the strips' own places.  The complete theory has P >= 0,
- * and so have the models almost everywhere.  In one of some thousand cases, with spin on long patches, the error
- * of the moment makes P negative; there the moment is the one with P = 0.  Forces stay as they are, and nothing
- * jumps.
+ * with the creepages and the spin of the strips' own places.  The complete theory has P >= 0, and so have the
+ * models almost everywhere.  In one of some thousand cases, with spin on long patches, the error of the moment
+ * makes P negative; there the moment is the one with P = 0.  Forces stay as they are, and nothing jumps.
  */
 
 /* Coefficient of friction of a patch with the contact ``angle`` [rad] that slides with ``sliding`` [m/s],
@@ -1561,7 +1561,7 @@ static inline double friction__patch_friction(array_double_1d tables, double fri
     if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE)) > 0.0)
     {
         fall = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL));
-        found *= (1.0 - fall) * exp((-(*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE))) * sliding) + fall;
+        found *= (1.0 - fall) * powers__exp((-(*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE))) * sliding) + fall;
     }
     return found;
 }
@@ -1634,8 +1634,10 @@ static inline bool friction__is_frictional(double friction, double limit)
     return (friction >= 0.0) && (friction <= limit);
 }
 
-/* Change the moment where it would be a gain of power, eq. (W1), but to no more than friction has.  A
- * model that takes the patch for one ellipse has no moment, which is a part of this power.
+/* Change the moment where it would be a gain of power, eq. (W1), but to no more than friction has.
+ *
+ * Polach's formula has no moment of its own, but a lateral force of spin, which is a gain of power where
+ * lateral creepage has its direction.
  */
 static inline int64_t friction__keep_dissipating(array_double_1d work, int64_t patch)
 {
@@ -1644,7 +1646,7 @@ static inline int64_t friction__keep_dissipating(array_double_1d work, int64_t p
     double most;
     double moment;
     gain = friction__creep_gain(work, patch);
-    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0) && ((*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) != 0.0))
+    if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0))
     {
         reach = double_max(2, (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)), (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
         most = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * reach;
@@ -2189,29 +2191,47 @@ static inline double motion__rolling_rate(array_double_1d work, array_double_1d 
     return rate;
 }
 
-/* What the inputs say of the motion of the ``wheelset``, as a side sees it: ``mirror`` = 1 on the right,
- * -1 on the left, which is mirrored.  Vertical velocity and roll rate are left to :func:`set_rates`.
+/* What the inputs say of the motion of the ``wheelset``, as the right side sees it.  Vertical velocity
+ * and roll rate are left to :func:`set_rates`.
  */
-static inline int64_t motion__open_motion(array_double_1d work, array_double_1d tables, int64_t motion, double mirror)
+static inline int64_t motion__open_motion(array_double_1d work, array_double_1d tables, int64_t motion)
 {
     double sin_yaw;
     double cos_yaw;
     double sin_roll;
     double cos_roll;
-    sin_yaw = sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    cos_yaw = cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    sin_roll = sin((*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
-    cos_roll = cos((*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
+    circle__sine_cosine(&sin_yaw, &cos_yaw, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    circle__sine_cosine(&sin_roll, &cos_roll, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
     (*cspan_at(&work, motion + layout__MOTION_SPEED)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED));
-    (*cspan_at(&work, motion + layout__MOTION_LATERAL)) = mirror * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
+    (*cspan_at(&work, motion + layout__MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
     (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) = motion__rolling_rate(work, tables);
-    (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) = mirror * ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE)));
-    (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) = mirror * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
-    (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) = (-mirror) * sin_yaw * cos_roll;
+    (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE));
+    (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
+    (*cspan_at(&work, motion + layout__MOTION_AHEAD_X)) = cos_yaw;
+    (*cspan_at(&work, motion + layout__MOTION_AHEAD_Y)) = sin_yaw;
+    (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) = (-sin_yaw) * cos_roll;
     (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) = cos_yaw * cos_roll;
-    (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) = mirror * sin_roll;
-    (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) = mirror * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
+    (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) = sin_roll;
+    (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
     (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_HEIGHT));
+    return INT64_C(0);
+}
+
+/* The same as the left side sees it, which is mirrored. */
+static inline int64_t motion__mirror_motion(array_double_1d work, int64_t motion, int64_t mirrored)
+{
+    (*cspan_at(&work, mirrored + layout__MOTION_SPEED)) = (*cspan_at(&work, motion + layout__MOTION_SPEED));
+    (*cspan_at(&work, mirrored + layout__MOTION_LATERAL)) = -(*cspan_at(&work, motion + layout__MOTION_LATERAL));
+    (*cspan_at(&work, mirrored + layout__MOTION_WHEEL_RATE)) = (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE));
+    (*cspan_at(&work, mirrored + layout__MOTION_TRACK_RATE)) = -(*cspan_at(&work, motion + layout__MOTION_TRACK_RATE));
+    (*cspan_at(&work, mirrored + layout__MOTION_TURN_Z)) = -(*cspan_at(&work, motion + layout__MOTION_TURN_Z));
+    (*cspan_at(&work, mirrored + layout__MOTION_AHEAD_X)) = (*cspan_at(&work, motion + layout__MOTION_AHEAD_X));
+    (*cspan_at(&work, mirrored + layout__MOTION_AHEAD_Y)) = -(*cspan_at(&work, motion + layout__MOTION_AHEAD_Y));
+    (*cspan_at(&work, mirrored + layout__MOTION_AXLE_X)) = -(*cspan_at(&work, motion + layout__MOTION_AXLE_X));
+    (*cspan_at(&work, mirrored + layout__MOTION_AXLE_Y)) = (*cspan_at(&work, motion + layout__MOTION_AXLE_Y));
+    (*cspan_at(&work, mirrored + layout__MOTION_AXLE_Z)) = -(*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
+    (*cspan_at(&work, mirrored + layout__MOTION_CENTRE_Y)) = -(*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
+    (*cspan_at(&work, mirrored + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
     return INT64_C(0);
 }
 
@@ -2244,8 +2264,8 @@ static inline int64_t motion__open_right_rail(array_double_1d tables, array_doub
 static inline int64_t motion__set_rates(array_double_1d work, int64_t left, int64_t right, double vertical, double roll_rate)
 {
     (*cspan_at(&work, right + layout__MOTION_VERTICAL)) = vertical;
-    (*cspan_at(&work, right + layout__MOTION_TURN_X)) = roll_rate * cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    (*cspan_at(&work, right + layout__MOTION_TURN_Y)) = roll_rate * sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    (*cspan_at(&work, right + layout__MOTION_TURN_X)) = roll_rate * (*cspan_at(&work, right + layout__MOTION_AHEAD_X));
+    (*cspan_at(&work, right + layout__MOTION_TURN_Y)) = roll_rate * (*cspan_at(&work, right + layout__MOTION_AHEAD_Y));
     (*cspan_at(&work, left + layout__MOTION_VERTICAL)) = vertical;
     (*cspan_at(&work, left + layout__MOTION_TURN_X)) = -(*cspan_at(&work, right + layout__MOTION_TURN_X));
     (*cspan_at(&work, left + layout__MOTION_TURN_Y)) = (*cspan_at(&work, right + layout__MOTION_TURN_Y));
@@ -2259,14 +2279,17 @@ static inline int64_t motion__constrain_touching(array_double_1d work, int64_t m
     double x;
     double y;
     double z;
+    double sine;
+    double cosine;
     double normal_y;
     double normal_z;
     constraint = motion + layout__MOTION_CONSTRAINT;
     x = (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK));
     y = (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
     z = (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-    normal_y = -sin((*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
-    normal_z = -cos((*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    circle__sine_cosine(&sine, &cosine, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    normal_y = -sine;
+    normal_z = -cosine;
     (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) = normal_y;
     (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) = normal_z;
     (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) = y * normal_z - z * normal_y;
@@ -2310,8 +2333,8 @@ static inline double motion__known_part(array_double_1d work, int64_t motion)
  */
 static inline int64_t motion__set_contact_rates(array_double_1d work, int64_t left, int64_t right)
 {
-    double sin_yaw;
-    double cos_yaw;
+    double x;
+    double y;
     double left_roll;
     double right_roll;
     double known_left;
@@ -2319,10 +2342,10 @@ static inline int64_t motion__set_contact_rates(array_double_1d work, int64_t le
     double determinant;
     double vertical;
     double roll_rate;
-    sin_yaw = sin((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    cos_yaw = cos((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    left_roll = sin_yaw * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - cos_yaw * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X));
-    right_roll = cos_yaw * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + sin_yaw * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y));
+    x = (*cspan_at(&work, right + layout__MOTION_AHEAD_X));
+    y = (*cspan_at(&work, right + layout__MOTION_AHEAD_Y));
+    left_roll = y * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - x * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X));
+    right_roll = x * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + y * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y));
     known_left = motion__known_part(work, left);
     known_right = motion__known_part(work, right);
     determinant = (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * right_roll - (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * left_roll;
@@ -2414,7 +2437,7 @@ static inline double polach__creep_force(array_double_1d work, double shear_modu
     double share;
     bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     e = 0.25 * M_PI * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) * shear_modulus * coefficient * whole / bound;
-    share = atan(e);
+    share = circle__atan(e);
     if (e < 1.0)
     {
         share += e / (1.0 + e * e);
@@ -2438,7 +2461,7 @@ static inline double polach__spin_force(array_double_1d work, double shear_modul
     a = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
     b = (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    wide = 1.0 + 6.3 * (1.0 - exp((-a) / b));
+    wide = 1.0 + 6.3 * (1.0 - powers__exp((-a) / b));
     e = 8.0 / 3.0 * shear_modulus * b * sqrt(a * b) * coefficient * whole / (bound * wide);
     result = 9.0 / 16.0 * a * bound * wide * polach__spin_share(e) * ((*cspan_at(&work, patch + layout__PATCH_SPIN)) / whole);
     return result;
@@ -2740,7 +2763,7 @@ static inline double stiffness__creepage_shift(array_double_1d work)
 static inline double stiffness__mean_share(double ratio)
 {
     double share;
-    share = double_min(2, double_max(2, (log(ratio) - stiffness__OWN_UNTIL) / (stiffness__MEAN_FROM - stiffness__OWN_UNTIL), 0.0), 1.0);
+    share = double_min(2, double_max(2, (powers__log(ratio) - stiffness__OWN_UNTIL) / (stiffness__MEAN_FROM - stiffness__OWN_UNTIL), 0.0), 1.0);
     return share;
 }
 
@@ -2828,7 +2851,7 @@ static inline int64_t stiffness__stiffnesses_at(double* along, double* across, d
 /* Place of a/b in the table, counted in cells; beyond its ends the shape of the end is taken. */
 static inline double tractions__shape_place(double axis_ratio)
 {
-    return (log(axis_ratio) - layout__SHAPE_START) * layout__SHAPE_PER_UNIT;
+    return (powers__log(axis_ratio) - layout__SHAPE_START) * layout__SHAPE_PER_UNIT;
 }
 
 /* Value of a column, 0 ... SHAPE_COLUMNS - 1, at a place. */
