@@ -83,7 +83,7 @@ def test_the_page_on_fmus_names_what_there_is(capsys):
     assert wildcards == ["*.c", "kernel/native/*.c"]
     assert {unit.rpartition("/")[0] for unit in native.compiled_units(2)} == {"", "kernel/native"}
     with pytest.raises(SystemExit):
-        main(["build", "--help"])
+        main(["build", "--help-all"])
     options = capsys.readouterr().out
     for option in re.findall(r"--[a-z]+", re.sub("<!--.*?-->", "", page)):   # marks of tables are no options
         assert option in options, option

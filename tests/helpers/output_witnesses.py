@@ -247,16 +247,22 @@ def pressure_force(wheel, k):
     return np.array([wheel[f"patch[{k}].force.{axis}"] for axis in "xyz"]) - creep.creep_vectors(wheel, k)[0]
 
 
+def leaning(wheel):
+    """What the planes of the strips, in which creep forces act, lean against the one of their patch [N]:
+    1e-7 of the creep force on a tread, which has a radius of 300 mm."""
+    return 1e-7 * np.linalg.norm(creep.side_creep(wheel)[0])
+
+
 def normal_part(index):
     def witness(wheel):
         yield (sum(pressure_force(wheel, k)[index] for k in range(1, wheel.count + 1)),
-               1e-12 * wheel["normal_force"])
+               1e-12 * wheel["normal_force"] + leaning(wheel))
     return witness
 
 
 def normal_moment(index):
     def witness(wheel):
-        yield pressure_moment(wheel)[index], EXACT * wheel["normal_force"]
+        yield pressure_moment(wheel)[index], EXACT * wheel["normal_force"] + leaning(wheel)
     return witness
 
 

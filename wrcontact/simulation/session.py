@@ -14,8 +14,6 @@ Set values, initialise, step, read. Values are addressed by value reference, as 
 import hashlib
 import json
 import math
-import os
-from pathlib import Path
 
 import numpy as np
 
@@ -39,9 +37,9 @@ from ..interface.variables import (
 from ..kernel import layout
 from ..methods.numbers import ALSO_RATIO, UnusualValueWarning, check_choice
 from ..methods.words import PROPOSAL
-from ..profiles.catalogue import named_profile
 from ..system import ContactSystem
 from .life import INITIALISING, INSTANTIATED, RUNNING, TERMINATED, Life, Refused
+from .resources import packed_profile
 
 INPUTS, LOAD = layout.INPUT_COUNT, layout.IN_NORMAL_FORCE
 #: Keywords of profiles; an FMU's parameters have "_profile" behind them.
@@ -172,26 +170,13 @@ class Session:
         try:
             for profile in PROFILES:
                 if arguments[profile]:
-                    arguments[profile] = self._profile(profile, arguments[profile])
+                    arguments[profile] = packed_profile(self.resources, profile, arguments[profile])
             for name, value in parameters.items():
                 if PARAMETERS[name].choices:      # Python has more of them than an FMU
                     check_choice(name, value, PARAMETERS[name].choices)
             return ContactSystem(**arguments).stepper()
         except ValueError as wrong:         # as native FMUs have it: no proposals, and no texts for numbers
             raise Refused(str(wrong).partition(PROPOSAL)[0].removesuffix(ALSO_RATIO)) from None
-
-    def _profile(self, keyword, name):
-        """The path of the file of that name in the resources, or the name of a standard profile.
-
-        No other file is read: a path that leads out of the resources, by ``..``, from the root or by a link,
-        is refused as a name that nothing has.
-        """
-        if self.resources:
-            folder, file = (os.path.realpath(path) for path in (self.resources, Path(self.resources, name)))
-            if os.path.isfile(file) and Path(folder) in Path(file).parents:
-                return file
-        return named_profile(name, keyword.removeprefix(LEFT), f"{keyword}_profile",
-                             ", or the name of a profile file in the FMU's resources").name
 
     # --- inputs, outputs, steps ------------------------------------------------------------------
 
