@@ -76,6 +76,18 @@ def test_a_stick_zone_fades_over_the_last_tenth_of_its_strip():
     np.testing.assert_allclose(found, [1.0, 1.0, 0.5, 0.0], atol=1e-6)
 
 
+@pytest.mark.parametrize("mean", [0.85, 0.6, 0.95])
+def test_a_strip_whose_neighbours_slip_carries_more(mean):
+    """Eq. (Z6), without spin: a strip that slips over three tenths of its length carries 0.85 of linear
+    theory; where its patch carries less in the mean its creepage counts more, else less."""
+    one = open_march(half_length=4e-3, rate=2e10, along=7e9)
+    one.slip = 0.3 * 4e-3 * one.rate / one.along
+    coupled_strips.open_stick_zone(one, 0.0, 1e-4, 1e-9)        # in a short patch nothing slips later
+    assert one.carried == pytest.approx(0.85, abs=1e-9)
+    coupled_strips.find_stick_zone(one, mean, 1e-9)
+    assert one.depth == pytest.approx(0.3 * 4e-3 * (1.0 + 0.6 * (0.85 - mean) / max(0.85, mean)), rel=1e-6)
+
+
 @pytest.mark.parametrize("size, weight", [(0.5, 1.0), (1.0, 1.0), (1.5, 0.5), (2.0, 0.0), (3.0, 0.0)])
 def test_a_stick_zone_that_asks_for_more_than_the_bound_fades(size, weight):
     """Eq. (Z5) with |k| > 1: half where the leading edge asks for one and a half of the bound."""

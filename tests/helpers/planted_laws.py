@@ -121,6 +121,17 @@ LAWS = [
      "spin's stiffness is the mean in longer patches only", OF_STRIPS, STIFFNESS),
     ("softest", "SOFTEST: Final[float] = 0.02", "SOFTEST: Final[float] = 0.2",
      "no strip is softer than a fifth of the mean", OF_STRIPS, STIFFNESS),
+    ("yielding", "YIELD: Final[float] = 0.6", "YIELD: Final[float] = 0.0",
+     "neighbours that slip take no help away", OF_STRIPS, STRIPS),
+    # --- what is wanted, what dissipates, what fits on the rail
+    ("unwanted_forces", "tables.sides != SIDES_BOTH or tables.depth", "tables.depth",
+     "with one side the wheelset has the forces of both", "system/test_wanted.py",
+     f"{KERNEL}/wheelset/report.py"),
+    ("ellipse_limit", "widest = widest_ellipse(pair", "widest = 2.0 * widest_ellipse(pair",
+     "Hertz's ellipse is twice as wide as its profiles", "normal/test_hertz_on_profiles.py",
+     f"{KERNEL}/normal/hertz_contact.py"),
+    ("gain_kept", "if gain > 0.0 and patch.spin", "if gain > 1e9 and patch.spin",
+     "friction drives where a model errs", "creep/test_power.py", FRICTION),
     # --- outside the kernel
     ("aside", "signs.append(-1 if head.aside > 0.0 else 1)", "signs.append(1 if head.aside > 0.0 else -1)",
      "the gauge side is where the highest point lies", HEADS, ORIENTATION),
