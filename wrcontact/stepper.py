@@ -5,7 +5,10 @@ model of wrcontact/halfspace/stepping.py.  :meth:`wrcontact.ContactSystem.steppe
 """
 
 import math
+import os
 import time
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from queue import SimpleQueue
 
 import numpy as np
 
@@ -21,6 +24,8 @@ DEPTHS = {"all": layout.DEPTH_ALL, "patches": layout.DEPTH_PATCHES, "geometry": 
 PENETRATION_RANGE = (0.0, 0.01)
 #: Rows that a part of many has at first and at most, and the time that a part should take [s].
 FIRST_ROWS, MOST_ROWS, PART_TIME = 8, 1024, 0.2
+#: Rows that a thread takes at once: the slowest model needs half a second for them.
+SHARED_ROWS = 512
 
 
 class Stepper:
@@ -146,3 +151,37 @@ def _restored(tables, bind, arrays, penetration, wanted):
         own[:] = kept
     stepper._penetration, stepper._wanted = penetration, wanted
     return stepper
+
+
+def thread_count(threads, rows):
+    """How many threads share a table of ``rows``: at most ``threads``, None for the cores that this process
+    may use, and as many as have a block of rows each."""
+    if threads is None:
+        affinity = getattr(os, "sched_getaffinity", None)
+        threads = len(affinity(0)) if affinity else os.cpu_count() or 1
+    return min(threads, max(1, rows // SHARED_ROWS))
+
+
+def threaded_parts(steppers, rows, places=None):
+    """As :meth:`Stepper.parts`, by several steppers that each have a thread; parts come as they are done."""
+    free = SimpleQueue()
+    for stepper in steppers:
+        free.put(stepper)
+
+    def evaluated(first):
+        stepper, block = free.get(), slice(first, min(first + SHARED_ROWS, len(rows)))
+        count = block.stop - first
+        outputs, status = np.full((count, len(stepper.outputs)), math.nan), np.empty(count)
+        stepper.step_many(rows[block], outputs, status)
+        free.put(stepper)
+        return block, outputs if places is None else outputs[:, places], status.astype(int)
+
+    # blocks are handed out a few at a time, so that tables of all blocks never wait together
+    starts = iter(range(0, len(rows), SHARED_ROWS))
+    with ThreadPoolExecutor(len(steppers)) as pool:
+        running = {pool.submit(evaluated, first) for _, first in zip(2 * steppers, starts)}
+        while running:
+            done = next(as_completed(running))
+            running.remove(done)
+            running.update(pool.submit(evaluated, first) for _, first in zip(range(1), starts))
+            yield done.result()

@@ -9,12 +9,13 @@
 
 import math
 import threading
+from copy import deepcopy
 from functools import partial
 
 import numpy as np
 
 from .interface.calls import (
-    check_processes,
+    check_count,
     describe_inputs,
     describe_parameters,
     input_values,
@@ -33,7 +34,7 @@ from .profiles.plausible import remark_wheels
 from .results.columns import selected
 from .state import Equilibrium, WheelsetState
 from .status import Status
-from .stepper import DEPTHS, Stepper
+from .stepper import DEPTHS, Stepper, thread_count, threaded_parts
 
 #: By number; making one from its number takes ten times as long.
 STATUSES = tuple(Status)
@@ -208,7 +209,8 @@ class ContactSystem:
         given = {row.keyword: value for row, value in zip(INPUTS, values)}
         return self.evaluate_many(penetration=penetration, side=side, outputs=outputs, **given)[0]
 
-    def evaluate_many(self, *arguments, penetration=None, side="both", outputs="all", processes=1, **inputs):
+    def evaluate_many(self, *arguments, penetration=None, side="both", outputs="all", processes=1,
+                      threads=None, **inputs):
         """As :meth:`evaluate` for arrays (n,) that broadcast against each other; the same names hold arrays
         (n, ...).
 
@@ -217,8 +219,9 @@ class ContactSystem:
         the outcome of the whole contact alone.  The table has memory only for what is wanted: 4.3 kB a row
         for all outputs, 8 B for one.
 
-        ``processes`` share the rows of the half-space, which needs much time, with the same results; the
-        other models use one.  A script makes such a call below ``if __name__ == "__main__":``.
+        ``threads`` share the rows of a long table, with the same bits; None are as many as this process has
+        cores.  The half-space, which needs much time, is shared by ``processes`` instead, with the same
+        results; a script makes such a call below ``if __name__ == "__main__":``.
 
         Raises
         ------
@@ -229,13 +232,15 @@ class ContactSystem:
         """
         from .progress import working  # not part of an FMU
 
-        check_processes(processes)
+        check_count("processes", processes)
+        if threads is not None:
+            check_count("threads", threads)
         rows, wanted, stepper = self._many(arguments, penetration, side, outputs, inputs)
         width = len(stepper.outputs)
         values = np.empty((len(rows), width if wanted.places is None else len(wanted.places)))
         status = np.empty(len(rows), dtype=int)
         with working("evaluating poses", len(rows)) as advance:
-            for part, found, outcome in self._parts(stepper, rows, wanted.places, processes):
+            for part, found, outcome in self._parts(stepper, rows, wanted.places, processes, threads):
                 values[part], status[part] = found, outcome
                 advance(len(found))
         return WheelsetState(values, status, rows, wanted.places, width, self._balancing())
@@ -244,7 +249,7 @@ class ContactSystem:
                        **inputs):
         """As :meth:`evaluate_many`, but yields the table in parts of up to 1024 rows, one after the other:
         the memory does not grow with the number of rows."""
-        check_processes(processes)
+        check_count("processes", processes)
         rows, wanted, stepper = self._many(arguments, penetration, side, outputs, inputs)
         parts = self._parts(stepper, rows, wanted.places, processes)
         return (WheelsetState(found.copy(), outcome, rows[part], wanted.places, len(stepper.outputs),
@@ -267,9 +272,16 @@ class ContactSystem:
             return Equilibrium(found.vertical_shift, found.roll, found.status)
         return Equilibrium(float(found.vertical_shift[0]), float(found.roll[0]), Status(int(found.status[0])))
 
-    def _parts(self, stepper, rows, places, processes):
-        """The parts of :meth:`Stepper.parts`; several processes share the half-space's rows."""
-        if processes == 1 or len(rows) < 2 or not isinstance(self.methods["normal_model"], Halfspace):
+    def _parts(self, stepper, rows, places, processes, threads=1):
+        """The parts of :meth:`Stepper.parts`; several processes share the half-space's rows, several threads
+        those of the compiled kernel, in no order."""
+        if not isinstance(self.methods["normal_model"], Halfspace):
+            shared = thread_count(threads, len(rows)) if stepper.compiled else 1
+            if shared > 1:
+                others = (deepcopy(stepper) for _ in range(shared - 1))
+                return threaded_parts([stepper, *others], rows, places)
+            return stepper.parts(rows, places)
+        if processes == 1 or len(rows) < 2:
             return stepper.parts(rows, places)
         from .halfspace.stepping import shared_parts
 

@@ -106,10 +106,10 @@ def wrong_input(values, array):
     return ValueError(f"the inputs have the shapes {shapes}; permitted are arrays of one length")
 
 
-def check_processes(processes):
-    """Refuse a number of processes that is no whole number from 1 on, with a ValueError."""
-    if isinstance(processes, bool) or not isinstance(processes, Integral) or processes < 1:
-        raise ValueError(f"processes is {processes!r}; permitted is a whole number from 1 on")
+def check_count(name, count):
+    """Refuse a number of processes or threads that is no whole number from 1 on, with a ValueError."""
+    if isinstance(count, bool) or not isinstance(count, Integral) or count < 1:
+        raise ValueError(f"{name} is {count!r}; permitted is a whole number from 1 on")
 
 
 def describe_inputs(function):
@@ -117,7 +117,8 @@ def describe_inputs(function):
     found = signature(function).parameters
     rows = [_parameter(row.keyword, row.start, row.positional)
             for row in sorted(INPUTS, key=lambda row: not row.positional)]
-    others = [found[name] for name in ("penetration", "side", "outputs", "processes") if name in found]
+    others = [found[name] for name in ("penetration", "side", "outputs", "processes", "threads")
+              if name in found]
     function.__signature__ = Signature([found["self"], *rows, *others])
     _fill(function, "{inputs}", [f"        {row.keyword} : {row.words} [{row.unit}]." for row in INPUTS])
 
