@@ -229,7 +229,7 @@ def _draw_below(upper, lower, outline, colour, scale):
     if np.nanmax(outline.shear) > 0.0:
         shear, = lower.plot(outline.station / MM, outline.shear / MEGAPASCAL, color=INK, linewidth=1.2,
                             linestyle=(0, (4, 2)))
-        lower.legend([line, shear], ["pressure", "shear stress, mean along the patch"], loc="best")
+        lower.legend([line, shear], ["pressure", "mean shear stress"], loc="upper right")
     lower.set(xlim=upper.get_xlim(), ylim=(0, 1.05 * scale.vmax), ylabel="pressure [MPa]",
               xlabel="lateral in the contact plane, field side + [mm]")
 
