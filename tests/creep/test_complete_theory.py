@@ -309,7 +309,8 @@ def test_centred_manchester_wheelset(monkeypatch):
     state = manchester_wheelset(pair, **methods)
 
     def plane(motion, side, patch, field):
-        return patch.creepage_x - patch.spin * field.y
+        rows = np.ones(len(field.y))
+        return np.array([patch.creepage_x - patch.spin * field.y, patch.creepage_y * rows, patch.spin * rows])
 
     monkeypatch.setattr(pressed_rolling, "row_slips", plane)
     flat = manchester_wheelset(pair, **methods)

@@ -44,7 +44,8 @@ def test_bounds_power_and_symmetries(name):
         assert 0.0 <= found.stick_share <= 1.0 + 1e-12, case
         peak = max(2.0 * strip.line_load / (np.pi * strip.half_length) for strip in found.strips)
         if name not in STRIP_MODELS:
-            assert found.stick_share == 0.0 and force[2] == 0.0
+            # a moment only where the force of spin would be a gain of power
+            assert found.stick_share == 0.0 and (force[2] == 0.0 or -motion @ force < 1e-9 * bound)
         else:
             assert found.max_shear <= friction * peak * (1.0 + 1e-12), case
             assert -motion @ force >= -1e-12 * bound * (np.hypot(*motion[:2]) + abs(motion[2]) * size), case

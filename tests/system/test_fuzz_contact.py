@@ -210,9 +210,11 @@ LOADS = np.geomspace(1e-3, 1e6, 40)             # [N]
 
 @amounts((2, 6), (40, 12), (300, 60))
 def test_penetration_rises_with_the_load(seed, scenes, poses):
-    """Rigid contact, from 1 mN to 1 MN. Hertz always, with the power 2/3. ANALYN and its strips step back
-    where a second region opens or joins; measured in 0.1 % of the steps, and by a power of 1.1 at most."""
-    back = steps = 0
+    """Rigid contact, from 1 mN to 1 MN. Hertz always, with the power 2/3 wherever the width of the ellipse
+    has the power 1/3: elsewhere, in few steps, it is as wide as wheel and rail. ANALYN and its strips step
+    back where a second region opens or joins; measured in 0.1 % of the steps, and by a power of 1.1 at
+    most."""
+    back = steps = held = 0
     for scene, drawn in unique(seed, scenes, poses, contact_mode="rigid"):
         ladder = Poses(np.repeat(drawn.inputs, len(LOADS), axis=0)).changed(
             normal_force=np.tile(LOADS, len(drawn)), load_transfer=0.0)
@@ -222,13 +224,16 @@ def test_penetration_rises_with_the_load(seed, scenes, poses):
             depth = getattr(table, side).penetration.reshape(-1, len(LOADS))
             power = np.diff(np.log(depth), axis=1) / np.diff(np.log(LOADS))
             if scene.arguments["normal_model"] == "hertz":
-                off = np.pad(np.abs(power - 2 / 3), ((0, 0), (0, 1))).ravel()
+                width = getattr(table, side).patch_width.reshape(-1, len(LOADS))
+                grows = np.abs(np.diff(np.log(width), axis=1) / np.diff(np.log(LOADS)) - 1 / 3) < 1e-6
+                held += np.count_nonzero(~grows)
+                off = np.pad(np.where(grows, np.abs(power - 2 / 3), 0.0), ((0, 0), (0, 1))).ravel()
                 assert_none(off > 1e-6, scene, ladder, f"{side} is not Hertz by", off)
             back += np.count_nonzero(power < 0)
             steps += power.size
             rows = np.pad(power < -1.5, ((0, 0), (0, 1))).ravel()
             assert_none(rows, scene, ladder, f"{side} penetration falls with the load")
-    assert back <= 3e-3 * steps + 3
+    assert back <= 3e-3 * steps + 3 and held <= 3e-3 * steps + 3
 
 
 # --- poses beside each other ----------------------------------------------------------------------
