@@ -232,7 +232,7 @@ def figure(rows):
         draw_ladder(axes, kind,
                     [row for row in rows if row.kind == kind and (row.setting or kind in ("Hertz", "FMU"))])
     draw_peers(axes)
-    axes.legend(loc="center", bbox_to_anchor=(0.52, 0.6), title="measured in this run", alignment="left")
+    axes.legend(loc="center", bbox_to_anchor=(0.72, 0.47), title="measured in this run", alignment="left")
     return picture
 
 
