@@ -29,10 +29,10 @@ class Resolution(NamedTuple):
 #: Resolution of ANALYN by falling tolerance.  Hertz's model and the half-space also look for their regions
 #: with these nodes.
 ANALYN_LADDER = {
-    0.02: Resolution(4, 1, 24, 2),
-    0.01: Resolution(8, 2, 24, 2),
-    0.004: Resolution(15, 3, 24, 2),
-    0.0015: Resolution(30, 2, 24, 2),
+    0.02: Resolution(4, 1, 10, 5),
+    0.01: Resolution(8, 2, 10, 5),
+    0.004: Resolution(15, 3, 10, 5),
+    0.0015: Resolution(30, 2, 10, 5),
 }
 
 
@@ -105,11 +105,11 @@ class Analyn(NormalModel):
 
 #: Resolution by falling tolerance.
 STRIP_LADDER = {
-    0.025: Resolution(8, 2, 16, 2),
-    0.015: Resolution(8, 2, 20, 2),
-    0.01: Resolution(8, 2, 24, 2),
-    0.007: Resolution(8, 2, 32, 3),
-    0.004: Resolution(8, 2, 48, 4),
+    0.025: Resolution(8, 2, 8, 4),
+    0.015: Resolution(8, 2, 8, 5),
+    0.01: Resolution(8, 2, 10, 5),
+    0.007: Resolution(8, 2, 10, 7),
+    0.004: Resolution(8, 2, 12, 9),
 }
 
 
@@ -128,9 +128,9 @@ class Strip(NormalModel):
 
     tolerance: float | None = tolerance_from(min(STRIP_LADDER))
     nodes: int | None = node_count()
-    strips: int | None = whole(None, 16, 64, "Strips of the strip model, instead of those that the tolerance "
+    strips: int | None = whole(None, 6, 16, "Strips of the strip model, instead of those that the tolerance "
                                "needs", python_only=True)
-    sweeps: int | None = whole(None, 1, 4, "Sweeps of the strip model, instead of those that the tolerance "
+    sweeps: int | None = whole(None, 3, 20, "Sweeps of the strip model, instead of those that the tolerance "
                                "needs", python_only=True)
 
 

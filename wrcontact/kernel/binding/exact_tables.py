@@ -11,19 +11,24 @@ factor times
 
     Phi(t, e) = integral from -1 to 1 of sqrt(1 - v^2) / sqrt((v - e)^2 + t^2) dv,   t = eta / a,  e = x / a
 
-and a strip that reaches from -T to T on average by the mean of Phi over 0 < t < T.  The table holds both,
-over sqrt(t / (1 + t)) and e^2 / (1 + e^2): parabolas along the first in even cells, joined with one slope,
-and straight lines along the second.  Witness in tests: the integral itself.
+The table holds it over sqrt(t / (1 + t)) and e^2 / (1 + e^2): parabolas along the first in even cells, joined
+with one slope, and straight lines along the second.  Behind it, over the logarithm of their distance, is what
+lines of pressure that lie apart displace less than a smooth pressure (``spacing``).  Witness in tests: the
+integrals themselves.
 """
 
 import numpy as np
 
 from .. import layout
-from ..layout import HERTZ_CELLS, HERTZ_OCTAVES, INFLUENCE_CELLS, INFLUENCE_COLUMNS, INFLUENCE_MAP
+from ..layout import (HERTZ_CELLS, HERTZ_OCTAVES, INFLUENCE_CELLS, INFLUENCE_COLUMNS, INFLUENCE_MAP,
+                      SPACING_CELLS)
+from ..normal.strip_pressures import CLOSEST_SPACING, TESTED, WIDEST_SPACING
 
 DEGREE = 5
 #: The profile as this many straight pieces, closer together near its ends; error 1e-7.
 PIECES = 100
+#: The smooth pressure reaches this many half-lengths, and its integral has so many graded points.
+FARTHEST, GRADED = 12.0, 4000
 #: Step of the slopes, of a cell; and where the first node, at t = 0, is taken, of a cell.
 SLOPE_STEP, FIRST = 1e-3, 0.25
 
@@ -113,17 +118,32 @@ def influence(t, e):
     return (at * np.diff(level) + slope * np.diff(rise)).sum(axis=-1)
 
 
-def mean_influence(t, e):
-    """The mean of Phi over 0 ... t at e."""
-    ends, value, slope = profile()
-    w = ends - np.asarray(e, dtype=float)[..., None]
-    w = np.where(w == 0.0, 1e-30, w)
-    t = np.asarray(t, dtype=float)[..., None]
-    beside, along = np.arcsinh(t / np.abs(w)), np.arcsinh(w / t)
-    level = w * beside + t * along
-    rise = 0.5 * (w * w * beside + t * np.sqrt(w * w + t * t))
-    at = value + slope * np.asarray(e, dtype=float)[..., None]
-    return (at * np.diff(level) + slope * np.diff(rise)).sum(axis=-1) / t[..., 0]
+def near_constant(e):
+    """k(e): Phi is -2 sqrt(1 - e^2) ln t + k close to the strip's middle line, of an ellipse."""
+    return np.sqrt(1.0 - e * e) * (2.0 * np.log(4.0) + 2.0 * np.log(1.0 - e * e) - 2.0) + 2.0 * e * np.arcsin(e)
+
+
+def spacing(e, tau):
+    """S(e, tau) for one tau: what evenly spaced lines of pressure, tau half-lengths apart, displace less than
+    a smooth pressure, beyond what the logarithm of Phi says."""
+    count = int(np.clip(FARTHEST / tau, 40, 20_000))
+    z = (np.arange(GRADED) + 0.5) / GRADED
+    reach = (count + 0.5) * tau
+    smooth = 2.0 * (influence(reach * z**4, np.full(GRADED, e)) * 4.0 * reach * z**3).sum() / GRADED
+    lines = 2.0 * tau * influence(np.arange(1, count + 1) * tau, np.full(count, e)).sum()
+    return (smooth - lines) / tau + 2.0 * np.sqrt(1.0 - e * e) * np.log(tau / (2.0 * np.pi)) - near_constant(e)
+
+
+def spacing_tables():
+    """Parabolas of S over even cells of ln tau (n,): at e = 0, then at the place where strips are tested."""
+    at = np.linspace(np.log(CLOSEST_SPACING), np.log(WIDEST_SPACING), SPACING_CELLS // 2 + 1)
+    step = SLOPE_STEP * (at[1] - at[0])
+    tables = []
+    for e in (0.0, TESTED):
+        before, value, after = ([spacing(e, np.exp(x + move)) for x in at] for move in (-step, 0.0, step))
+        slope = np.subtract(after, before) / (4.0 * SLOPE_STEP)
+        tables.append(joined_parabolas(np.array(value)[None], slope[None]).ravel())
+    return np.concatenate(tables)
 
 
 def map_of(function):
@@ -147,18 +167,24 @@ def map_of(function):
     slope = (after - before) / (4.0 * SLOPE_STEP)           # of a cell
     value[:, -1] = 0.0
     slope[:, -1] = (value[:, -1] - before[:, -1]) / (2.0 * SLOPE_STEP)
-    low, high, rise, fall = value[:, :-1], value[:, 1:], slope[:, :-1], slope[:, 1:]
-    middle = 0.5 * (low + high) + 0.25 * (rise - fall)
-    steep = (high - low) - 0.5 * (rise + fall)
     parabolas = np.zeros((INFLUENCE_COLUMNS + 1, nodes, 2, 3))         # infinitely far along x: none
-    parabolas[:-1, :, 0] = np.stack([low, rise, 0.5 * (steep - rise)], axis=-1)
-    parabolas[:-1, :, 1] = np.stack([middle, steep, 0.5 * (fall - steep)], axis=-1)
+    parabolas[:-1] = joined_parabolas(value, slope)
     return parabolas.ravel()
 
 
+def joined_parabolas(value, slope):
+    """Parabolas (rows, n, 2, 3) in two cells between each two nodes, where they have these values and slopes
+    per cell (rows, n + 1)."""
+    low, high, rise, fall = value[:, :-1], value[:, 1:], slope[:, :-1], slope[:, 1:]
+    middle = 0.5 * (low + high) + 0.25 * (rise - fall)
+    steep = (high - low) - 0.5 * (rise + fall)
+    return np.stack([np.stack([low, rise, 0.5 * (steep - rise)], axis=-1),
+                     np.stack([middle, steep, 0.5 * (fall - steep)], axis=-1)], axis=2)
+
+
 def influence_table():
-    """The table as the kernel reads it (n,): the map of Phi, then that of its means."""
-    table = np.concatenate([map_of(influence), map_of(mean_influence)])
-    if len(table) != 2 * INFLUENCE_MAP:
-        raise TypeError(f"the table of influences has {len(table)} numbers, its record {2 * INFLUENCE_MAP}")
+    """The table as the kernel reads it (n,): the map of Phi, then the tables of spacing."""
+    table = np.concatenate([map_of(influence), spacing_tables()])
+    if len(table) != INFLUENCE_MAP + 6 * SPACING_CELLS:
+        raise TypeError(f"the table of influences has {len(table)} numbers, its record another number")
     return table

@@ -1576,50 +1576,6 @@ static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d t
     return count;
 }
 
-/* Derivative of ``sink_deeper``. */
-static inline int64_t derivative_pressed_regions__sink_deeper_t(array_double_1d work, array_double_1d work_t, int64_t count, double penetration, double penetration_t)
-{
-    double v1;
-    double height_t;
-    double height;
-    int64_t i_1;
-    int64_t index;
-    int64_t region;
-    int64_t i_2;
-    int64_t i_3;
-    int64_t i_4;
-    v1 = penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    height_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + (penetration_t - v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + v1;
-    derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, penetration, penetration_t, 0.0, 0.0);
-    for (i_1 = INT64_C(0); i_1 < layout__FRAME_SIZE; i_1 += INT64_C(1))
-    {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
-    }
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
-    {
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        for (i_2 = INT64_C(0); i_2 < INT64_C(27); i_2 += INT64_C(1))
-        {
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_2));
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_2));
-        }
-        derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * penetration + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration_t - (*cspan_at(&work_t, region + layout__REGION_GAP)), (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work_t, region + layout__REGION_GAP)));
-        for (i_3 = INT64_C(0); i_3 < layout__FRAME_SIZE; i_3 += INT64_C(1))
-        {
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_3)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3));
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_3)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3));
-        }
-    }
-    for (i_4 = INT64_C(0); i_4 < INT64_C(27); i_4 += INT64_C(1))
-    {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_4)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_4));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_4)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_4));
-    }
-    return INT64_C(0);
-}
-
 /* Derivative of ``open_pressed_region``. */
 static inline int64_t derivative_pressed_regions__open_pressed_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t point)
 {

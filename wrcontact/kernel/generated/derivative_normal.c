@@ -334,11 +334,11 @@ static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, d
     derivative_analyn__load_regions_t(&v1, &v1_t, work, work_t, count);
     total_t = v1_t;
     total = v1;
-    last = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * count;
+    last = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * count;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i;
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
         pushed_t = 0.0;
         pushed = 0.0;
         for (j = INT64_C(0); j < count; j += INT64_C(1))
@@ -372,11 +372,11 @@ static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, d
         per_level = load_t - (*cspan_at(&work_t, block + layout__REGION_LOAD));
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i + j)) = 0.0;
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i + j)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i + j)) * per_level;
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i + j)) = 0.0;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i + j)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i + j)) * per_level;
         }
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j + j)) = 0.0;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j + j)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j + j)) + 1.0;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * j + j)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * j + j)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * j + j)) + 1.0;
         (*cspan_at(&work_t, last + j)) = 0.0;
         (*cspan_at(&work, last + j)) = 0.0;
         if (!prescribed)
@@ -402,7 +402,7 @@ static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, d
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i + size));
+        (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i + size));
     }
     derivative_analyn__load_regions_t(&n3, &n4, work, work_t, count);
     penetration_t = (*cspan_at(&work, last + size));
@@ -740,108 +740,6 @@ static inline int64_t derivative_coefficients__skewed_coefficients_t(double* v17
     (*result_3) = (width_t - (*v18) * B_t) / B;
     (*result_4) = nr * v20;
     (*result_5) = nr_t * v20 + nr * derivative_rates__root_rate(v20, (length_t - v19 * along_t) / along);
-    return 0;
-}
-
-/* Derivative of ``middle_slant``. */
-static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t)
-{
-    double v1;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    double cross_t;
-    double cross;
-    double diagonal_t;
-    double diagonal;
-    double v7;
-    double half_t;
-    double half;
-    double v8;
-    double v9;
-    double spread_t;
-    double spread;
-    double v10;
-    double large_t;
-    double large;
-    double v11;
-    double v12;
-    double small_t;
-    double small;
-    double along;
-    double along_t;
-    double across;
-    double across_t;
-    double nr;
-    double nr_t;
-    double v13;
-    double v14;
-    double cosine_t;
-    double cosine;
-    double v15;
-    double length_t;
-    double length;
-    double v16;
-    double v17;
-    double v18;
-    double v19;
-    double v20;
-    if (A * slant * slant > coefficients__STEEPEST_SLANT * B)
-    {
-        v1 = coefficients__STEEPEST_SLANT * B;
-        v2 = v1 / A;
-        v3 = sqrt(v2);
-        v4 = v3 * slant;
-        v5 = fabs(slant);
-        v6 = v4 / v5;
-        slant_t = (derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * B_t - v2 * A_t) / A) * slant + v3 * slant_t - v6 * derivative_rates__size_rate(slant, slant_t)) / v5;
-        slant = v6;
-    }
-    cross_t = A_t * slant + A * slant_t;
-    cross = A * slant;
-    diagonal_t = B_t + (cross_t * slant + cross * slant_t);
-    diagonal = B + cross * slant;
-    v7 = A - diagonal;
-    half_t = 0.5 * (A_t - diagonal_t);
-    half = 0.5 * v7;
-    v8 = half * half + cross * cross;
-    v9 = sqrt(v8);
-    spread_t = derivative_rates__root_rate(v9, half_t * half + half * half_t + (cross_t * cross + cross * cross_t));
-    spread = v9;
-    v10 = A + diagonal;
-    large_t = 0.5 * (A_t + diagonal_t) + spread_t;
-    large = 0.5 * v10 + spread;
-    v11 = A * B;
-    v12 = v11 / large;
-    small_t = (A_t * B + A * B_t - v12 * large_t) / large;
-    small = v12;
-    if (!(spread > coefficients__TILTED * large))
-    {
-        (*result_0) = slant;
-        (*result_1) = slant_t;
-        return 0;
-    }
-    derivative_coefficients__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, table, small, small_t, large, large_t);
-    along_t = along_t * small + along * small_t;
-    along = along * small;
-    across_t = across_t * large + across * large_t;
-    across = across * large;
-    v13 = 0.5 * half;
-    v14 = v13 / spread;
-    cosine_t = -((0.5 * half_t - v14 * spread_t) / spread);
-    cosine = 0.5 - v14;
-    v15 = 1.0 - cosine;
-    length_t = cosine_t * along + cosine * along_t + ((-cosine_t) * across + v15 * across_t);
-    length = cosine * along + v15 * across;
-    v16 = across - along;
-    v17 = cross * v16;
-    v18 = large - small;
-    v19 = v18 * length;
-    v20 = v17 / v19;
-    (*result_0) = v20;
-    (*result_1) = (cross_t * v16 + cross * (across_t - along_t) - v20 * ((large_t - small_t) * length + v18 * length_t)) / v19;
     return 0;
 }
 
@@ -3073,246 +2971,56 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
  * Derivatives of strip_contact.py.
  */
 
-/* Derivative of ``find_zones``. */
-static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double deepest, double deepest_t)
-{
-    int64_t index;
-    int64_t region;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
-    {
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        derivative_frame__enter_plane_t(work, work_t, region, index);
-        derivative_strip_contact__measure_zone_t(tables, work, work_t, pair, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest, deepest_t);
-        derivative_frame__leave_plane_t(work, work_t, region);
-    }
-    return INT64_C(0);
-}
-
-/* Derivative of ``measure_zone``. */
-static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, double deepest_t)
-{
-    double depth_t;
-    double depth;
-    double v1;
-    double v2;
-    double v2_t;
-    double shallow_t;
-    double shallow;
-    double level_t;
-    double level;
-    double v3;
-    double v3_t;
-    double bend_t;
-    double bend;
-    double v4;
-    double v5;
-    double v6;
-    double estimate_t;
-    double estimate;
-    double v7;
-    double v7_t;
-    double high_t;
-    double high;
-    double v8;
-    double v8_t;
-    double low_t;
-    double low;
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START));
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
-    depth_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    v1 = strip_contact__OWN_SHALLOW * depth;
-    v2 = strip_contact__SHALLOW * deepest;
-    v2_t = strip_contact__SHALLOW * deepest_t;
-    if (v1 < v2)
-    {
-        v2 = v1;
-        v2_t = strip_contact__OWN_SHALLOW * depth_t;
-    }
-    shallow_t = v2_t;
-    shallow = v2;
-    level_t = depth_t - shallow_t;
-    level = depth - shallow;
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
-    if (level > 0.0)
-    {
-        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) = level_t;
-        (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = level;
-        v3 = (*cspan_at(&work, region + layout__REGION_BEND));
-        v3_t = (*cspan_at(&work_t, region + layout__REGION_BEND));
-        if ((*cspan_at(&work, region + layout__REGION_CURVATURE)) > v3)
-        {
-            v3 = (*cspan_at(&work, region + layout__REGION_CURVATURE));
-            v3_t = (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
-        }
-        bend_t = v3_t;
-        bend = v3;
-        v4 = 2.0 * level;
-        v5 = v4 / bend;
-        v6 = sqrt(v5);
-        estimate_t = derivative_rates__root_rate(v6, (2.0 * level_t - v5 * bend_t) / bend);
-        estimate = v6;
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-        derivative_widths__width_rule_t(&v7, &v7_t, tables, work, work_t, pair, region, 1.0, 0.0, level, level_t, estimate, estimate_t);
-        high_t = v7_t;
-        high = v7;
-        derivative_widths__width_rule_t(&v8, &v8_t, tables, work, work_t, pair, region, -1.0, 0.0, level, level_t, high, high_t);
-        low_t = v8_t;
-        low = v8;
-        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) + high_t;
-        (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + high;
-        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) - low_t;
-        (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) - low;
-    }
-    return INT64_C(0);
-}
-
-/* Derivative of ``lay_strips``. */
-static inline int64_t derivative_strip_contact__lay_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, int64_t wanted)
-{
-    derivative_strip_layout__divide_cells_t(work, work_t, count, wanted);
-    derivative_strip_surfaces__trace_strips_t(tables, work, work_t, pair, count);
-    derivative_strip_surfaces__place_on_middle_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
-    derivative_strip_surfaces__incline_strips_t(work, work_t, tables);
-    return INT64_C(0);
-}
-
-/* Derivative of ``first_layout``. */
-static inline int64_t derivative_strip_contact__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double force, double force_t, bool by_penetration)
-{
-    double penetration_t;
-    double penetration;
-    bool found;
-    int64_t sweep;
-    derivative_strip_layout__zone_cells_t(work, work_t, count);
-    derivative_strip_contact__lay_strips_t(tables, work, work_t, pair, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
-    derivative_strip_surfaces__first_lengths_t(tables, work, work_t, pair, count);
-    penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    found = 0;
-    for (sweep = INT64_C(0); sweep < strip_contact__FIRST_SWEEPS; sweep += INT64_C(1))
-    {
-        derivative_strip_contact__solve_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, force, force_t, by_penetration);
-        if (!found)
-        {
-            (*result_0) = penetration;
-            (*result_1) = penetration_t;
-            (*result_2) = found;
-            return 0;
-        }
-        derivative_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, strip_lengths__FIRST_POWER, 0.0, frame__is_yawed(work));
-        derivative_strip_lengths__adopt_lengths_t(work, work_t);
-    }
-    derivative_strip_layout__strip_cells_t(work, work_t);
-    (*result_0) = penetration;
-    (*result_1) = penetration_t;
-    (*result_2) = found;
-    return 0;
-}
-
-/* Derivative of ``second_layout``. */
-static inline int64_t derivative_strip_contact__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double force, double force_t, bool by_penetration)
-{
-    double penetration_t;
-    double penetration;
-    bool found;
-    int64_t sweep_end;
-    int64_t sweep;
-    bool last;
-    bool given;
-    derivative_strip_contact__lay_strips_t(tables, work, work_t, pair, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
-    derivative_strip_surfaces__lengths_before_t(tables, work, work_t, pair);
-    penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    found = 0;
-    sweep_end = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
-    for (sweep = INT64_C(0); sweep < sweep_end; sweep += INT64_C(1))
-    {
-        last = sweep == (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1);
-        given = 1;
-        if (last || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
-        {
-            given = by_penetration;
-        }
-        derivative_strip_contact__solve_strips_t(&penetration, &penetration_t, &found, work, work_t, tables, force, force_t, given);
-        if (!found)
-        {
-            (*result_0) = penetration;
-            (*result_1) = penetration_t;
-            (*result_2) = found;
-            return 0;
-        }
-        if ((!last) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
-        {
-            derivative_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, strip_lengths__POWER, 0.0, frame__is_yawed(work));
-        }
-        if (!last)
-        {
-            derivative_strip_lengths__adopt_lengths_t(work, work_t);
-        }
-    }
-    (*result_0) = penetration;
-    (*result_1) = penetration_t;
-    (*result_2) = found;
-    return 0;
-}
-
-/* Derivative of ``solve_strips``. */
-static inline int64_t derivative_strip_contact__solve_strips_t(double* r1, double* r1_t, bool* r2, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration)
-{
-    derivative_strip_surfaces__set_gaps_t(work, work_t);
-    derivative_strip_pressures__begin_influences_t(work, work_t);
-    derivative_strip_pressures__solve_pressures_t(r1, r1_t, r2, work, work_t, tables, force, force_t, by_penetration, frame__is_yawed(work));
-    return 0;
-}
-
 /* Derivative of ``strip_contact``. */
 static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
 {
     bool by_penetration;
+    int64_t sweeps;
     int64_t n1;
     int64_t count;
-    double penetration;
-    double penetration_t;
-    bool satisfied;
-    double estimate_t;
-    double estimate;
     double v2;
     double v2_t;
+    double penetration_t;
+    double penetration;
+    double v3;
+    double v3_t;
     int64_t repeat;
-    int64_t n3;
+    double estimate_t;
+    double estimate;
     int64_t n4;
+    int64_t n5;
+    double v6;
+    double v6_t;
+    double v7;
+    double v7_t;
+    bool satisfied;
     by_penetration = isfinite(prescribed);
+    sweeps = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
+        n1 = derivative_strip_contact__open_runs_t(tables, work, work_t, pair);
         count = n1;
-        derivative_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, count, force, force_t, 1);
+        derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, INT64_C(0), sweeps, force, force_t, by_penetration);
+        penetration_t = v2_t;
+        penetration = v2;
     }
     else
     {
-        estimate_t = prescribed_t;
-        estimate = prescribed;
+        penetration_t = prescribed_t;
+        penetration = prescribed;
         if (!by_penetration)
         {
-            derivative_estimate__first_penetration_t(&v2, &v2_t, tables, work, work_t, pair, force, force_t);
-            estimate_t = v2_t;
-            estimate = v2;
+            derivative_estimate__first_penetration_t(&v3, &v3_t, tables, work, work_t, pair, force, force_t);
+            penetration_t = v3_t;
+            penetration = v3;
         }
-        penetration_t = estimate_t;
-        penetration = estimate;
         count = INT64_C(0);
-        satisfied = 0;
         for (repeat = INT64_C(0); repeat < strip_contact__SINKINGS; repeat += INT64_C(1))
         {
             estimate_t = penetration_t;
             estimate = penetration;
-            n3 = derivative_pressed_regions__sink_wheel_t(tables, work, work_t, pair, side, estimate, estimate_t);
-            if (n3 == INT64_C(0))
+            n4 = derivative_pressed_regions__sink_wheel_t(tables, work, work_t, pair, side, estimate, estimate_t);
+            if (n4 == INT64_C(0))
             {
                 (*result_0_0001) = estimate;
                 (*result_1_0001) = estimate_t;
@@ -3320,33 +3028,29 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
                 (*result_3) = 0;
                 return 0;
             }
-            n4 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
-            count = n4;
-            derivative_strip_contact__first_layout_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, count, force, force_t, by_penetration);
-            if ((!satisfied) || (penetration < strip_contact__SUNK_DEEPER * estimate))
+            n5 = derivative_strip_contact__open_runs_t(tables, work, work_t, pair);
+            count = n5;
+            derivative_strip_contact__sweep_strips_t(&v6, &v6_t, tables, work, work_t, pair, INT64_C(0), strip_contact__FIRST_SWEEPS, force, force_t, by_penetration);
+            penetration_t = v6_t;
+            penetration = v6;
+            if (fabs(penetration - estimate) < strip_contact__SUNK_WRONG * estimate)
             {
                 break;
             }
         }
-        if (satisfied && (!by_penetration))
-        {
-            derivative_pressed_regions__sink_deeper_t(work, work_t, count, penetration, penetration_t);
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = penetration_t;
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = penetration;
-        }
+        derivative_strip_contact__sweep_strips_t(&v7, &v7_t, tables, work, work_t, pair, strip_contact__FIRST_SWEEPS, sweeps, force, force_t, by_penetration);
+        penetration_t = v7_t;
+        penetration = v7;
     }
-    if (satisfied)
-    {
-        derivative_strip_contact__second_layout_t(&penetration, &penetration_t, &satisfied, tables, work, work_t, pair, count, force, force_t, by_penetration);
-    }
+    satisfied = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
     if (satisfied)
     {
         derivative_strip_patches__add_stiffness_t(work, work_t, tables, count);
-    }
-    if (satisfied && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
-    {
-        derivative_frame__locate_along_track_t(tables, work, work_t, pair, count);
-        derivative_strip_patches__fill_from_strips_t(work, work_t, tables, side, count);
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
+        {
+            derivative_frame__locate_along_track_t(tables, work, work_t, pair, count);
+            derivative_strip_patches__fill_from_strips_t(work, work_t, tables, side, count);
+        }
     }
     (*result_0_0001) = penetration;
     (*result_1_0001) = penetration_t;
@@ -3359,9 +3063,14 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
 static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t)
 {
     int64_t n1;
-    n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
+    double v2;
+    double v2_t;
+    n1 = derivative_strip_contact__open_runs_t(tables, work, work_t, pair);
     (*count) = n1;
-    derivative_strip_contact__first_layout_t(penetration, penetration_t, satisfied, tables, work, work_t, pair, (*count), force, force_t, 0);
+    derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, INT64_C(0), strip_contact__FIRST_SWEEPS, force, force_t, 0);
+    (*penetration_t) = v2_t;
+    (*penetration) = v2;
+    (*satisfied) = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
     if ((*satisfied))
     {
         derivative_strip_patches__add_stiffness_t(work, work_t, tables, (*count));
@@ -3369,8 +3078,8 @@ static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetra
     return 0;
 }
 
-/* Derivative of ``open_zones``. */
-static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
+/* Derivative of ``open_runs``. */
+static inline int64_t derivative_strip_contact__open_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
 {
     int64_t n1;
     int64_t deepest;
@@ -3380,551 +3089,40 @@ static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tab
     n1 = derivative_pressed_regions__gather_overlaps_t(tables, work, work_t, pair);
     count = n1;
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    derivative_strip_contact__find_zones_t(tables, work, work_t, pair, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
+    derivative_strip_surfaces__find_zones_t(tables, work, work_t, pair, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
+    derivative_strip_surfaces__trace_zones_t(tables, work, work_t, pair, count);
+    derivative_strip_runs__begin_runs_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
     return count;
 }
 
-
-/* ---- From derivative_strip_layout.py; change that one.
- *
- * Derivatives of strip_layout.py.
- */
-
-/* Derivative of ``zone_cells``. */
-static inline int64_t derivative_strip_layout__zone_cells_t(array_double_1d work, array_double_1d work_t, int64_t count)
+/* Derivative of ``sweep_strips``. */
+static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetration, double* penetration_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t first, int64_t last, double force, double force_t, bool by_penetration)
 {
-    double width_t;
-    double width;
-    double depth_t;
-    double depth;
-    int64_t index;
-    int64_t cells;
-    int64_t zone;
-    int64_t cell;
-    double v1;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    width_t = 0.0;
-    width = 0.0;
-    depth_t = 0.0;
-    depth = 0.0;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
-    {
-        width_t = width_t + ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_START)));
-        width = width + ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_START)));
-        depth_t = depth_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_LEVEL));
-        depth = depth + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_LEVEL));
-    }
-    cells = INT64_C(0);
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
-    {
-        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index;
-        if ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) > (*cspan_at(&work, zone + layout__STRIP_ZONE_START)))
-        {
-            cell = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * cells;
-            (*cspan_at(&work_t, cell + layout__STRIP_CELL_START)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START));
-            (*cspan_at(&work, cell + layout__STRIP_CELL_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
-            (*cspan_at(&work_t, cell + layout__STRIP_CELL_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP));
-            (*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP));
-            v1 = 1.0 - strip_layout__DEEP;
-            v2 = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
-            v3 = v1 * v2;
-            v4 = v3 / width;
-            v5 = strip_layout__DEEP * (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL));
-            v6 = v5 / depth;
-            (*cspan_at(&work_t, cell + layout__STRIP_CELL_WEIGHT)) = (v1 * ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START))) - v4 * width_t) / width + (strip_layout__DEEP * (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) - v6 * depth_t) / depth;
-            (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) = v4 + v6;
-            cells = cells + INT64_C(1);
-        }
-    }
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)) = (double)(cells);
-    return INT64_C(0);
-}
-
-/* Derivative of ``touch``. */
-static inline int64_t derivative_strip_layout__touch_t(array_double_1d work, array_double_1d work_t, int64_t count)
-{
-    int64_t i;
-    bool joined;
-    double v1;
-    double reach_t;
-    double reach;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        joined = 0;
-        if (i < count - INT64_C(1))
-        {
-            v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_WIDTH));
-            reach_t = 0.5 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_WIDTH)));
-            reach = 0.5 * v1;
-            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) < reach + strip_layout__TOUCHING)
-            {
-                joined = 1;
-            }
-        }
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) = 0.0;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) = (double)(joined);
-    }
-    return INT64_C(0);
-}
-
-/* Derivative of ``strip_cells``. */
-static inline int64_t derivative_strip_layout__strip_cells_t(array_double_1d work, array_double_1d work_t)
-{
-    int64_t count;
-    double largest_t;
-    double largest;
-    int64_t i;
+    bool yawed;
+    int64_t sweep;
+    bool given;
     double v1;
     double v1_t;
-    double width_t;
-    double width;
-    double change_t;
-    double change;
-    double v2;
-    double v2_t;
-    double v3;
-    int64_t strip;
-    int64_t cell;
-    double v4;
-    double v4_t;
-    double v5;
-    double v6;
-    double v7;
-    double weight_t;
-    double weight;
-    double v8;
-    double v9;
-    double v9_t;
-    double v10;
-    double v11;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    largest_t = 0.0;
-    largest = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    yawed = frame__is_yawed(work);
+    (*penetration_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    for (sweep = first; sweep < last; sweep += INT64_C(1))
     {
-        v1 = largest;
-        v1_t = largest_t;
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)) > v1)
+        if (sweep > INT64_C(0))
         {
-            v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
-            v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
+            derivative_strip_runs__renew_runs_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
         }
-        largest_t = v1_t;
-        largest = v1;
-    }
-    width_t = 0.0;
-    width = 0.0;
-    change_t = 0.0;
-    change = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        derivative_strip_layout__loaded_share_t(&v2, &v2_t, work, work_t, count, i, largest, largest_t);
-        width_t = width_t + (v2_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + v2 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)));
-        width = width + v2 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
-        if ((i < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) == 1.0))
+        given = by_penetration;
+        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)) && (sweep < last - INT64_C(1)))
         {
-            v3 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
-            change_t = change_t + derivative_rates__size_rate(v3, (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)));
-            change = change + fabs(v3);
+            given = 1;
         }
+        derivative_strip_runs__lay_strips_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+        derivative_strip_pressures__solve_pressures_t(&v1, &v1_t, work, work_t, tables, force, force_t, given, yawed);
+        (*penetration_t) = v1_t;
+        (*penetration) = v1;
+        derivative_strip_lengths__correct_lengths_t(work, work_t, tables, (*penetration), (*penetration_t), yawed);
     }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        cell = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * i;
-        (*cspan_at(&work_t, cell + layout__STRIP_CELL_START)) = (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - 0.5 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
-        (*cspan_at(&work, cell + layout__STRIP_CELL_START)) = (*cspan_at(&work, strip + layout__STRIP_STATION)) - 0.5 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        (*cspan_at(&work_t, cell + layout__STRIP_CELL_STOP)) = (*cspan_at(&work_t, strip + layout__STRIP_STATION)) + 0.5 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
-        (*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) = (*cspan_at(&work, strip + layout__STRIP_STATION)) + 0.5 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        (*cspan_at(&work_t, cell + layout__STRIP_CELL_HALF_LENGTH)) = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
-        (*cspan_at(&work, cell + layout__STRIP_CELL_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-        (*cspan_at(&work_t, cell + layout__STRIP_CELL_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
-        (*cspan_at(&work, cell + layout__STRIP_CELL_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
-        (*cspan_at(&work_t, cell + layout__STRIP_CELL_LOADED)) = 0.0;
-        (*cspan_at(&work, cell + layout__STRIP_CELL_LOADED)) = (double)((*cspan_at(&work, strip + layout__STRIP_PRESSURE)) > 0.0);
-        derivative_strip_layout__loaded_share_t(&v4, &v4_t, work, work_t, count, i, largest, largest_t);
-        v5 = strip_layout__EVEN * v4;
-        v6 = v5 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        v7 = v6 / width;
-        weight_t = (strip_layout__EVEN * v4_t * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v5 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) - v7 * width_t) / width;
-        weight = v7;
-        if (change > 0.0)
-        {
-            v8 = (1.0 - strip_layout__EVEN) * 0.5;
-            derivative_strip_layout__pressure_changes_t(&v9, &v9_t, work, work_t, count, i);
-            v10 = v8 * v9;
-            v11 = v10 / change;
-            weight_t = weight_t + (v8 * v9_t - v11 * change_t) / change;
-            weight = weight + v11;
-        }
-        (*cspan_at(&work_t, cell + layout__STRIP_CELL_WEIGHT)) = weight_t;
-        (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) = weight;
-    }
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)) = (double)(count);
-    return INT64_C(0);
-}
-
-/* Derivative of ``loaded_share``. */
-static inline int64_t derivative_strip_layout__loaded_share_t(double* share, double* share_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t i, double largest, double largest_t)
-{
-    double pressure_t;
-    double pressure;
-    double v1;
-    double v1_t;
-    double v2;
-    double v2_t;
-    double v3;
-    double v4;
-    double v5;
-    double v5_t;
-    pressure_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
-    pressure = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
-    if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_JOINED)) == 1.0))
-    {
-        v1 = pressure;
-        v1_t = pressure_t;
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE)) > v1)
-        {
-            v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE));
-            v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE));
-        }
-        pressure_t = v1_t;
-        pressure = v1;
-    }
-    if ((i < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) == 1.0))
-    {
-        v2 = pressure;
-        v2_t = pressure_t;
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) > v2)
-        {
-            v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE));
-            v2_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE));
-        }
-        pressure_t = v2_t;
-        pressure = v2;
-    }
-    v3 = strip_layout__LOADED * largest;
-    v4 = pressure / v3;
-    v5 = v4;
-    v5_t = (pressure_t - v4 * (strip_layout__LOADED * largest_t)) / v3;
-    if (1.0 < v5)
-    {
-        v5 = 1.0;
-        v5_t = 0.0;
-    }
-    (*share_t) = v5_t;
-    (*share) = v5;
-    return 0;
-}
-
-/* Derivative of ``pressure_changes``. */
-static inline int64_t derivative_strip_layout__pressure_changes_t(double* change, double* change_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t i)
-{
-    double v1;
-    double v2;
-    (*change_t) = 0.0;
-    (*change) = 0.0;
-    if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_JOINED)) == 1.0))
-    {
-        v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE));
-        (*change_t) = (*change_t) + derivative_rates__size_rate(v1, (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE)));
-        (*change) = (*change) + fabs(v1);
-    }
-    if ((i < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) == 1.0))
-    {
-        v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
-        (*change_t) = (*change_t) + derivative_rates__size_rate(v2, (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)));
-        (*change) = (*change) + fabs(v2);
-    }
-    return 0;
-}
-
-/* Derivative of ``divide_cells``. */
-static inline int64_t derivative_strip_layout__divide_cells_t(array_double_1d work, array_double_1d work_t, int64_t region_count, int64_t wanted)
-{
-    double total_t;
-    double total;
-    int64_t index_end;
-    int64_t index;
-    double squares_t;
-    double squares;
-    int64_t first;
-    int64_t last;
-    double weight;
-    double weight_t;
-    double v1;
-    double v2;
-    double several_t;
-    double several;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    double each_t;
-    double each;
-    int64_t made;
-    int64_t number;
-    total_t = 0.0;
-    total = 0.0;
-    index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)));
-    for (index = INT64_C(0); index < index_end; index += INT64_C(1))
-    {
-        total_t = total_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
-        total = total + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
-    }
-    squares_t = 0.0;
-    squares = 0.0;
-    first = INT64_C(0);
-    while(first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))))
-    {
-        derivative_strip_layout__run_of_cells_t(&last, &weight, &weight_t, work, work_t, first);
-        squares_t = squares_t + (weight_t * weight + weight * weight_t);
-        squares = squares + weight * weight;
-        first = last + INT64_C(1);
-    }
-    v1 = total * total;
-    v2 = v1 / squares;
-    several_t = (total_t * total + total * total_t - v2 * squares_t) / squares;
-    several = v2 - 1.0;
-    v3 = (double)(wanted);
-    v4 = 1.0 + strip_layout__MORE * several;
-    v5 = v3 * v4;
-    v6 = total / v5;
-    each_t = (total_t - v6 * (v3 * (strip_layout__MORE * several_t))) / v5;
-    each = v6;
-    made = INT64_C(0);
-    first = INT64_C(0);
-    while(first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))))
-    {
-        derivative_strip_layout__run_of_cells_t(&last, &weight, &weight_t, work, work_t, first);
-        if (weight > 0.0)
-        {
-            number = int64_t_min(2, int64_t_max(2, (int64_t)(weight / each + 0.5), strip_layout__FEWEST), layout__STRIP_LIMIT - made);
-            derivative_strip_layout__cut_run_t(work, work_t, first, made, number, weight, weight_t);
-            made = made + number;
-        }
-        first = last + INT64_C(1);
-    }
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = (double)(made);
-    derivative_strip_layout__touch_t(work, work_t, made);
-    derivative_strip_layout__place_in_regions_t(work, work_t, made, region_count);
-    return INT64_C(0);
-}
-
-/* Derivative of ``run_of_cells``. */
-static inline int64_t derivative_strip_layout__run_of_cells_t(int64_t* last, double* weight, double* weight_t, array_double_1d work, array_double_1d work_t, int64_t first)
-{
-    (*last) = first;
-    (*weight_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_WEIGHT));
-    (*weight) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_WEIGHT));
-    while(((*last) < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1)) && ((*weight) > 0.0) && strip_layout__continued(work, (*last)))
-    {
-        (*last) = (*last) + INT64_C(1);
-        (*weight_t) = (*weight_t) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * (*last) + layout__STRIP_CELL_WEIGHT));
-        (*weight) = (*weight) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * (*last) + layout__STRIP_CELL_WEIGHT));
-    }
-    return 0;
-}
-
-/* Derivative of ``cut_run``. */
-static inline int64_t derivative_strip_layout__cut_run_t(array_double_1d work, array_double_1d work_t, int64_t first, int64_t made, int64_t number, double weight, double weight_t)
-{
-    double v1;
-    double each_t;
-    double each;
-    int64_t index;
-    double done_t;
-    double done;
-    double edge_t;
-    double edge;
-    int64_t cut;
-    double v2;
-    double wanted_t;
-    double wanted;
-    int64_t cell;
-    double v3;
-    double v4;
-    double v5;
-    double stop_t;
-    double stop;
-    double v6;
-    double v6_t;
-    int64_t strip;
-    double v7;
-    v1 = (double)(number);
-    each_t = weight_t / v1;
-    each = weight / v1;
-    index = first;
-    done_t = 0.0;
-    done = 0.0;
-    edge_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_START));
-    edge = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_START));
-    for (cut = INT64_C(0); cut < number; cut += INT64_C(1))
-    {
-        v2 = (double)(cut + INT64_C(1));
-        wanted_t = each_t * v2;
-        wanted = each * v2;
-        while((cut < number - INT64_C(1)) && (done + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT)) < wanted))
-        {
-            done_t = done_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
-            done = done + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
-            index = index + INT64_C(1);
-        }
-        cell = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index;
-        v3 = wanted - done;
-        v4 = v3 / (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT));
-        v5 = (*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) - (*cspan_at(&work, cell + layout__STRIP_CELL_START));
-        stop_t = (*cspan_at(&work_t, cell + layout__STRIP_CELL_START)) + ((wanted_t - done_t - v4 * (*cspan_at(&work_t, cell + layout__STRIP_CELL_WEIGHT))) / (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) * v5 + v4 * ((*cspan_at(&work_t, cell + layout__STRIP_CELL_STOP)) - (*cspan_at(&work_t, cell + layout__STRIP_CELL_START))));
-        stop = (*cspan_at(&work, cell + layout__STRIP_CELL_START)) + v4 * v5;
-        if (cut == number - INT64_C(1))
-        {
-            derivative_strip_layout__run_stop_t(&v6, &v6_t, work, work_t, index);
-            stop_t = v6_t;
-            stop = v6;
-        }
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (made + cut);
-        v7 = edge + stop;
-        (*cspan_at(&work_t, strip + layout__STRIP_STATION)) = 0.5 * (edge_t + stop_t);
-        (*cspan_at(&work, strip + layout__STRIP_STATION)) = 0.5 * v7;
-        (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) = stop_t - edge_t;
-        (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = stop - edge;
-        edge_t = stop_t;
-        edge = stop;
-    }
-    return INT64_C(0);
-}
-
-/* Derivative of ``run_stop``. */
-static inline int64_t derivative_strip_layout__run_stop_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t index)
-{
-    while((index < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1)) && strip_layout__continued(work, index))
-    {
-        index = index + INT64_C(1);
-    }
-    (*result_0) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_STOP));
-    (*result_1) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_STOP));
-    return 0;
-}
-
-/* Derivative of ``place_in_regions``. */
-static inline int64_t derivative_strip_layout__place_in_regions_t(array_double_1d work, array_double_1d work_t, int64_t count, int64_t region_count)
-{
-    int64_t index;
-    int64_t i;
-    index = INT64_C(0);
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        while((index < region_count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_OFFSET)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_HIGH))))
-        {
-            index = index + INT64_C(1);
-        }
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION)) = 0.0;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION)) = (double)(index);
-    }
-    return INT64_C(0);
-}
-
-/* Derivative of ``length_before``. */
-static inline int64_t derivative_strip_layout__length_before_t(array_double_1d work, array_double_1d work_t)
-{
-    int64_t last;
-    int64_t index;
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    int64_t after;
-    double share_t;
-    double share;
-    double v1;
-    double v1_t;
-    double v2;
-    double v2_t;
-    double reach_t;
-    double reach;
-    double v3;
-    double v3_t;
-    double v4;
-    double v5;
-    double v6;
-    double v6_t;
-    double v7;
-    double v7_t;
-    double rest_t;
-    double rest;
-    last = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1);
-    index = INT64_C(0);
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        while((index < last - INT64_C(1)) && ((*cspan_at(&work, strip + layout__STRIP_STATION)) > strip_layout__cell_middle(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * (index + INT64_C(1)))))
-        {
-            index = index + INT64_C(1);
-        }
-        after = index;
-        if (index < last)
-        {
-            after = index + INT64_C(1);
-        }
-        share_t = 0.0;
-        share = 0.0;
-        derivative_strip_layout__cell_middle_t(&v1, &v1_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after);
-        derivative_strip_layout__cell_middle_t(&v2, &v2_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index);
-        reach_t = v1_t - v2_t;
-        reach = v1 - v2;
-        if (reach > 0.0)
-        {
-            derivative_strip_layout__cell_middle_t(&v3, &v3_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index);
-            v4 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - v3;
-            v5 = v4 / reach;
-            v6 = v5;
-            v6_t = ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - v3_t - v5 * reach_t) / reach;
-            if (0.0 > v6)
-            {
-                v6 = 0.0;
-                v6_t = 0.0;
-            }
-            v7 = v6;
-            v7_t = v6_t;
-            if (1.0 < v7)
-            {
-                v7 = 1.0;
-                v7_t = 0.0;
-            }
-            share_t = v7_t;
-            share = v7;
-        }
-        rest_t = -share_t;
-        rest = 1.0 - share;
-        (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = rest_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_HALF_LENGTH)) + rest * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_HALF_LENGTH)) + (share_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_HALF_LENGTH)) + share * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_HALF_LENGTH)));
-        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = rest * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_HALF_LENGTH)) + share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_HALF_LENGTH));
-        (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = rest_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LEAD)) + rest * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LEAD)) + (share_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LEAD)) + share * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LEAD)));
-        (*cspan_at(&work, strip + layout__STRIP_LEAD)) = rest * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LEAD)) + share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LEAD));
-        (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
-        (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LOADED)) == 1.0);
-        if (share > 0.5)
-        {
-            (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
-            (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LOADED)) == 1.0);
-        }
-    }
-    return INT64_C(0);
-}
-
-/* Derivative of ``cell_middle``. */
-static inline int64_t derivative_strip_layout__cell_middle_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t cell)
-{
-    double v1;
-    v1 = (*cspan_at(&work, cell + layout__STRIP_CELL_START)) + (*cspan_at(&work, cell + layout__STRIP_CELL_STOP));
-    (*result_0) = 0.5 * v1;
-    (*result_1) = 0.5 * ((*cspan_at(&work_t, cell + layout__STRIP_CELL_START)) + (*cspan_at(&work_t, cell + layout__STRIP_CELL_STOP)));
     return 0;
 }
 
@@ -3933,18 +3131,6 @@ static inline int64_t derivative_strip_layout__cell_middle_t(double* result_0, d
  *
  * Derivatives of strip_lengths.py.
  */
-
-/* Derivative of ``gap_beside``. */
-static inline int64_t derivative_strip_lengths__gap_beside_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t strip, double x, double x_t)
-{
-    double v1;
-    double v2;
-    v1 = x * x;
-    v2 = (*cspan_at(&work, strip + layout__STRIP_A)) + (*cspan_at(&work, strip + layout__STRIP_SKEW)) * x;
-    (*result_0) = v1 * v2;
-    (*result_1) = (x_t * x + x * x_t) * v2 + v1 * ((*cspan_at(&work_t, strip + layout__STRIP_A)) + ((*cspan_at(&work_t, strip + layout__STRIP_SKEW)) * x + (*cspan_at(&work, strip + layout__STRIP_SKEW)) * x_t));
-    return 0;
-}
 
 /* Derivative of ``corrected``. */
 static inline int64_t derivative_strip_lengths__corrected_t(double* v3, double* result_1, double ratio, double ratio_t, double power, double power_t)
@@ -3967,7 +3153,7 @@ static inline int64_t derivative_strip_lengths__corrected_t(double* v3, double* 
 }
 
 /* Derivative of ``correct_strip``. */
-static inline int64_t derivative_strip_lengths__correct_strip_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double penetration, double penetration_t, double power, double power_t, bool yawed)
+static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, double penetration, double penetration_t, bool yawed)
 {
     int64_t strip;
     double half_t;
@@ -3978,8 +3164,6 @@ static inline int64_t derivative_strip_lengths__correct_strip_t(double* result_0
     double v1_t;
     double own_t;
     double own;
-    double needed_t;
-    double needed;
     double v2;
     double v2_t;
     double front_t;
@@ -4005,55 +3189,50 @@ static inline int64_t derivative_strip_lengths__correct_strip_t(double* result_0
     double move_t;
     double move;
     double v12;
+    double v12_t;
     double v13;
-    double v13_t;
     double v14;
     double v15;
     double v16;
-    double v16_t;
     double v17;
+    double v17_t;
+    double rise_t;
+    double rise;
     double v18;
     double v19;
     double v20;
     double v21;
     double v21_t;
-    double rise_t;
-    double rise;
-    double v22;
-    double v23;
-    double v24;
-    double v25;
-    double v25_t;
     double ratio_t;
     double ratio;
-    double v26;
-    double v26_t;
+    double v22;
+    double v22_t;
     strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
     half_t = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
     half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-    away_t = strip_lengths__TESTED * half_t;
-    away = strip_lengths__TESTED * half;
-    derivative_strip_lengths__gap_beside_t(&v1, &v1_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*cspan_at(&work_t, strip + layout__STRIP_LEAD)));
+    away_t = strip_pressures__TESTED * half_t;
+    away = strip_pressures__TESTED * half;
+    derivative_strip_runs__gap_beside_t(&v1, &v1_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*cspan_at(&work_t, strip + layout__STRIP_LEAD)));
     own_t = v1_t;
     own = v1;
-    needed_t = (*cspan_at(&work_t, strip + layout__STRIP_SHARE)) * penetration + (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration_t - (*cspan_at(&work_t, strip + layout__STRIP_GAP));
-    needed = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP));
-    derivative_strip_pressures__end_displacement_t(&v2, &v2_t, tables, work, work_t, table, i, away, away_t);
+    derivative_strip_pressures__tested_displacement_t(&v2, &v2_t, work, work_t, tables, i, away, away_t);
     front_t = v2_t;
     front = v2;
     back_t = front_t;
     back = front;
-    derivative_strip_lengths__gap_beside_t(&v3, &v3_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away, (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + away_t);
+    derivative_strip_runs__gap_beside_t(&v3, &v3_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away, (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + away_t);
     front_gap_t = v3_t - own_t;
     front_gap = v3 - own;
     back_gap_t = front_gap_t;
     back_gap = front_gap;
+    (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
+    (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
     if (yawed)
     {
-        derivative_strip_pressures__end_displacement_t(&v4, &v4_t, tables, work, work_t, table, i, -away, -away_t);
+        derivative_strip_pressures__tested_displacement_t(&v4, &v4_t, work, work_t, tables, i, -away, -away_t);
         back_t = v4_t;
         back = v4;
-        derivative_strip_lengths__gap_beside_t(&v5, &v5_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away, (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - away_t);
+        derivative_strip_runs__gap_beside_t(&v5, &v5_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away, (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - away_t);
         back_gap_t = v5_t - own_t;
         back_gap = v5 - own;
         v6 = -strip_lengths__MOVED;
@@ -4064,289 +3243,371 @@ static inline int64_t derivative_strip_lengths__correct_strip_t(double* result_0
         v11 = v8 / v10;
         move_t = (v6 * (front_t + front_gap_t - back_t - back_gap_t) - v11 * (4.0 * (*cspan_at(&work_t, strip + layout__STRIP_A)) * away + v9 * away_t)) / v10;
         move = v11;
-        v12 = strip_lengths__FARTHEST_MOVE * half;
-        v13 = move;
-        v13_t = move_t;
-        if (v12 < v13)
-        {
-            v13 = v12;
-            v13_t = strip_lengths__FARTHEST_MOVE * half_t;
-        }
-        v14 = -strip_lengths__FARTHEST_MOVE;
-        v15 = v14 * half;
-        v16 = v13;
-        v16_t = v13_t;
-        if (v15 > v16)
-        {
-            v16 = v15;
-            v16_t = v14 * half_t;
-        }
-        move_t = v16_t;
-        move = v16;
-        (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + move_t;
-        (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD)) + move;
+        derivative_pressed__limited_t(&v12, &v12_t, move, move_t, strip_lengths__FARTHEST_MOVE * half, strip_lengths__FARTHEST_MOVE * half_t);
+        (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) + v12_t;
+        (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) + v12;
     }
-    v17 = front_gap + back_gap;
-    v18 = strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A));
-    v19 = v18 * away;
-    v20 = v19 * away;
-    v21 = 0.5 * v17;
-    v21_t = 0.5 * (front_gap_t + back_gap_t);
+    v13 = front_gap + back_gap;
+    v14 = strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A));
+    v15 = v14 * away;
+    v16 = v15 * away;
+    v17 = 0.5 * v13;
+    v17_t = 0.5 * (front_gap_t + back_gap_t);
+    if (v16 > v17)
+    {
+        v17 = v16;
+        v17_t = (strip_lengths__FLATTEST * (*cspan_at(&work_t, strip + layout__STRIP_A)) * away + v14 * away_t) * away + v15 * away_t;
+    }
+    rise_t = v17_t;
+    rise = v17;
+    v18 = front + back;
+    v19 = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP)) - 0.5 * v18;
+    v20 = v19 / rise;
+    v21 = 0.0;
+    v21_t = 0.0;
     if (v20 > v21)
     {
         v21 = v20;
-        v21_t = (strip_lengths__FLATTEST * (*cspan_at(&work_t, strip + layout__STRIP_A)) * away + v18 * away_t) * away + v19 * away_t;
+        v21_t = ((*cspan_at(&work_t, strip + layout__STRIP_SHARE)) * penetration + (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration_t - (*cspan_at(&work_t, strip + layout__STRIP_GAP)) - 0.5 * (front_t + back_t) - v20 * rise_t) / rise;
     }
-    rise_t = v21_t;
-    rise = v21;
-    v22 = front + back;
-    v23 = needed - 0.5 * v22;
-    v24 = v23 / rise;
-    v25 = 0.0;
-    v25_t = 0.0;
-    if (v24 > v25)
-    {
-        v25 = v24;
-        v25_t = (needed_t - 0.5 * (front_t + back_t) - v24 * rise_t) / rise;
-    }
-    ratio_t = v25_t;
-    ratio = v25;
-    derivative_strip_lengths__corrected_t(&v26, &v26_t, ratio, ratio_t, power, power_t);
-    (*result_0) = half * v26;
-    (*result_1) = half_t * v26 + half * v26_t;
-    return 0;
+    ratio_t = v21_t;
+    ratio = v21;
+    derivative_strip_lengths__corrected_t(&v22, &v22_t, ratio, ratio_t, strip_lengths__POWER, 0.0);
+    (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS)) = (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) * v22 + (*cspan_at(&work, strip + layout__STRIP_AXIS)) * v22_t;
+    (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = (*cspan_at(&work, strip + layout__STRIP_AXIS)) * v22;
+    return INT64_C(0);
 }
 
 /* Derivative of ``correct_lengths``. */
-static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, double power, double power_t, bool yawed)
+static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, bool yawed)
 {
-    int64_t count;
-    double scale;
-    double largest_t;
-    double largest;
+    int64_t waves;
+    int64_t k_end;
+    int64_t k;
+    int64_t first;
+    int64_t last;
     int64_t i;
-    int64_t strip;
+    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    {
+        first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+        last = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(1);
+        for (i = first + INT64_C(1); i < last; i += INT64_C(1))
+        {
+            derivative_strip_lengths__correct_strip_t(work, work_t, tables, i, penetration, penetration_t, yawed);
+        }
+        derivative_strip_lengths__end_axis_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(2)));
+        derivative_strip_lengths__end_axis_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(2)));
+        derivative_strip_lengths__move_edges_t(tables, work, work_t, waves, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k, first);
+        derivative_strip_lengths__finish_strips_t(work, work_t, tables, k);
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``end_axis``. */
+static inline int64_t derivative_strip_lengths__end_axis_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t inner, int64_t second)
+{
+    double axis_t;
+    double axis;
     double v1;
-    double v1_t;
-    double half_t;
-    double half;
     double v2;
+    double v2_t;
     double v3;
     double v4;
+    double v4_t;
+    axis_t = 1.5 * (*cspan_at(&work_t, inner + layout__STRIP_NEXT_AXIS)) - 0.5 * (*cspan_at(&work_t, second + layout__STRIP_NEXT_AXIS));
+    axis = 1.5 * (*cspan_at(&work, inner + layout__STRIP_NEXT_AXIS)) - 0.5 * (*cspan_at(&work, second + layout__STRIP_NEXT_AXIS));
+    v1 = strip_lengths__LEAST_END * (*cspan_at(&work, inner + layout__STRIP_NEXT_AXIS));
+    v2 = axis;
+    v2_t = axis_t;
+    if (v1 > v2)
+    {
+        v2 = v1;
+        v2_t = strip_lengths__LEAST_END * (*cspan_at(&work_t, inner + layout__STRIP_NEXT_AXIS));
+    }
+    v3 = strip_lengths__MOST_END * (*cspan_at(&work, inner + layout__STRIP_NEXT_AXIS));
+    v4 = v2;
+    v4_t = v2_t;
+    if (v3 < v4)
+    {
+        v4 = v3;
+        v4_t = strip_lengths__MOST_END * (*cspan_at(&work_t, inner + layout__STRIP_NEXT_AXIS));
+    }
+    (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS)) = v4_t;
+    (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = v4;
+    (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + (*cspan_at(&work_t, inner + layout__STRIP_NEXT_LEAD)) - (*cspan_at(&work_t, inner + layout__STRIP_LEAD));
+    (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD)) + (*cspan_at(&work, inner + layout__STRIP_NEXT_LEAD)) - (*cspan_at(&work, inner + layout__STRIP_LEAD));
+    return INT64_C(0);
+}
+
+/* Derivative of ``move_edges``. */
+static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t first)
+{
+    int64_t count;
+    double start_t;
+    double start;
+    double stop_t;
+    double stop;
+    int64_t i;
+    double product_t;
+    double product;
+    double largest_t;
+    double largest;
+    double low_t;
+    double low;
+    double high_t;
+    double high;
+    double sine;
+    double v1;
+    double v2;
+    double wrong_t;
+    double wrong;
+    double v3;
+    double v4;
+    double root_t;
+    double root;
     double v5;
     double v6;
     double v6_t;
     double v7;
+    double v7_t;
+    double least_t;
+    double least;
     double v8;
-    double share_t;
-    double share;
+    double half_t;
+    double half;
+    double v10;
+    double v10_t;
     double v9;
     double v9_t;
-    double beside_t;
-    double beside;
-    double v10;
-    double v11;
     double v12;
-    double v13;
+    double v12_t;
+    double v11;
+    double v11_t;
+    int64_t k13;
     double v14;
-    double v15;
+    double v14_t;
+    int64_t k15;
     double v16;
-    double v17;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
+    double v16_t;
+    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    start_t = 0.0;
+    start = 0.0;
+    stop_t = 0.0;
+    stop = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        product_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+        product = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+        start_t = start_t + (*cspan_at(&tables, waves + layout__WAVES_START + i)) * product_t;
+        start = start + (*cspan_at(&tables, waves + layout__WAVES_START + i)) * product;
+        stop_t = stop_t + (*cspan_at(&tables, waves + layout__WAVES_STOP + i)) * product_t;
+        stop = stop + (*cspan_at(&tables, waves + layout__WAVES_STOP + i)) * product;
+    }
     largest_t = 0.0;
     largest = 0.0;
+    low_t = 0.0;
+    low = 0.0;
+    high_t = 0.0;
+    high = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) = 0.0;
-        (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) = 0.0;
-        (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = 0.0;
-        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = 0.0;
-        (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) = 0.0;
-        (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = 0.0;
-        (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
-        (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
-        if ((*cspan_at(&work, strip + layout__STRIP_Y)) > 0.0)
+        sine = (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+        v1 = start - stop;
+        v2 = start + stop + v1 * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
+        wrong_t = 0.5 * (start_t + stop_t + (start_t - stop_t) * (*cspan_at(&tables, waves + layout__WAVES_COS + i)));
+        wrong = 0.5 * v2;
+        v3 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * sine - wrong;
+        v4 = sine * sine;
+        root_t = ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * sine - wrong_t) / v4;
+        root = v3 / v4;
+        v5 = -root;
+        v6 = root;
+        v6_t = root_t;
+        if (v5 > v6)
         {
-            derivative_strip_lengths__correct_strip_t(&v1, &v1_t, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), i, penetration, penetration_t, power, power_t, yawed);
-            half_t = v1_t;
-            half = v1;
-            v2 = scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-            v3 = v2 * (*cspan_at(&work, strip + layout__STRIP_Y));
-            v4 = v3 / (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-            (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) = (scale * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_Y)) + v2 * (*cspan_at(&work_t, strip + layout__STRIP_Y)) - v4 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH))) / (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-            (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) = v4;
-            (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half_t * half + half * half_t;
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
-            v5 = (*cspan_at(&work, strip + layout__STRIP_Y)) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-            (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) = ((*cspan_at(&work_t, strip + layout__STRIP_Y)) - v5 * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH))) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-            (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = v5;
-            v6 = largest;
-            v6_t = largest_t;
-            if ((*cspan_at(&work, strip + layout__STRIP_PRESSURE)) > v6)
-            {
-                v6 = (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
-                v6_t = (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE));
-            }
-            largest_t = v6_t;
-            largest = v6;
+            v6 = v5;
+            v6_t = -root_t;
+        }
+        v7 = largest;
+        v7_t = largest_t;
+        if (v6 > v7)
+        {
+            v7 = v6;
+            v7_t = v6_t;
+        }
+        largest_t = v7_t;
+        largest = v7;
+        if (i == INT64_C(1))
+        {
+            low_t = root_t;
+            low = root;
+        }
+        if (i == count - INT64_C(2))
+        {
+            high_t = root_t;
+            high = root;
         }
     }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    least_t = strip_lengths__LEAST_ROOT * largest_t;
+    least = strip_lengths__LEAST_ROOT * largest;
+    v8 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
+    half_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START)));
+    half = 0.5 * v8;
+    v10 = low;
+    v10_t = low_t;
+    if (least > v10)
     {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        v7 = strip_lengths__LIGHT * largest;
-        v8 = (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) / v7;
-        share_t = ((*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) - v8 * (strip_lengths__LIGHT * largest_t)) / v7;
-        share = v8;
-        if (share < 1.0)
-        {
-            derivative_strip_lengths__neighbouring_length_t(&v9, &v9_t, work, work_t, count, i);
-            beside_t = v9_t;
-            beside = v9;
-            v10 = sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
-            v11 = 1.0 - share;
-            half_t = share_t * v10 + share * derivative_rates__root_rate(v10, (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE))) + ((-share_t) * beside + v11 * beside_t);
-            half = share * v10 + v11 * beside;
-            (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half_t * half + half * half_t;
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
-        }
+        v10 = least;
+        v10_t = least_t;
     }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    derivative_strip_lengths__edge_move_t(&v9, &v9_t, half, half_t, start, start_t, v10, v10_t);
+    (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)) = (*cspan_at(&work_t, run + layout__STRIP_RUN_START)) - v9_t;
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = (*cspan_at(&work, run + layout__STRIP_RUN_START)) - v9;
+    v12 = high;
+    v12_t = high_t;
+    if (least > v12)
     {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if ((*cspan_at(&work, strip + layout__STRIP_Y)) > 0.0)
-        {
-            v12 = 2.0 / M_PI;
-            v13 = v12 * (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD));
-            v14 = v13 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-            v15 = sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
-            v16 = (*cspan_at(&work, strip + layout__STRIP_BREADTH)) * v15;
-            v17 = v14 / v16;
-            (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) = (v12 * (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v13 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) - v17 * ((*cspan_at(&work_t, strip + layout__STRIP_BREADTH)) * v15 + (*cspan_at(&work, strip + layout__STRIP_BREADTH)) * derivative_rates__root_rate(v15, (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE))))) / v16;
-            (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = v17;
-        }
+        v12 = least;
+        v12_t = least_t;
     }
+    derivative_strip_lengths__edge_move_t(&v11, &v11_t, half, half_t, stop, stop_t, v12, v12_t);
+    (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) + v11_t;
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) + v11;
+    k13 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START;
+    v14 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
+    v14_t = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START));
+    if ((*cspan_at(&work, k13)) > v14)
+    {
+        v14 = (*cspan_at(&work, k13));
+        v14_t = (*cspan_at(&work_t, k13));
+    }
+    (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)) = v14_t;
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = v14;
+    k15 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_STOP;
+    v16 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
+    v16_t = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP));
+    if ((*cspan_at(&work, k15)) < v16)
+    {
+        v16 = (*cspan_at(&work, k15));
+        v16_t = (*cspan_at(&work_t, k15));
+    }
+    (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) = v16_t;
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = v16;
     return INT64_C(0);
 }
 
-/* Derivative of ``neighbouring_length``. */
-static inline int64_t derivative_strip_lengths__neighbouring_length_t(double* half, double* half_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t i)
+/* Derivative of ``edge_move``. */
+static inline int64_t derivative_strip_lengths__edge_move_t(double* v8, double* result_1, double half, double half_t, double wrong, double wrong_t, double root, double root_t)
 {
-    double total_t;
-    double total;
-    double weight_t;
-    double weight;
-    int64_t before;
     double v1;
-    int64_t after;
     double v2;
     double v3;
-    total_t = 0.0;
-    total = 0.0;
-    weight_t = 0.0;
-    weight = 0.0;
-    if (i > INT64_C(0))
-    {
-        before = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1));
-        weight_t = weight_t + (*cspan_at(&work_t, before + layout__STRIP_PRESSURE));
-        weight = weight + (*cspan_at(&work, before + layout__STRIP_PRESSURE));
-        v1 = sqrt((*cspan_at(&work, before + layout__STRIP_HALF_LENGTH_SQUARE)));
-        total_t = total_t + ((*cspan_at(&work_t, before + layout__STRIP_PRESSURE)) * v1 + (*cspan_at(&work, before + layout__STRIP_PRESSURE)) * derivative_rates__root_rate(v1, (*cspan_at(&work_t, before + layout__STRIP_HALF_LENGTH_SQUARE))));
-        total = total + (*cspan_at(&work, before + layout__STRIP_PRESSURE)) * v1;
-    }
-    if (i < count - INT64_C(1))
-    {
-        after = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1));
-        weight_t = weight_t + (*cspan_at(&work_t, after + layout__STRIP_PRESSURE));
-        weight = weight + (*cspan_at(&work, after + layout__STRIP_PRESSURE));
-        v2 = sqrt((*cspan_at(&work, after + layout__STRIP_HALF_LENGTH_SQUARE)));
-        total_t = total_t + ((*cspan_at(&work_t, after + layout__STRIP_PRESSURE)) * v2 + (*cspan_at(&work, after + layout__STRIP_PRESSURE)) * derivative_rates__root_rate(v2, (*cspan_at(&work_t, after + layout__STRIP_HALF_LENGTH_SQUARE))));
-        total = total + (*cspan_at(&work, after + layout__STRIP_PRESSURE)) * v2;
-    }
-    (*half_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
-    (*half) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
-    if (weight > 0.0)
-    {
-        v3 = total / weight;
-        (*half_t) = (total_t - v3 * weight_t) / weight;
-        (*half) = v3;
-    }
+    double share_t;
+    double share;
+    double v4;
+    double v5;
+    double v6;
+    double v7;
+    v1 = strip_lengths__RELAXED * wrong;
+    v2 = strip_lengths__FARTHEST_EDGE * root;
+    v3 = v1 / v2;
+    share_t = (strip_lengths__RELAXED * wrong_t - v3 * (strip_lengths__FARTHEST_EDGE * root_t)) / v2;
+    share = v3;
+    v4 = strip_lengths__FARTHEST_EDGE * half;
+    v5 = v4 * share;
+    v6 = 1.0 + share * share;
+    v7 = sqrt(v6);
+    (*v8) = v5 / v7;
+    (*result_1) = (strip_lengths__FARTHEST_EDGE * half_t * share + v4 * share_t - (*v8) * derivative_rates__root_rate(v7, share_t * share + share * share_t)) / v7;
     return 0;
 }
 
-/* Derivative of ``adopt_lengths``. */
-static inline int64_t derivative_strip_lengths__adopt_lengths_t(array_double_1d work, array_double_1d work_t)
+/* Derivative of ``finish_strips``. */
+static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t k)
 {
+    int64_t waves;
+    int64_t run;
+    int64_t first;
+    double largest_t;
+    double largest;
     int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    double v1;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        v1 = sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
-        (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = derivative_rates__root_rate(v1, (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
-        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = v1;
-        (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD));
-        (*cspan_at(&work, strip + layout__STRIP_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
-    }
-    derivative_strip_lengths__limit_lengths_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
-    return INT64_C(0);
-}
-
-/* Derivative of ``limit_lengths``. */
-static inline int64_t derivative_strip_lengths__limit_lengths_t(array_double_1d work, array_double_1d work_t, int64_t count)
-{
-    double longest_t;
-    double longest;
     int64_t i;
     double v1;
     double v1_t;
-    int64_t strip;
     double v2;
     double v3;
-    double v3_t;
     double v4;
+    double grown_t;
+    double grown;
     double v5;
-    double v5_t;
-    longest_t = 0.0;
-    longest = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    double middle_t;
+    double middle;
+    double v6;
+    double half_t;
+    double half;
+    int64_t strip;
+    double v7;
+    double v8;
+    double v8_t;
+    double v9;
+    double v10;
+    double v11;
+    double v12;
+    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
+    run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+    first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    largest_t = 0.0;
+    largest = 0.0;
+    i_end = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    for (i = first; i < i_end; i += INT64_C(1))
     {
-        v1 = longest;
-        v1_t = longest_t;
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH)) > v1)
+        v1 = largest;
+        v1_t = largest_t;
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS)) > v1)
         {
-            v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
-            v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
+            v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS));
+            v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS));
         }
-        longest_t = v1_t;
-        longest = v1;
+        largest_t = v1_t;
+        largest = v1;
     }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    v2 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
+    v3 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
+    v4 = v2 / v3;
+    grown_t = ((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START)) - v4 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)))) / v3;
+    grown = v4;
+    v5 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
+    middle_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)));
+    middle = 0.5 * v5;
+    v6 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
+    half_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)));
+    half = 0.5 * v6;
+    i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        v2 = strip_lengths__SHORTEST * longest;
-        v3 = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-        v3_t = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
-        if (v2 > v3)
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
+        v7 = strip_lengths__FLAT * largest;
+        v8 = (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
+        v8_t = (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS));
+        if (v7 > v8)
         {
-            v3 = v2;
-            v3_t = strip_lengths__SHORTEST * longest_t;
+            v8 = v7;
+            v8_t = strip_lengths__FLAT * largest_t;
         }
-        v4 = strip_lengths__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        v5 = v3;
-        v5_t = v3_t;
-        if (v4 > v5)
-        {
-            v5 = v4;
-            v5_t = strip_lengths__SQUARE * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
-        }
-        (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = v5_t;
-        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = v5;
+        (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS)) = v8_t;
+        (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = v8;
+        (*cspan_at(&work_t, strip + layout__STRIP_NEXT_HALF)) = (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+        (*cspan_at(&work, strip + layout__STRIP_NEXT_HALF)) = (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+        (*cspan_at(&work_t, strip + layout__STRIP_NEXT_STATION)) = middle_t - half_t * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
+        (*cspan_at(&work, strip + layout__STRIP_NEXT_STATION)) = middle - half * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
+        v9 = M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
+        v10 = v9 * (*cspan_at(&work, strip + layout__STRIP_Y));
+        v11 = v10 * (*cspan_at(&work, strip + layout__STRIP_AXIS));
+        v12 = v11 / (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
+        (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) = (v9 * (*cspan_at(&work_t, strip + layout__STRIP_Y)) * (*cspan_at(&work, strip + layout__STRIP_AXIS)) + v10 * (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) - v12 * (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS))) / (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) * grown + v12 * grown_t;
+        (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = v12 * grown;
     }
     return INT64_C(0);
 }
@@ -4357,203 +3618,395 @@ static inline int64_t derivative_strip_lengths__limit_lengths_t(array_double_1d 
  * Derivatives of strip_patches.py.
  */
 
-/* Derivative of ``run_edge``. */
-static inline int64_t derivative_strip_patches__run_edge_t(double* edge, double* edge_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t last, int64_t first, int64_t outward)
-{
-    double station_t;
-    double station;
-    double v1;
-    double limit_t;
-    double limit;
-    int64_t after;
-    int64_t pair;
-    int64_t inner;
-    double fall_t;
-    double fall;
-    double v2;
-    double v3;
-    double reach_t;
-    double reach;
-    station_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION));
-    station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION));
-    v1 = 0.5 * (double)(outward);
-    (*edge_t) = station_t + v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
-    (*edge) = station + v1 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
-    if (last != first)
-    {
-        limit_t = (*edge_t);
-        limit = (*edge);
-        after = last + outward;
-        pair = last;
-        if (outward < INT64_C(0))
-        {
-            pair = last - INT64_C(1);
-        }
-        if ((after >= INT64_C(0)) && (after < count))
-        {
-            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * pair + layout__STRIP_JOINED)) == 1.0)
-            {
-                limit_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION));
-                limit = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION));
-            }
-        }
-        inner = last - outward;
-        fall_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD));
-        fall = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD));
-        (*edge_t) = limit_t;
-        (*edge) = limit;
-        if (fall > 0.0)
-        {
-            v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)) / fall;
-            v3 = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION));
-            reach_t = ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)) - v2 * fall_t) / fall * v3 + v2 * (station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION)));
-            reach = v2 * v3;
-            if (reach * (double)(outward) < (limit - station) * (double)(outward))
-            {
-                (*edge_t) = station_t + reach_t;
-                (*edge) = station + reach;
-            }
-        }
-    }
-    return 0;
-}
-
 /* Derivative of ``fill_from_strips``. */
 static inline int64_t derivative_strip_patches__fill_from_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, int64_t count)
 {
     int64_t index;
-    int64_t first;
-    int64_t last;
+    int64_t k_end;
+    int64_t k;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         derivative_strip_patches__load_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index, index);
     }
     derivative_filling__clear_patches_t(work, work_t, side);
-    first = INT64_C(0);
-    while((first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))) && ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) < layout__SOLVED_PATCH_LIMIT))
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
     {
-        last = first;
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_LINE_LOAD)) > 0.0)
+        if ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) < layout__SOLVED_PATCH_LIMIT)
         {
-            last = strip_patches__run_end(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first);
-            derivative_strip_patches__fill_run_t(work, work_t, side, first, last);
+            derivative_strip_patches__fill_run_t(work, work_t, tables, side, k);
         }
-        first = last + INT64_C(1);
     }
     derivative_filling__finish_patches_t(work, work_t, side);
     return INT64_C(0);
 }
 
 /* Derivative of ``fill_run``. */
-static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t first, int64_t last)
+static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, int64_t k)
 {
-    double v1;
-    double v1_t;
-    double start_t;
-    double start;
-    double v2;
-    double v2_t;
-    double stop_t;
-    double stop;
+    int64_t waves;
+    int64_t run;
+    int64_t first;
+    int64_t deepest;
+    int64_t i_end;
+    int64_t i;
     int64_t region;
-    int64_t n3;
+    int64_t fine;
+    int64_t n1;
     int64_t index;
     int64_t patch;
-    int64_t i;
+    double scale;
+    double v2;
+    double v3;
+    double v4;
+    double spread_t;
+    double spread;
+    int64_t strip;
+    double v5;
+    double v6;
     double load_t;
     double load;
-    double v4;
-    double v4_t;
-    double v5;
-    double v5_t;
-    double pressure_t;
-    double pressure;
-    double v6;
-    double v6_t;
-    if (last > first)
+    double v7;
+    double v8;
+    double v9;
+    double v9_t;
+    double v10;
+    double v10_t;
+    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
+    run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+    first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    deepest = first;
+    i_end = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    for (i = first; i < i_end; i += INT64_C(1))
     {
-        derivative_strip_patches__end_like_ellipse_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)));
-        derivative_strip_patches__end_like_ellipse_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)));
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * deepest + layout__STRIP_Y)))
+        {
+            deepest = i;
+        }
     }
-    derivative_strip_patches__run_edge_t(&v1, &v1_t, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first, last, -INT64_C(1));
-    start_t = v1_t;
-    start = v1;
-    derivative_strip_patches__run_edge_t(&v2, &v2_t, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), last, first, INT64_C(1));
-    stop_t = v2_t;
-    stop = v2;
-    region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
-    n3 = derivative_filling__begin_patch_t(work, work_t, side, region, start, start_t, first, layout__RULE_STRAIGHT);
-    index = n3;
+    region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * deepest + layout__STRIP_REGION)));
+    fine = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    n1 = derivative_filling__begin_patch_t(work, work_t, side, region, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)), k * fine, layout__RULE_STRAIGHT);
+    index = n1;
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-    for (i = first; i < last + INT64_C(1); i += INT64_C(1))
+    scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
+    v2 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
+    v3 = v2 * M_PI;
+    v4 = (double)((int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
+    spread_t = ((*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START))) * M_PI / v4;
+    spread = v3 / v4;
+    i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        derivative_strip_patches__keep_strip_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i);
-        load_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
-        load = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
-        derivative_filling__add_load_t(work, work_t, patch, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))), load, load_t, load * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)), load_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) + load * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)));
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
+        v5 = scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
+        v6 = v5 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+        load_t = (scale * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v5 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH))) * (*cspan_at(&work, strip + layout__STRIP_Y)) + v6 * (*cspan_at(&work_t, strip + layout__STRIP_Y));
+        load = v6 * (*cspan_at(&work, strip + layout__STRIP_Y));
+        derivative_filling__add_load_t(work, work_t, patch, (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))), load, load_t, load * (*cspan_at(&work, strip + layout__STRIP_STATION)), load_t * (*cspan_at(&work, strip + layout__STRIP_STATION)) + load * (*cspan_at(&work_t, strip + layout__STRIP_STATION)));
+        v7 = spread * (*cspan_at(&work, strip + layout__STRIP_NEXT_HALF));
+        v8 = v7 * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+        (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + ((spread_t * (*cspan_at(&work, strip + layout__STRIP_NEXT_HALF)) + spread * (*cspan_at(&work_t, strip + layout__STRIP_NEXT_HALF))) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH)) + v8 * (*cspan_at(&work_t, strip + layout__STRIP_STRETCH)));
+        (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + v8 * (*cspan_at(&work, strip + layout__STRIP_STRETCH));
     }
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = stop_t;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = stop;
+    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP));
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
     (*cspan_at(&work_t, patch + layout__PATCH_LAST)) = 0.0;
-    (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)(last);
-    derivative_strip_patches__run_area_t(&v4, &v4_t, work, work_t, first, last, start, start_t, stop, stop_t);
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v4_t;
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v4;
-    derivative_strip_patches__largest_pressure_t(&v5, &v5_t, work, work_t, first, last);
-    pressure_t = v5_t;
-    pressure = v5;
-    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
-    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
-    derivative_strip_patches__largest_square_t(&v6, &v6_t, work, work_t, first, last);
-    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v6_t;
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v6;
+    (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)((k + INT64_C(1)) * fine - INT64_C(1));
+    derivative_strip_patches__fill_fine_strips_t(work, work_t, tables, k);
+    derivative_strip_patches__largest_square_t(&v9, &v9_t, work, work_t, (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))), (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 1);
+    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = v9_t;
+    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = v9;
+    derivative_strip_patches__largest_square_t(&v10, &v10_t, work, work_t, (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))), (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 0);
+    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v10_t;
+    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v10;
     derivative_filling__finish_patch_t(work, work_t, side);
     return INT64_C(0);
 }
 
-/* Derivative of ``end_like_ellipse``. */
-static inline int64_t derivative_strip_patches__end_like_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t edge, int64_t inner)
+/* Derivative of ``fill_fine_strips``. */
+static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t k)
 {
+    int64_t waves;
+    int64_t run;
+    int64_t first;
+    int64_t fine;
     double v1;
+    double middle_t;
+    double middle;
     double v2;
-    double square_t;
-    double square;
+    double half_t;
+    double half;
+    double least_t;
+    double least;
+    double stretch_t;
+    double stretch;
+    int64_t i_end;
+    int64_t i;
     double v3;
+    double v3_t;
     double v4;
-    v1 = (*cspan_at(&work, inner + layout__STRIP_HALF_LENGTH_SQUARE)) * (*cspan_at(&work, edge + layout__STRIP_LINE_LOAD));
-    v2 = v1 / (*cspan_at(&work, inner + layout__STRIP_LINE_LOAD));
-    square_t = ((*cspan_at(&work_t, inner + layout__STRIP_HALF_LENGTH_SQUARE)) * (*cspan_at(&work, edge + layout__STRIP_LINE_LOAD)) + (*cspan_at(&work, inner + layout__STRIP_HALF_LENGTH_SQUARE)) * (*cspan_at(&work_t, edge + layout__STRIP_LINE_LOAD)) - v2 * (*cspan_at(&work_t, inner + layout__STRIP_LINE_LOAD))) / (*cspan_at(&work, inner + layout__STRIP_LINE_LOAD));
-    square = v2;
-    if (square < (*cspan_at(&work, edge + layout__STRIP_HALF_LENGTH_SQUARE)))
+    double v5;
+    double v6;
+    double v7;
+    double rigid_t;
+    double rigid;
+    int64_t g;
+    double axis_t;
+    double axis;
+    double raised_t;
+    double raised;
+    double x_t;
+    double x;
+    double A_t;
+    double A;
+    int64_t strip;
+    double weight;
+    double v8;
+    double v9;
+    double sine;
+    double v10;
+    double v11;
+    double v11_t;
+    double length_t;
+    double length;
+    double pressure_t;
+    double pressure;
+    double v12;
+    double v12_t;
+    double v13;
+    double v14;
+    double v14_t;
+    int64_t to;
+    double v15;
+    double v16;
+    double v17;
+    double v18;
+    double v19;
+    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
+    run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+    first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    fine = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    v1 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
+    middle_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)));
+    middle = 0.5 * v1;
+    v2 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
+    half_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)));
+    half = 0.5 * v2;
+    least_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_NEXT_AXIS));
+    least = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_NEXT_AXIS));
+    stretch_t = 0.0;
+    stretch = 0.0;
+    i_end = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    for (i = first; i < i_end; i += INT64_C(1))
     {
-        v3 = (*cspan_at(&work, edge + layout__STRIP_HALF_LENGTH_SQUARE)) / square;
-        v4 = sqrt(v3);
-        (*cspan_at(&work_t, edge + layout__STRIP_PRESSURE)) = (*cspan_at(&work_t, edge + layout__STRIP_PRESSURE)) * v4 + (*cspan_at(&work, edge + layout__STRIP_PRESSURE)) * derivative_rates__root_rate(v4, ((*cspan_at(&work_t, edge + layout__STRIP_HALF_LENGTH_SQUARE)) - v3 * square_t) / square);
-        (*cspan_at(&work, edge + layout__STRIP_PRESSURE)) = (*cspan_at(&work, edge + layout__STRIP_PRESSURE)) * v4;
-        (*cspan_at(&work_t, edge + layout__STRIP_HALF_LENGTH_SQUARE)) = square_t;
-        (*cspan_at(&work, edge + layout__STRIP_HALF_LENGTH_SQUARE)) = square;
+        v3 = least;
+        v3_t = least_t;
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS)) < v3)
+        {
+            v3 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS));
+            v3_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS));
+        }
+        least_t = v3_t;
+        least = v3;
+        stretch_t = stretch_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STRETCH));
+        stretch = stretch + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STRETCH));
+    }
+    v4 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * (double)((int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
+    v5 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
+    v6 = v5 * stretch;
+    v7 = v4 / v6;
+    rigid_t = (-v7) * (((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START))) * stretch + v5 * stretch_t) / v6;
+    rigid = v7;
+    for (g = INT64_C(0); g < fine; g += INT64_C(1))
+    {
+        axis_t = 0.0;
+        axis = 0.0;
+        raised_t = 0.0;
+        raised = 0.0;
+        x_t = 0.0;
+        x = 0.0;
+        A_t = 0.0;
+        A = 0.0;
+        i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
+            weight = (*cspan_at(&tables, waves + layout__WAVES_REFINING + INT64_C(16) * g + i));
+            axis_t = axis_t + weight * (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS));
+            axis = axis + weight * (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
+            v8 = weight * (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
+            raised_t = raised_t + weight * (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            raised = raised + v8 / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            v9 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
+            x_t = x_t + weight * ((*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)));
+            x = x + weight * v9;
+            A_t = A_t + weight * (*cspan_at(&work_t, strip + layout__STRIP_A));
+            A = A + weight * (*cspan_at(&work, strip + layout__STRIP_A));
+        }
+        sine = (*cspan_at(&tables, waves + layout__WAVES_FINE_SIN + g));
+        v10 = strip_patches__NARROWED * least;
+        v11 = axis;
+        v11_t = axis_t;
+        if (v10 > v11)
+        {
+            v11 = v10;
+            v11_t = strip_patches__NARROWED * least_t;
+        }
+        length_t = v11_t * sine;
+        length = v11 * sine;
+        pressure_t = raised_t * sine;
+        pressure = raised * sine;
+        if ((g >= strip_patches__SMOOTH_ENDS) && (g < fine - strip_patches__SMOOTH_ENDS))
+        {
+            derivative_strip_patches__roughness_t(&v12, &v12_t, tables, work, work_t, waves, run, g);
+            v13 = rigid * v12;
+            pressure_t = pressure_t - (rigid_t * v12 + rigid * v12_t) / sine;
+            pressure = pressure - v13 / sine;
+        }
+        v14 = pressure;
+        v14_t = pressure_t;
+        if (0.0 > v14)
+        {
+            v14 = 0.0;
+            v14_t = 0.0;
+        }
+        pressure_t = v14_t;
+        pressure = v14;
+        to = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (k * fine + g);
+        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_STATION)) = middle_t - half_t * (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + g));
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) = middle - half * (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + g));
+        v15 = half * sine;
+        v16 = v15 * M_PI;
+        v17 = (double)(fine);
+        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_WIDTH)) = half_t * sine * M_PI / v17;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = v16 / v17;
+        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_X)) = x_t;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = x;
+        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * A_t;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * A;
+        v18 = 0.5 * M_PI;
+        v19 = v18 * length;
+        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_LINE_LOAD)) = v18 * length_t * pressure + v19 * pressure_t;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_LINE_LOAD)) = v19 * pressure;
+        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = length_t * length + length * length_t;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = length * length;
+        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = pressure * pressure;
     }
     return INT64_C(0);
 }
 
-/* Derivative of ``keep_strip``. */
-static inline int64_t derivative_strip_patches__keep_strip_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t to)
+/* Derivative of ``roughness``. */
+static inline int64_t derivative_strip_patches__roughness_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t g)
 {
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work_t, strip + layout__STRIP_STATION));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work, strip + layout__STRIP_STATION));
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work_t, strip + layout__STRIP_A));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work, strip + layout__STRIP_A));
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_LINE_LOAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_LINE_LOAD)) = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD));
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE));
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) * (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) + (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) * (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) * (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
-    return INT64_C(0);
+    int64_t m_end;
+    int64_t m;
+    (*total_t) = 0.0;
+    (*total) = 0.0;
+    m_end = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    for (m = INT64_C(0); m < m_end; m += INT64_C(1))
+    {
+        (*total_t) = (*total_t) + (*cspan_at(&tables, waves + layout__WAVES_ROUGHNESS + INT64_C(48) * g + m)) * (*cspan_at(&work_t, run + layout__STRIP_RUN_GAPS + m));
+        (*total) = (*total) + (*cspan_at(&tables, waves + layout__WAVES_ROUGHNESS + INT64_C(48) * g + m)) * (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + m));
+    }
+    return 0;
+}
+
+/* Derivative of ``largest_square``. */
+static inline int64_t derivative_strip_patches__largest_square_t(double* largest, double* largest_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t last, bool pressures)
+{
+    int64_t i;
+    double low_t;
+    double low;
+    double here_t;
+    double here;
+    double high_t;
+    double high;
+    double bend_t;
+    double bend;
+    double value_t;
+    double value;
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    double v5_t;
+    double v6;
+    double v6_t;
+    double at_t;
+    double at;
+    double v7;
+    double v8;
+    double v9;
+    double v10;
+    double v10_t;
+    (*largest_t) = 0.0;
+    (*largest) = 0.0;
+    for (i = first + INT64_C(1); i < last; i += INT64_C(1))
+    {
+        if (pressures)
+        {
+            low_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - INT64_C(1)) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+            low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - INT64_C(1)) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+            here_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+            here = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+            high_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + INT64_C(1)) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+            high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + INT64_C(1)) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+        }
+        else
+        {
+            low_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - INT64_C(1)) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - INT64_C(1)) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            here_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            here = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            high_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + INT64_C(1)) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + INT64_C(1)) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+        }
+        bend_t = low_t - 2.0 * here_t + high_t;
+        bend = low - 2.0 * here + high;
+        value_t = here_t;
+        value = here;
+        if (bend < 0.0)
+        {
+            v1 = low - high;
+            v2 = 0.5 * v1;
+            v3 = v2 / bend;
+            v4 = -0.5;
+            v5 = v3;
+            v5_t = (0.5 * (low_t - high_t) - v3 * bend_t) / bend;
+            if (v4 > v5)
+            {
+                v5 = v4;
+                v5_t = 0.0;
+            }
+            v6 = v5;
+            v6_t = v5_t;
+            if (0.5 < v6)
+            {
+                v6 = 0.5;
+                v6_t = 0.0;
+            }
+            at_t = v6_t;
+            at = v6;
+            v7 = high - low;
+            v8 = 0.5 * at;
+            v9 = 0.5 * v7 + v8 * bend;
+            value_t = value_t + (at_t * v9 + at * (0.5 * (high_t - low_t) + (0.5 * at_t * bend + v8 * bend_t)));
+            value = value + at * v9;
+        }
+        v10 = (*largest);
+        v10_t = (*largest_t);
+        if (value > v10)
+        {
+            v10 = value;
+            v10_t = value_t;
+        }
+        (*largest_t) = v10_t;
+        (*largest) = v10;
+    }
+    return 0;
 }
 
 /* Derivative of ``load_region``. */
@@ -4572,15 +4025,17 @@ static inline int64_t derivative_strip_patches__load_region_t(array_double_1d wo
     int64_t i_end;
     int64_t i;
     int64_t strip;
+    double v1;
     double own_t;
     double own;
-    double v1;
     double v2;
+    double scale;
     double v3;
     double v4;
-    double v4_t;
     double v5;
+    double v5_t;
     double v6;
+    double v7;
     load_t = 0.0;
     load = 0.0;
     moment_t = 0.0;
@@ -4597,8 +4052,9 @@ static inline int64_t derivative_strip_patches__load_region_t(array_double_1d wo
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
         {
-            own_t = (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
-            own = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            v1 = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            own_t = ((*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH))) * (*cspan_at(&work, strip + layout__STRIP_Y)) + v1 * (*cspan_at(&work_t, strip + layout__STRIP_Y));
+            own = v1 * (*cspan_at(&work, strip + layout__STRIP_Y));
             load_t = load_t + own_t;
             load = load + own;
             moment_t = moment_t + (own_t * (*cspan_at(&work, strip + layout__STRIP_STATION)) + own * (*cspan_at(&work_t, strip + layout__STRIP_STATION)));
@@ -4607,34 +4063,35 @@ static inline int64_t derivative_strip_patches__load_region_t(array_double_1d wo
             cosines = cosines + own * (*cspan_at(&work, strip + layout__STRIP_COS));
             sines_t = sines_t + (own_t * (*cspan_at(&work, strip + layout__STRIP_SIN)) + own * (*cspan_at(&work_t, strip + layout__STRIP_SIN)));
             sines = sines + own * (*cspan_at(&work, strip + layout__STRIP_SIN));
-            v1 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
-            x_t = x_t + (own_t * v1 + own * ((*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD))));
-            x = x + own * v1;
+            v2 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
+            x_t = x_t + (own_t * v2 + own * ((*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD))));
+            x = x + own * v2;
         }
     }
-    (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = load_t;
-    (*cspan_at(&work, region + layout__REGION_CARRIED)) = load;
-    (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = moment_t;
-    (*cspan_at(&work, region + layout__REGION_MOMENT)) = moment;
+    scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
+    (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = scale * load_t;
+    (*cspan_at(&work, region + layout__REGION_CARRIED)) = scale * load;
+    (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = scale * moment_t;
+    (*cspan_at(&work, region + layout__REGION_MOMENT)) = scale * moment;
     (*cspan_at(&work_t, region + layout__REGION_SLANT)) = 0.0;
     (*cspan_at(&work, region + layout__REGION_SLANT)) = 0.0;
     if (load > 0.0)
     {
-        v2 = cosines / load;
-        (*cspan_at(&work_t, region + layout__REGION_COS)) = (cosines_t - v2 * load_t) / load;
-        (*cspan_at(&work, region + layout__REGION_COS)) = v2;
-        v3 = sines / load;
-        (*cspan_at(&work_t, region + layout__REGION_SIN)) = (sines_t - v3 * load_t) / load;
-        (*cspan_at(&work, region + layout__REGION_SIN)) = v3;
+        v3 = cosines / load;
+        (*cspan_at(&work_t, region + layout__REGION_COS)) = (cosines_t - v3 * load_t) / load;
+        (*cspan_at(&work, region + layout__REGION_COS)) = v3;
+        v4 = sines / load;
+        (*cspan_at(&work_t, region + layout__REGION_SIN)) = (sines_t - v4 * load_t) / load;
+        (*cspan_at(&work, region + layout__REGION_SIN)) = v4;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            derivative_rails__upright_share_t(&v4, &v4_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work_t, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)), (*cspan_at(&work_t, region + layout__REGION_SIN)));
-            (*cspan_at(&work_t, region + layout__REGION_SHARE)) = v4_t;
-            (*cspan_at(&work, region + layout__REGION_SHARE)) = v4;
+            derivative_rails__upright_share_t(&v5, &v5_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work_t, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)), (*cspan_at(&work_t, region + layout__REGION_SIN)));
+            (*cspan_at(&work_t, region + layout__REGION_SHARE)) = v5_t;
+            (*cspan_at(&work, region + layout__REGION_SHARE)) = v5;
         }
-        v5 = moment / load;
-        v6 = x / load;
-        derivative_strip_patches__slant_region_t(work, work_t, region, index, v5, (moment_t - v5 * load_t) / load, v6, (x_t - v6 * load_t) / load);
+        v6 = moment / load;
+        v7 = x / load;
+        derivative_strip_patches__slant_region_t(work, work_t, region, index, v6, (moment_t - v6 * load_t) / load, v7, (x_t - v7 * load_t) / load);
     }
     return INT64_C(0);
 }
@@ -4646,45 +4103,53 @@ static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d w
     double along;
     double spread_t;
     double spread;
+    double carried_t;
+    double carried;
     int64_t i_end;
     int64_t i;
     int64_t strip;
+    double v1;
     double own_t;
     double own;
     double away_t;
     double away;
-    double v1;
     double v2;
     double v3;
     double v4;
+    double v5;
     along_t = 0.0;
     along = 0.0;
     spread_t = 0.0;
     spread = 0.0;
+    carried_t = 0.0;
+    carried = 0.0;
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
         {
-            own_t = (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
-            own = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            v1 = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            own_t = ((*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH))) * (*cspan_at(&work, strip + layout__STRIP_Y)) + v1 * (*cspan_at(&work_t, strip + layout__STRIP_Y));
+            own = v1 * (*cspan_at(&work, strip + layout__STRIP_Y));
             away_t = (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - station_t;
             away = (*cspan_at(&work, strip + layout__STRIP_STATION)) - station;
-            v1 = own * away;
-            v2 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) - x;
-            along_t = along_t + ((own_t * away + own * away_t) * v2 + v1 * ((*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) - x_t));
-            along = along + v1 * v2;
-            v3 = own * away;
-            spread_t = spread_t + ((own_t * away + own * away_t) * away + v3 * away_t);
-            spread = spread + v3 * away;
+            carried_t = carried_t + own_t;
+            carried = carried + own;
+            v2 = own * away;
+            v3 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) - x;
+            along_t = along_t + ((own_t * away + own * away_t) * v3 + v2 * ((*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) - x_t));
+            along = along + v2 * v3;
+            v4 = own * away;
+            spread_t = spread_t + ((own_t * away + own * away_t) * away + v4 * away_t);
+            spread = spread + v4 * away;
         }
     }
-    if (spread > strip_patches__CLOSE * strip_patches__CLOSE * (*cspan_at(&work, region + layout__REGION_CARRIED)))
+    if (spread > strip_patches__CLOSE * strip_patches__CLOSE * carried)
     {
-        v4 = along / spread;
-        (*cspan_at(&work_t, region + layout__REGION_SLANT)) = (along_t - v4 * spread_t) / spread;
-        (*cspan_at(&work, region + layout__REGION_SLANT)) = v4;
+        v5 = along / spread;
+        (*cspan_at(&work_t, region + layout__REGION_SLANT)) = (along_t - v5 * spread_t) / spread;
+        (*cspan_at(&work, region + layout__REGION_SLANT)) = v5;
     }
     return INT64_C(0);
 }
@@ -4694,278 +4159,33 @@ static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d 
 {
     int64_t index;
     double scale;
-    int64_t size;
     int64_t i_end;
     int64_t i;
-    int64_t rank;
     int64_t row;
     int64_t strip;
     int64_t region;
     double v1;
+    double v2;
+    int64_t k3;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS)) = 0.0;
     }
     scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
-    size = INT64_C(0);
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
-        {
-            size = size + INT64_C(1);
-        }
-    }
-    for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
-    {
-        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
         v1 = scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-        (*cspan_at(&work_t, region + layout__REGION_STIFFNESS)) = (*cspan_at(&work_t, region + layout__REGION_STIFFNESS)) + (scale * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, row + size)) + v1 * (*cspan_at(&work_t, row + size)));
-        (*cspan_at(&work, region + layout__REGION_STIFFNESS)) = (*cspan_at(&work, region + layout__REGION_STIFFNESS)) + v1 * (*cspan_at(&work, row + size));
+        v2 = v1 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+        k3 = row + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+        (*cspan_at(&work_t, region + layout__REGION_STIFFNESS)) = (*cspan_at(&work_t, region + layout__REGION_STIFFNESS)) + ((scale * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v1 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH))) * (*cspan_at(&work, k3)) + v2 * (*cspan_at(&work_t, k3)));
+        (*cspan_at(&work, region + layout__REGION_STIFFNESS)) = (*cspan_at(&work, region + layout__REGION_STIFFNESS)) + v2 * (*cspan_at(&work, k3));
     }
     return INT64_C(0);
-}
-
-/* Derivative of ``divided_bend``. */
-static inline int64_t derivative_strip_patches__divided_bend_t(double* v7, double* result_1, array_double_1d work, array_double_1d work_t, int64_t i, double before, double before_t, double value, double value_t, double after, double after_t)
-{
-    double left_t;
-    double left;
-    double right_t;
-    double right;
-    double v1;
-    double v2;
-    double upper_t;
-    double upper;
-    double v3;
-    double v4;
-    double lower_t;
-    double lower;
-    double v5;
-    double v6;
-    left_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
-    left = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
-    right_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION));
-    right = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION));
-    v1 = after - value;
-    v2 = v1 / right;
-    upper_t = (after_t - value_t - v2 * right_t) / right;
-    upper = v2;
-    v3 = value - before;
-    v4 = v3 / left;
-    lower_t = (value_t - before_t - v4 * left_t) / left;
-    lower = v4;
-    v5 = upper - lower;
-    v6 = left + right;
-    (*v7) = v5 / v6;
-    (*result_1) = (upper_t - lower_t - (*v7) * (left_t + right_t)) / v6;
-    return 0;
-}
-
-/* Derivative of ``square_bend``. */
-static inline int64_t derivative_strip_patches__square_bend_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, int64_t i)
-{
-    double before_t;
-    double before;
-    before_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE));
-    before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE));
-    derivative_strip_patches__divided_bend_t(v1, v1_t, work, work_t, i, before, before_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)));
-    return 0;
-}
-
-/* Derivative of ``cell_bend``. */
-static inline int64_t derivative_strip_patches__cell_bend_t(double* bend, double* bend_t, array_double_1d work, array_double_1d work_t, int64_t i, int64_t first, int64_t last)
-{
-    double found;
-    double v1;
-    double v1_t;
-    double v2;
-    double v2_t;
-    (*bend_t) = 0.0;
-    (*bend) = 0.0;
-    found = 0.0;
-    if ((i > first) && (i < last))
-    {
-        derivative_strip_patches__square_bend_t(&v1, &v1_t, work, work_t, i);
-        (*bend_t) = (*bend_t) + v1_t;
-        (*bend) = (*bend) + v1;
-        found = found + 1.0;
-    }
-    if ((i + INT64_C(1) < last) && (i + INT64_C(1) > first))
-    {
-        derivative_strip_patches__square_bend_t(&v2, &v2_t, work, work_t, i + INT64_C(1));
-        (*bend_t) = (*bend_t) + v2_t;
-        (*bend) = (*bend) + v2;
-        found = found + 1.0;
-    }
-    if (found > 0.0)
-    {
-        (*bend_t) = (*bend_t) / found;
-        (*bend) = (*bend) / found;
-    }
-    return 0;
-}
-
-/* Derivative of ``cell_area``. */
-static inline int64_t derivative_strip_patches__cell_area_t(double* result_0, double* result_1, double low, double low_t, double high, double high_t, double bend, double bend_t, double width, double width_t)
-{
-    double v2;
-    double v3;
-    double v1;
-    double v1_t;
-    v2 = 2.0 * bend;
-    v3 = v2 * width;
-    derivative_quadrature__root_integral_t(&v1, &v1_t, 2.0 * low - high + v3 * width, 2.0 * low_t - high_t + ((2.0 * bend_t * width + v2 * width_t) * width + v3 * width_t), low, low_t, high, high_t, 0.0, 0.0, 1.0, 0.0);
-    (*result_0) = width * v1;
-    (*result_1) = width_t * v1 + width * v1_t;
-    return 0;
-}
-
-/* Derivative of ``run_area``. */
-static inline int64_t derivative_strip_patches__run_area_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t first, int64_t last, double start, double start_t, double stop, double stop_t)
-{
-    double v1;
-    double v1_t;
-    double bend_t;
-    double bend;
-    double v2;
-    double v2_t;
-    double half_t;
-    double half;
-    int64_t i;
-    double v3;
-    double v3_t;
-    double v4;
-    double v4_t;
-    double v5;
-    double v5_t;
-    double v6;
-    double v6_t;
-    derivative_strip_patches__cell_bend_t(&v1, &v1_t, work, work_t, first, first, last);
-    bend_t = v1_t;
-    bend = v1;
-    derivative_strip_patches__cell_area_t(&v2, &v2_t, 0.0, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_HALF_LENGTH_SQUARE)), bend, bend_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION)) - start, (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION)) - start_t);
-    half_t = v2_t;
-    half = v2;
-    for (i = first; i < last; i += INT64_C(1))
-    {
-        derivative_strip_patches__cell_bend_t(&v3, &v3_t, work, work_t, i, first, last);
-        bend_t = v3_t;
-        bend = v3;
-        derivative_strip_patches__cell_area_t(&v4, &v4_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)), bend, bend_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)));
-        half_t = half_t + v4_t;
-        half = half + v4;
-    }
-    derivative_strip_patches__cell_bend_t(&v5, &v5_t, work, work_t, last - INT64_C(1), first, last);
-    bend_t = v5_t;
-    bend = v5;
-    derivative_strip_patches__cell_area_t(&v6, &v6_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_HALF_LENGTH_SQUARE)), 0.0, 0.0, bend, bend_t, stop - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)), stop_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)));
-    half_t = half_t + v6_t;
-    half = half + v6;
-    (*result_0) = 2.0 * half;
-    (*result_1) = 2.0 * half_t;
-    return 0;
-}
-
-/* Derivative of ``summit``. */
-static inline int64_t derivative_strip_patches__summit_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t i, double before, double before_t, double value, double value_t, double after, double after_t)
-{
-    double v1;
-    double v1_t;
-    double bend_t;
-    double bend;
-    double left_t;
-    double left;
-    double v2;
-    double v3;
-    double slope_t;
-    double slope;
-    double v4;
-    double v5;
-    double v6;
-    derivative_strip_patches__divided_bend_t(&v1, &v1_t, work, work_t, i, before, before_t, value, value_t, after, after_t);
-    bend_t = v1_t;
-    bend = v1;
-    if (bend < 0.0)
-    {
-        left_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
-        left = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
-        v2 = value - before;
-        v3 = v2 / left;
-        slope_t = (value_t - before_t - v3 * left_t) / left + (bend_t * left + bend * left_t);
-        slope = v3 + bend * left;
-        v4 = slope * slope;
-        v5 = 4.0 * bend;
-        v6 = v4 / v5;
-        value_t = value_t - (slope_t * slope + slope * slope_t - v6 * (4.0 * bend_t)) / v5;
-        value = value - v6;
-    }
-    (*result_0) = value;
-    (*result_1) = value_t;
-    return 0;
-}
-
-/* Derivative of ``largest_pressure``. */
-static inline int64_t derivative_strip_patches__largest_pressure_t(double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t last)
-{
-    int64_t best;
-    int64_t i;
-    double before_t;
-    double before;
-    double v1;
-    double v1_t;
-    best = first;
-    for (i = first; i < last + INT64_C(1); i += INT64_C(1))
-    {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_PRESSURE)))
-        {
-            best = i;
-        }
-    }
-    (*pressure_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_PRESSURE));
-    (*pressure) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_PRESSURE));
-    if ((best > first) && (best < last))
-    {
-        before_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_PRESSURE));
-        before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_PRESSURE));
-        derivative_strip_patches__summit_t(&v1, &v1_t, work, work_t, best, before, before_t, (*pressure), (*pressure_t), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_PRESSURE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_PRESSURE)));
-        (*pressure_t) = v1_t;
-        (*pressure) = v1;
-    }
-    return 0;
-}
-
-/* Derivative of ``largest_square``. */
-static inline int64_t derivative_strip_patches__largest_square_t(double* square, double* square_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t last)
-{
-    int64_t best;
-    int64_t i;
-    double before_t;
-    double before;
-    double v1;
-    double v1_t;
-    best = first;
-    for (i = first; i < last + INT64_C(1); i += INT64_C(1))
-    {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_HALF_LENGTH_SQUARE)))
-        {
-            best = i;
-        }
-    }
-    (*square_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_HALF_LENGTH_SQUARE));
-    (*square) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_HALF_LENGTH_SQUARE));
-    if ((best > first) && (best < last))
-    {
-        before_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE));
-        before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE));
-        derivative_strip_patches__summit_t(&v1, &v1_t, work, work_t, best, before, before_t, (*square), (*square_t), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)));
-        (*square_t) = v1_t;
-        (*square) = v1;
-    }
-    return 0;
 }
 
 
@@ -5008,8 +4228,8 @@ static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d wo
     for (pair = INT64_C(0); pair < py_floor_div_int64_t(size, INT64_C(2)); pair += INT64_C(1))
     {
         k = INT64_C(2) * pair;
-        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
-        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * (k + INT64_C(1));
+        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
+        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * (k + INT64_C(1));
         v1 = 1.0 / (*cspan_at(&work, first + k));
         inverse_t = (-v1) * (*cspan_at(&work_t, first + k)) / (*cspan_at(&work, first + k));
         inverse = v1;
@@ -5025,7 +4245,7 @@ static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d wo
         next_inverse = v2;
         for (i = k + INT64_C(2); i < size; i += INT64_C(1))
         {
-            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i;
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
             factor_t = (*cspan_at(&work_t, row + k)) * inverse + (*cspan_at(&work, row + k)) * inverse_t;
             factor = (*cspan_at(&work, row + k)) * inverse;
             v3 = (*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))));
@@ -5041,14 +4261,14 @@ static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d wo
     for (back = INT64_C(0); back < size; back += INT64_C(1))
     {
         k = size - INT64_C(1) - back;
-        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
+        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
         one_t = (*cspan_at(&work_t, pivot + size));
         one = (*cspan_at(&work, pivot + size));
         other_t = (*cspan_at(&work_t, pivot + (size + INT64_C(1))));
         other = (*cspan_at(&work, pivot + (size + INT64_C(1))));
         for (j = k + INT64_C(1); j < size; j += INT64_C(1))
         {
-            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j;
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * j;
             one_t = one_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, row + size)) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, row + size)));
             one = one - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + size));
             other_t = other_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1)))) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, row + (size + INT64_C(1)))));
@@ -5164,509 +4384,1123 @@ static inline int64_t derivative_strip_pressures__middle_influence_t(double* res
     return 0;
 }
 
-/* Derivative of ``mean_at``. */
-static inline int64_t derivative_strip_pressures__mean_at_t(double* v7, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double v, double v_t)
+/* Derivative of ``spacing_at``. */
+static inline int64_t derivative_strip_pressures__spacing_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double slender, double slender_t)
 {
-    double half_t;
-    double half;
     double v1;
-    double v1_t;
-    double near_t;
-    double near;
-    double far_t;
-    double far;
-    double v3;
-    double v3_t;
     double v2;
     double v2_t;
-    double inner_t;
-    double inner;
-    double v5;
-    double v5_t;
+    double v3;
     double v4;
     double v4_t;
-    double outer_t;
-    double outer;
-    double v6;
-    half_t = 0.5 * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH));
-    half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-    v1 = distance - half;
-    v1_t = distance_t - half_t;
-    if (0.0 > v1)
+    double place_t;
+    double place;
+    int64_t cell;
+    double x_t;
+    double x;
+    int64_t at;
+    double v5;
+    v1 = slender - strip_pressures__FIRST_SPACING;
+    v2 = v1 * strip_pressures__SPACINGS_EACH;
+    v2_t = slender_t * strip_pressures__SPACINGS_EACH;
+    if (0.0 > v2)
     {
-        v1 = 0.0;
-        v1_t = 0.0;
+        v2 = 0.0;
+        v2_t = 0.0;
     }
-    near_t = v1_t;
-    near = v1;
-    far_t = distance_t + half_t;
-    far = distance + half;
-    derivative_strip_pressures__nearness_t(&v3, &v3_t, near, near_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
-    derivative_strip_pressures__influence_at_t(&v2, &v2_t, tables, table, layout__INFLUENCE_MAP, v3, v3_t, v, v_t);
-    inner_t = v2_t;
-    inner = v2;
-    derivative_strip_pressures__nearness_t(&v5, &v5_t, far, far_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
-    derivative_strip_pressures__influence_at_t(&v4, &v4_t, tables, table, layout__INFLUENCE_MAP, v5, v5_t, v, v_t);
-    outer_t = v4_t;
-    outer = v4;
-    v6 = far * outer - near * inner;
-    (*v7) = v6 / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-    (*result_1) = (far_t * outer + far * outer_t - (near_t * inner + near * inner_t) - (*v7) * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH))) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+    v3 = (double)(layout__SPACING_CELLS);
+    v4 = v2;
+    v4_t = v2_t;
+    if (v3 < v4)
+    {
+        v4 = v3;
+        v4_t = 0.0;
+    }
+    place_t = v4_t;
+    place = v4;
+    cell = strip_pressures__cell_at(place, layout__SPACING_CELLS);
+    x_t = place_t;
+    x = place - (double)(cell);
+    at = first + INT64_C(3) * cell;
+    v5 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
+    (*result_0) = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v5;
+    (*result_1) = x_t * v5 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
     return 0;
 }
 
-/* Derivative of ``begin_influences``. */
-static inline int64_t derivative_strip_pressures__begin_influences_t(array_double_1d work, array_double_1d work_t)
+/* Derivative of ``own_influence``. */
+static inline int64_t derivative_strip_pressures__own_influence_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, bool tested)
 {
-    int64_t j_end;
-    int64_t j;
-    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
-    {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_KNOWN)) = 0.0;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_KNOWN)) = (double)(0);
-    }
-    return INT64_C(0);
-}
-
-/* Derivative of ``know_influences``. */
-static inline int64_t derivative_strip_pressures__know_influences_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, bool yawed)
-{
-    int64_t j_end;
-    int64_t j;
     int64_t strip;
-    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+    int64_t waves;
+    int64_t own;
+    double height;
+    double v1;
+    double v1_t;
+    double rest_t;
+    double rest;
+    double v2;
+    double v2_t;
+    double v3;
+    double v4;
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
+    own = pyc_modulo(i, (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
+    height = 1.0;
+    derivative_strip_pressures__spacing_at_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), layout__INFLUENCE_MAP, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)));
+    rest_t = v1_t;
+    rest = strip_pressures__MIDDLE_CONSTANT + v1;
+    if (tested)
     {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-        if (((*cspan_at(&work, strip + layout__STRIP_LOADED)) == 1.0) && (!((*cspan_at(&work, strip + layout__STRIP_KNOWN)) == 1.0)))
-        {
-            derivative_strip_pressures__fill_column_t(tables, work, work_t, table, j, yawed);
-            (*cspan_at(&work_t, strip + layout__STRIP_KNOWN)) = 0.0;
-            (*cspan_at(&work, strip + layout__STRIP_KNOWN)) = (double)(1);
-        }
+        height = strip_pressures__TESTED_HEIGHT;
+        derivative_strip_pressures__spacing_at_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), layout__INFLUENCE_MAP + INT64_C(3) * layout__SPACING_CELLS, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)));
+        rest_t = v2_t;
+        rest = strip_pressures__TESTED_CONSTANT + v2;
     }
-    return INT64_C(0);
+    v3 = (*cspan_at(&work, strip + layout__STRIP_SLENDER)) + (*cspan_at(&tables, waves + layout__WAVES_SPREAD + own));
+    v4 = 2.0 * v3 + (*cspan_at(&tables, waves + layout__WAVES_SINGULAR + INT64_C(16) * own + own));
+    (*result_0) = rest - height * v4;
+    (*result_1) = rest_t - height * (2.0 * (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)));
+    return 0;
 }
 
-/* Derivative of ``fill_column``. */
-static inline int64_t derivative_strip_pressures__fill_column_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t j, bool yawed)
+/* Derivative of ``write_equations``. */
+static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, bool yawed)
 {
-    int64_t other;
-    double x_t;
-    double x;
-    double half_t;
-    double half;
-    int64_t i_end;
+    int64_t count;
+    int64_t waves;
     int64_t i;
     int64_t strip;
+    int64_t row;
+    int64_t near;
+    int64_t facing;
+    double x_t;
+    double x;
+    int64_t j;
+    int64_t other;
     double v2;
     double v1;
     double v1_t;
     double u_t;
     double u;
-    double v4;
-    double v4_t;
     double v3;
-    double v3_t;
-    double influence_t;
-    double influence;
+    double face_t;
+    double face;
     double v5;
     double v5_t;
+    double v4;
+    double v4_t;
     double v6;
-    double v8;
-    double v9;
-    double v9_t;
+    double v6_t;
+    int64_t first;
+    int64_t singular;
+    int64_t j_end;
     double v7;
     double v7_t;
-    double v10;
-    double v11;
-    double v11_t;
-    double v12;
-    double v12_t;
-    other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-    x_t = (*cspan_at(&work_t, other + layout__STRIP_X)) + (*cspan_at(&work_t, other + layout__STRIP_LEAD));
-    x = (*cspan_at(&work, other + layout__STRIP_X)) + (*cspan_at(&work, other + layout__STRIP_LEAD));
-    half_t = (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH));
-    half = (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if (i != j)
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
+        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
+        facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
+        x_t = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
+        x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD));
+        for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
+            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
             v2 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-            derivative_strip_pressures__nearness_t(&v1, &v1_t, fabs(v2), derivative_rates__size_rate(v2, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), half, half_t);
+            derivative_strip_pressures__nearness_t(&v1, &v1_t, fabs(v2), derivative_rates__size_rate(v2, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
             u_t = v1_t;
             u = v1;
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u_t;
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u;
+            (*cspan_at(&work_t, near + j)) = u_t;
+            (*cspan_at(&work, near + j)) = u;
+            v3 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
+            face_t = ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN)))) * (*cspan_at(&work, other + layout__STRIP_WIDTH)) + v3 * (*cspan_at(&work_t, other + layout__STRIP_WIDTH));
+            face = v3 * (*cspan_at(&work, other + layout__STRIP_WIDTH));
+            (*cspan_at(&work_t, facing + j)) = face_t;
+            (*cspan_at(&work, facing + j)) = face;
             if (yawed)
             {
-                derivative_strip_pressures__apartness_t(&v4, &v4_t, (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - x_t, half, half_t);
-                derivative_strip_pressures__influence_at_t(&v3, &v3_t, tables, table, INT64_C(0), u, u_t, v4, v4_t);
-                influence_t = v3_t;
-                influence = v3;
+                derivative_strip_pressures__apartness_t(&v5, &v5_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
+                derivative_strip_pressures__influence_at_t(&v4, &v4_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), INT64_C(0), u, u_t, v5, v5_t);
+                (*cspan_at(&work_t, row + j)) = face_t * v4 + face * v4_t;
+                (*cspan_at(&work, row + j)) = face * v4;
             }
             else
             {
-                derivative_strip_pressures__middle_influence_t(&v5, &v5_t, tables, table, INT64_C(0), u, u_t);
-                influence_t = v5_t;
-                influence = v5;
+                derivative_strip_pressures__middle_influence_t(&v6, &v6_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), INT64_C(0), u, u_t);
+                (*cspan_at(&work_t, row + j)) = face_t * v6 + face * v6_t;
+                (*cspan_at(&work, row + j)) = face * v6;
             }
-            v6 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence_t * v6 + influence * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN))));
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * v6;
         }
-    }
-    for (i = j - INT64_C(1); i < j + INT64_C(2); i += INT64_C(2))
-    {
-        if ((i >= INT64_C(0)) && (i < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))))
+        first = i - pyc_modulo(i, (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
+        singular = waves + layout__WAVES_SINGULAR + INT64_C(16) * (i - first);
+        j_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+        for (j = INT64_C(0); j < j_end; j += INT64_C(1))
         {
-            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-            v8 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-            derivative_strip_pressures__apartness_t(&v9, &v9_t, (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - x_t, half, half_t);
-            derivative_strip_pressures__mean_at_t(&v7, &v7_t, tables, work, work_t, table, other, fabs(v8), derivative_rates__size_rate(v8, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), v9, v9_t);
-            influence_t = v7_t;
-            influence = v7;
-            v10 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence_t * v10 + influence * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN))));
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * v10;
+            (*cspan_at(&work_t, row + (first + j))) = (*cspan_at(&work_t, row + (first + j))) - (*cspan_at(&tables, singular + j)) * (*cspan_at(&work_t, facing + (first + j)));
+            (*cspan_at(&work, row + (first + j))) = (*cspan_at(&work, row + (first + j))) - (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j)));
         }
+        derivative_strip_pressures__own_influence_t(&v7, &v7_t, work, work_t, tables, i, 0);
+        (*cspan_at(&work_t, row + i)) = v7_t * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v7 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
+        (*cspan_at(&work, row + i)) = v7 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+        (*cspan_at(&work_t, row + count)) = (*cspan_at(&work_t, strip + layout__STRIP_SHARE));
+        (*cspan_at(&work, row + count)) = (*cspan_at(&work, strip + layout__STRIP_SHARE));
+        (*cspan_at(&work_t, row + (count + INT64_C(1)))) = (*cspan_at(&work_t, strip + layout__STRIP_GAP));
+        (*cspan_at(&work, row + (count + INT64_C(1)))) = (*cspan_at(&work, strip + layout__STRIP_GAP));
     }
-    derivative_strip_pressures__nearness_t(&v11, &v11_t, 0.5 * (*cspan_at(&work, other + layout__STRIP_BREADTH)), 0.5 * (*cspan_at(&work_t, other + layout__STRIP_BREADTH)), half, half_t);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)) = v11_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)) = v11;
-    derivative_strip_pressures__middle_influence_t(&v12, &v12_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * j + j)) = v12_t;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * j + j)) = v12;
     return INT64_C(0);
 }
 
-/* Derivative of ``far_displacement``. */
-static inline int64_t derivative_strip_pressures__far_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double x, double x_t, int64_t first, int64_t last)
+/* Derivative of ``tested_displacement``. */
+static inline int64_t derivative_strip_pressures__tested_displacement_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, double away, double away_t)
 {
-    int64_t near;
-    double cosine_t;
-    double cosine;
-    double sine_t;
-    double sine;
-    int64_t j;
-    int64_t other;
-    double v1;
-    double v1_t;
-    double v_t;
-    double v;
-    double v2;
-    double v2_t;
-    double v3;
-    double v4;
-    near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i;
-    cosine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
-    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
-    sine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN));
-    sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN));
-    (*total_t) = 0.0;
-    (*total) = 0.0;
-    for (j = first; j < last; j += INT64_C(1))
-    {
-        other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-        if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
-        {
-            derivative_strip_pressures__apartness_t(&v1, &v1_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
-            v_t = v1_t;
-            v = v1;
-            derivative_strip_pressures__influence_at_t(&v2, &v2_t, tables, table, INT64_C(0), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), v, v_t);
-            v3 = v2 * (*cspan_at(&work, other + layout__STRIP_Y));
-            v4 = cosine * (*cspan_at(&work, other + layout__STRIP_COS)) + sine * (*cspan_at(&work, other + layout__STRIP_SIN));
-            (*total_t) = (*total_t) + ((v2_t * (*cspan_at(&work, other + layout__STRIP_Y)) + v2 * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v4 + v3 * (cosine_t * (*cspan_at(&work, other + layout__STRIP_COS)) + cosine * (*cspan_at(&work_t, other + layout__STRIP_COS)) + (sine_t * (*cspan_at(&work, other + layout__STRIP_SIN)) + sine * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
-            (*total) = (*total) + v3 * v4;
-        }
-    }
-    return 0;
-}
-
-/* Derivative of ``end_displacement``. */
-static inline int64_t derivative_strip_pressures__end_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double away, double away_t)
-{
-    int64_t count;
     int64_t strip;
+    int64_t near;
+    int64_t facing;
     double x_t;
     double x;
-    double v2;
-    double v2_t;
     double v1;
     double v1_t;
-    int64_t first;
-    int64_t last;
+    double v2;
+    double total_t;
+    double total;
+    int64_t j_end;
     int64_t j;
     int64_t other;
-    double v4;
-    double v5;
-    double v5_t;
     double v3;
     double v3_t;
-    double influence_t;
-    double influence;
+    double v_t;
+    double v;
+    double v4;
+    double v4_t;
+    double v5;
+    int64_t count;
+    int64_t first;
+    int64_t singular;
+    double left_t;
+    double left;
     double v6;
-    double v7;
-    double v8;
-    double v8_t;
-    double v9;
-    double v9_t;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
+    facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
     x_t = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + away_t;
     x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
-    derivative_strip_pressures__apartness_t(&v2, &v2_t, away, away_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
-    derivative_strip_pressures__influence_at_t(&v1, &v1_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), v2, v2_t);
-    (*total_t) = (*cspan_at(&work_t, strip + layout__STRIP_Y)) * v1 + (*cspan_at(&work, strip + layout__STRIP_Y)) * v1_t;
-    (*total) = (*cspan_at(&work, strip + layout__STRIP_Y)) * v1;
-    first = i;
-    last = i + INT64_C(1);
-    for (j = i - INT64_C(1); j < i + INT64_C(2); j += INT64_C(2))
+    derivative_strip_pressures__own_influence_t(&v1, &v1_t, work, work_t, tables, i, 1);
+    v2 = v1 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+    total_t = (v1_t * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v1 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH))) * (*cspan_at(&work, strip + layout__STRIP_Y)) + v2 * (*cspan_at(&work_t, strip + layout__STRIP_Y));
+    total = v2 * (*cspan_at(&work, strip + layout__STRIP_Y));
+    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
     {
-        if ((j >= INT64_C(0)) && (j < count))
+        if (j != i)
         {
             other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            if (j < i)
-            {
-                first = j;
-            }
-            else
-            {
-                last = j + INT64_C(1);
-            }
-            if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
-            {
-                v4 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-                derivative_strip_pressures__apartness_t(&v5, &v5_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
-                derivative_strip_pressures__mean_at_t(&v3, &v3_t, tables, work, work_t, table, other, fabs(v4), derivative_rates__size_rate(v4, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), v5, v5_t);
-                influence_t = v3_t;
-                influence = v3;
-                v6 = influence * (*cspan_at(&work, other + layout__STRIP_Y));
-                v7 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-                (*total_t) = (*total_t) + ((influence_t * (*cspan_at(&work, other + layout__STRIP_Y)) + influence * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v7 + v6 * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
-                (*total) = (*total) + v6 * v7;
-            }
+            derivative_strip_pressures__apartness_t(&v3, &v3_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
+            v_t = v3_t;
+            v = v3;
+            derivative_strip_pressures__influence_at_t(&v4, &v4_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), INT64_C(0), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), v, v_t);
+            v5 = v4 * (*cspan_at(&work, facing + j));
+            total_t = total_t + ((v4_t * (*cspan_at(&work, facing + j)) + v4 * (*cspan_at(&work_t, facing + j))) * (*cspan_at(&work, other + layout__STRIP_Y)) + v5 * (*cspan_at(&work_t, other + layout__STRIP_Y)));
+            total = total + v5 * (*cspan_at(&work, other + layout__STRIP_Y));
         }
     }
-    derivative_strip_pressures__far_displacement_t(&v8, &v8_t, tables, work, work_t, table, i, x, x_t, INT64_C(0), first);
-    (*total_t) = (*total_t) + v8_t;
-    (*total) = (*total) + v8;
-    derivative_strip_pressures__far_displacement_t(&v9, &v9_t, tables, work, work_t, table, i, x, x_t, last, count);
-    (*total_t) = (*total_t) + v9_t;
-    (*total) = (*total) + v9;
+    count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_COUNT)));
+    first = i - pyc_modulo(i, count);
+    singular = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_SINGULAR + INT64_C(16) * (i - first);
+    left_t = 0.0;
+    left = 0.0;
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        if (first + j != i)
+        {
+            v6 = (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j)));
+            left_t = left_t + ((*cspan_at(&tables, singular + j)) * (*cspan_at(&work_t, facing + (first + j))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y)) + v6 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y)));
+            left = left + v6 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y));
+        }
+    }
+    (*result_0) = total - strip_pressures__TESTED_HEIGHT * left;
+    (*result_1) = total_t - strip_pressures__TESTED_HEIGHT * left_t;
     return 0;
 }
 
 /* Derivative of ``solve_pressures``. */
-static inline int64_t derivative_strip_pressures__solve_pressures_t(double* result_0, double* result_1, bool* result_2_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration, bool yawed)
+static inline int64_t derivative_strip_pressures__solve_pressures_t(double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration, bool yawed)
 {
-    double penetration_t;
-    double penetration;
-    int64_t exchange;
-    int64_t n1;
     int64_t size;
-    double v2;
-    double v2_t;
-    bool single;
-    int64_t n3;
-    penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    for (exchange = INT64_C(0); exchange < strip_pressures__EXCHANGE_LIMIT; exchange += INT64_C(1))
+    double v1;
+    double v1_t;
+    int64_t i;
+    int64_t row;
+    (*penetration_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    size = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) + 1.0;
+    derivative_strip_pressures__write_equations_t(work, work_t, tables, yawed);
+    derivative_strip_pressures__eliminate_t(work, work_t, size);
+    if (!by_penetration)
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) + 1.0;
-        derivative_strip_pressures__know_influences_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
-        n1 = derivative_strip_pressures__list_loaded_t(work, work_t);
-        size = n1;
-        derivative_strip_pressures__write_equations_t(work, work_t, size);
-        derivative_strip_pressures__eliminate_t(work, work_t, size);
-        if (!by_penetration)
-        {
-            derivative_strip_pressures__equilibrium_penetration_t(&v2, &v2_t, work, work_t, tables, size, force, force_t);
-            penetration_t = v2_t;
-            penetration = v2;
-        }
-        derivative_strip_pressures__read_solution_t(work, work_t, size, penetration, penetration_t);
-        single = exchange >= strip_pressures__EXCHANGES;
-        n3 = derivative_strip_pressures__exchange_strips_t(work, work_t, penetration, penetration_t, single);
-        if (n3 == INT64_C(0))
-        {
-            (*result_0) = penetration;
-            (*result_1) = penetration_t;
-            (*result_2_0001) = 1;
-            return 0;
-        }
+        derivative_strip_pressures__equilibrium_penetration_t(&v1, &v1_t, work, work_t, tables, force, force_t);
+        (*penetration_t) = v1_t;
+        (*penetration) = v1;
     }
-    (*result_0) = penetration;
-    (*result_1) = penetration_t;
-    (*result_2_0001) = 0;
+    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    {
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = (*penetration_t) * (*cspan_at(&work, row + size)) + (*penetration) * (*cspan_at(&work_t, row + size)) - (*cspan_at(&work_t, row + (size + INT64_C(1))));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = (*penetration) * (*cspan_at(&work, row + size)) - (*cspan_at(&work, row + (size + INT64_C(1))));
+    }
     return 0;
 }
 
-/* Derivative of ``list_loaded``. */
-static inline int64_t derivative_strip_pressures__list_loaded_t(array_double_1d work, array_double_1d work_t)
-{
-    int64_t i_end;
-    int64_t i;
-    int64_t size;
-    size = INT64_C(0);
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
-        {
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + size)) = 0.0;
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + size)) = (double)(i);
-            size = size + INT64_C(1);
-        }
-    }
-    return size;
-}
-
-/* Derivative of ``write_equations``. */
-static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_double_1d work_t, int64_t size)
-{
-    int64_t rank;
-    int64_t row;
-    int64_t i;
-    int64_t influences;
-    int64_t other;
-    int64_t k1;
-    for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
-    {
-        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
-        i = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
-        influences = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
-        for (other = INT64_C(0); other < size; other += INT64_C(1))
-        {
-            k1 = influences + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + other)));
-            (*cspan_at(&work_t, row + other)) = (*cspan_at(&work_t, k1));
-            (*cspan_at(&work, row + other)) = (*cspan_at(&work, k1));
-        }
-        (*cspan_at(&work_t, row + size)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
-        (*cspan_at(&work, row + size)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
-        (*cspan_at(&work_t, row + (size + INT64_C(1)))) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
-        (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
-    }
-    return INT64_C(0);
-}
-
 /* Derivative of ``equilibrium_penetration``. */
-static inline int64_t derivative_strip_pressures__equilibrium_penetration_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t size, double force, double force_t)
+static inline int64_t derivative_strip_pressures__equilibrium_penetration_t(double* v6, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t)
 {
     double unit_load_t;
     double unit_load;
     double rest_load_t;
     double rest_load;
-    int64_t rank;
+    int64_t i_end;
+    int64_t i;
     int64_t row;
     int64_t strip;
+    double v1;
     double half_t;
     double half;
-    double v1;
-    double v2;
+    int64_t k2;
+    int64_t k3;
+    double v4;
+    double v5;
     unit_load_t = 0.0;
     unit_load = 0.0;
     rest_load_t = 0.0;
     rest_load = 0.0;
-    for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
-    {
-        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
-        half_t = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_COUNTED)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, strip + layout__STRIP_COUNTED));
-        half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_COUNTED));
-        unit_load_t = unit_load_t + (half_t * (*cspan_at(&work, row + size)) + half * (*cspan_at(&work_t, row + size)));
-        unit_load = unit_load + half * (*cspan_at(&work, row + size));
-        rest_load_t = rest_load_t + (half_t * (*cspan_at(&work, row + (size + INT64_C(1)))) + half * (*cspan_at(&work_t, row + (size + INT64_C(1)))));
-        rest_load = rest_load + half * (*cspan_at(&work, row + (size + INT64_C(1))));
-    }
-    v1 = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
-    v2 = force / v1 + rest_load;
-    (*v3) = v2 / unit_load;
-    (*result_1) = (force_t / v1 + rest_load_t - (*v3) * unit_load_t) / unit_load;
-    return 0;
-}
-
-/* Derivative of ``read_solution``. */
-static inline int64_t derivative_strip_pressures__read_solution_t(array_double_1d work, array_double_1d work_t, int64_t size, double penetration, double penetration_t)
-{
-    int64_t i_end;
-    int64_t i;
-    int64_t rank;
-    int64_t row;
-    int64_t k1;
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = 0.0;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = 0.0;
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        v1 = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+        half_t = ((*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH))) * (*cspan_at(&work, strip + layout__STRIP_COUNTED)) + v1 * (*cspan_at(&work_t, strip + layout__STRIP_COUNTED));
+        half = v1 * (*cspan_at(&work, strip + layout__STRIP_COUNTED));
+        k2 = row + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+        unit_load_t = unit_load_t + (half_t * (*cspan_at(&work, k2)) + half * (*cspan_at(&work_t, k2)));
+        unit_load = unit_load + half * (*cspan_at(&work, k2));
+        k3 = row + ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) + INT64_C(1));
+        rest_load_t = rest_load_t + (half_t * (*cspan_at(&work, k3)) + half * (*cspan_at(&work_t, k3)));
+        rest_load = rest_load + half * (*cspan_at(&work, k3));
     }
-    for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
+    v4 = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
+    v5 = force / v4 + rest_load;
+    (*v6) = v5 / unit_load;
+    (*result_1) = (force_t / v4 + rest_load_t - (*v6) * unit_load_t) / unit_load;
+    return 0;
+}
+
+
+/* ---- From derivative_strip_runs.py; change that one.
+ *
+ * Derivatives of strip_runs.py.
+ */
+
+/* Derivative of ``begin_runs``. */
+static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves)
+{
+    int64_t low;
+    int64_t high;
+    int64_t k_end;
+    int64_t k;
+    int64_t run;
+    int64_t first;
+    int64_t j;
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    double v1;
+    double v1_t;
+    double station_t;
+    double station;
+    double v2;
+    double v2_t;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
+    low = INT64_C(0);
+    while(low < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))))
     {
-        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
-        k1 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank))) + layout__STRIP_Y;
-        (*cspan_at(&work_t, k1)) = penetration_t * (*cspan_at(&work, row + size)) + penetration * (*cspan_at(&work_t, row + size)) - (*cspan_at(&work_t, row + (size + INT64_C(1))));
-        (*cspan_at(&work, k1)) = penetration * (*cspan_at(&work, row + size)) - (*cspan_at(&work, row + (size + INT64_C(1))));
+        high = low;
+        while(((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * high + layout__TRACED_STATION_JOINED)) == 1.0) && (high < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)))
+        {
+            high = high + INT64_C(1);
+        }
+        derivative_strip_runs__begin_curve_t(work, work_t, low, high);
+        low = high + INT64_C(1);
+    }
+    derivative_strip_runs__adopt_runs_t(work, work_t);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT))) * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    {
+        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+        first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+        j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
+        i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
+            derivative_strip_runs__run_station_t(&v1, &v1_t, work, work_t, run, (*cspan_at(&tables, waves + layout__WAVES_COS + i)), 0.0);
+            station_t = v1_t;
+            station = v1;
+            j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), station);
+            derivative_strip_runs__level_length_t(&v2, &v2_t, work, work_t, j, station, station_t);
+            (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) = v2_t / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            (*cspan_at(&work, strip + layout__STRIP_AXIS)) = v2 / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = 0.0;
+            (*cspan_at(&work, strip + layout__STRIP_LEAD)) = 0.0;
+        }
+        derivative_strip_runs__raise_axes_t(work, work_t, first, (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
     }
     return INT64_C(0);
 }
 
-/* Derivative of ``exchange_strips``. */
-static inline int64_t derivative_strip_pressures__exchange_strips_t(array_double_1d work, array_double_1d work_t, double penetration, double penetration_t, bool single)
+/* Derivative of ``begin_curve``. */
+static inline int64_t derivative_strip_runs__begin_curve_t(array_double_1d work, array_double_1d work_t, int64_t low, int64_t high)
+{
+    int64_t i;
+    int64_t last;
+    double highest_t;
+    double highest;
+    double v1;
+    double v1_t;
+    double v2;
+    double v2_t;
+    double start_t;
+    double start;
+    double v3;
+    double v3_t;
+    double stop_t;
+    double stop;
+    int64_t zone;
+    i = low;
+    while(i <= high)
+    {
+        last = i;
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_LEVEL)) > 0.0)
+        {
+            highest_t = 0.0;
+            highest = 0.0;
+            while((last <= high) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL)) > 0.0))
+            {
+                v1 = highest;
+                v1_t = highest_t;
+                if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL)) > v1)
+                {
+                    v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL));
+                    v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL));
+                }
+                highest_t = v1_t;
+                highest = v1;
+                last = last + INT64_C(1);
+            }
+            last = last - INT64_C(1);
+            derivative_strip_runs__level_end_t(&v2, &v2_t, work, work_t, i, i - INT64_C(1), low, high);
+            start_t = v2_t;
+            start = v2;
+            derivative_strip_runs__level_end_t(&v3, &v3_t, work, work_t, last, last + INT64_C(1), low, high);
+            stop_t = v3_t;
+            stop = v3;
+            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_REGION)));
+            if (highest > strip_runs__RAISED * (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)))
+            {
+                derivative_strip_runs__add_run_t(work, work_t, low, high, start, start_t, stop, stop_t);
+            }
+        }
+        i = last + INT64_C(1);
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``level_end``. */
+static inline int64_t derivative_strip_runs__level_end_t(double* station, double* station_t, array_double_1d work, array_double_1d work_t, int64_t inside, int64_t outside, int64_t low, int64_t high)
+{
+    int64_t at;
+    int64_t beyond;
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    int64_t k5;
+    int64_t k6;
+    at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * inside;
+    (*station_t) = (*cspan_at(&work_t, at + layout__TRACED_STATION_STATION));
+    (*station) = (*cspan_at(&work, at + layout__TRACED_STATION_STATION));
+    if ((outside >= low) && (outside <= high))
+    {
+        beyond = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * outside;
+        v1 = (*cspan_at(&work, beyond + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, at + layout__TRACED_STATION_STATION));
+        v2 = v1 * (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL));
+        v3 = (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) - (*cspan_at(&work, beyond + layout__TRACED_STATION_LEVEL));
+        v4 = v2 / v3;
+        (*station_t) = (*station_t) + (((*cspan_at(&work_t, beyond + layout__TRACED_STATION_STATION)) - (*cspan_at(&work_t, at + layout__TRACED_STATION_STATION))) * (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) + v1 * (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL)) - v4 * ((*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL)) - (*cspan_at(&work_t, beyond + layout__TRACED_STATION_LEVEL)))) / v3;
+        (*station) = (*station) + v4;
+    }
+    else if (outside < low)
+    {
+        k5 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START;
+        (*station_t) = (*cspan_at(&work_t, k5));
+        (*station) = (*cspan_at(&work, k5));
+    }
+    else
+    {
+        k6 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_STOP;
+        (*station_t) = (*cspan_at(&work_t, k6));
+        (*station) = (*cspan_at(&work, k6));
+    }
+    return 0;
+}
+
+/* Derivative of ``level_length``. */
+static inline int64_t derivative_strip_runs__level_length_t(double* v8, double* result_1, array_double_1d work, array_double_1d work_t, int64_t j, double station, double station_t)
+{
+    int64_t low;
+    int64_t high;
+    double v1;
+    double v1_t;
+    double u_t;
+    double u;
+    double v2;
+    double v2_t;
+    double v3;
+    double v3_t;
+    double level_t;
+    double level;
+    int64_t k4;
+    double v5;
+    double v5_t;
+    double v6;
+    double v7;
+    low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j;
+    high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1));
+    derivative_strip_surfaces__way_through_t(&v1, &v1_t, work, work_t, j, station, station_t);
+    u_t = v1_t;
+    u = v1;
+    derivative_strip_surfaces__between_t(&v2, &v2_t, (*cspan_at(&work, low + layout__TRACED_STATION_LEVEL)), (*cspan_at(&work_t, low + layout__TRACED_STATION_LEVEL)), (*cspan_at(&work, high + layout__TRACED_STATION_LEVEL)), (*cspan_at(&work_t, high + layout__TRACED_STATION_LEVEL)), u, u_t);
+    v3 = v2;
+    v3_t = v2_t;
+    if (0.0 > v3)
+    {
+        v3 = 0.0;
+        v3_t = 0.0;
+    }
+    level_t = v3_t;
+    level = v3;
+    k4 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, low + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_ONE_ALPHA;
+    derivative_strip_surfaces__between_t(&v5, &v5_t, (*cspan_at(&work, low + layout__TRACED_STATION_A)), (*cspan_at(&work_t, low + layout__TRACED_STATION_A)), (*cspan_at(&work, high + layout__TRACED_STATION_A)), (*cspan_at(&work_t, high + layout__TRACED_STATION_A)), u, u_t);
+    v6 = (*cspan_at(&work, k4)) * v5;
+    v7 = level / v6;
+    (*v8) = sqrt(v7);
+    (*result_1) = derivative_rates__root_rate((*v8), (level_t - v7 * ((*cspan_at(&work_t, k4)) * v5 + (*cspan_at(&work, k4)) * v5_t)) / v6);
+    return 0;
+}
+
+/* Derivative of ``raise_axes``. */
+static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, array_double_1d work_t, int64_t first, int64_t count)
+{
+    double largest_t;
+    double largest;
+    int64_t i;
+    double v1;
+    double v1_t;
+    int64_t strip;
+    double v2;
+    double v3;
+    double v3_t;
+    largest_t = 0.0;
+    largest = 0.0;
+    for (i = first; i < first + count; i += INT64_C(1))
+    {
+        v1 = largest;
+        v1_t = largest_t;
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_AXIS)) > v1)
+        {
+            v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_AXIS));
+            v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_AXIS));
+        }
+        largest_t = v1_t;
+        largest = v1;
+    }
+    for (i = first; i < first + count; i += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        v2 = strip_runs__FLAT_START * largest;
+        v3 = (*cspan_at(&work, strip + layout__STRIP_AXIS));
+        v3_t = (*cspan_at(&work_t, strip + layout__STRIP_AXIS));
+        if (v2 > v3)
+        {
+            v3 = v2;
+            v3_t = strip_runs__FLAT_START * largest_t;
+        }
+        (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) = v3_t;
+        (*cspan_at(&work, strip + layout__STRIP_AXIS)) = v3;
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``add_run``. */
+static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, array_double_1d work_t, int64_t low, int64_t high, double start, double start_t, double stop, double stop_t)
+{
+    int64_t at;
+    bool joins;
+    int64_t before;
+    double v1;
+    double v1_t;
+    double v2;
+    double v2_t;
+    int64_t run;
+    at = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
+    joins = 0;
+    if (at > INT64_C(0))
+    {
+        before = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (at - INT64_C(1));
+        if (((int64_t)((*cspan_at(&work, before + layout__STRIP_RUN_LOW))) == low) && ((*cspan_at(&work, before + layout__STRIP_RUN_NEXT_STOP)) >= start))
+        {
+            joins = 1;
+            v1 = (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_START));
+            v1_t = (*cspan_at(&work_t, before + layout__STRIP_RUN_NEXT_START));
+            if (start < v1)
+            {
+                v1 = start;
+                v1_t = start_t;
+            }
+            (*cspan_at(&work_t, before + layout__STRIP_RUN_NEXT_START)) = v1_t;
+            (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_START)) = v1;
+            v2 = (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_STOP));
+            v2_t = (*cspan_at(&work_t, before + layout__STRIP_RUN_NEXT_STOP));
+            if (stop > v2)
+            {
+                v2 = stop;
+                v2_t = stop_t;
+            }
+            (*cspan_at(&work_t, before + layout__STRIP_RUN_NEXT_STOP)) = v2_t;
+            (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_STOP)) = v2;
+            (*cspan_at(&work_t, before + layout__STRIP_RUN_ORIGIN)) = 0.0;
+            (*cspan_at(&work, before + layout__STRIP_RUN_ORIGIN)) = (double)(-INT64_C(1));
+        }
+    }
+    if ((!joins) && (stop - start > strip_runs__NARROW) && (at < layout__STRIP_RUN_LIMIT))
+    {
+        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * at;
+        (*cspan_at(&work_t, run + layout__STRIP_RUN_LOW)) = 0.0;
+        (*cspan_at(&work, run + layout__STRIP_RUN_LOW)) = (double)(low);
+        (*cspan_at(&work_t, run + layout__STRIP_RUN_HIGH)) = 0.0;
+        (*cspan_at(&work, run + layout__STRIP_RUN_HIGH)) = (double)(high);
+        (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)) = start_t;
+        (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = start;
+        (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) = stop_t;
+        (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = stop;
+        (*cspan_at(&work_t, run + layout__STRIP_RUN_ORIGIN)) = 0.0;
+        (*cspan_at(&work, run + layout__STRIP_RUN_ORIGIN)) = (double)(-INT64_C(1));
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = (double)(at + INT64_C(1));
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``adopt_runs``. */
+static inline int64_t derivative_strip_runs__adopt_runs_t(array_double_1d work, array_double_1d work_t)
+{
+    int64_t k_end;
+    int64_t k;
+    int64_t i_1;
+    int64_t run;
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    {
+        for (i_1 = INT64_C(0); i_1 < layout__STRIP_RUN_SIZE; i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k + i_1)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1));
+        }
+        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+        (*cspan_at(&work_t, run + layout__STRIP_RUN_START)) = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START));
+        (*cspan_at(&work, run + layout__STRIP_RUN_START)) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
+        (*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP));
+        (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
+    }
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))));
+    return INT64_C(0);
+}
+
+/* Derivative of ``run_station``. */
+static inline int64_t derivative_strip_runs__run_station_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t run, double cosine, double cosine_t)
+{
+    double v1;
+    double v2;
+    double v3;
+    v1 = (*cspan_at(&work, run + layout__STRIP_RUN_START)) + (*cspan_at(&work, run + layout__STRIP_RUN_STOP));
+    v2 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
+    v3 = 0.5 * v2;
+    (*result_0) = 0.5 * v1 - v3 * cosine;
+    (*result_1) = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_START)) + (*cspan_at(&work_t, run + layout__STRIP_RUN_STOP))) - (0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START))) * cosine + v3 * cosine_t);
+    return 0;
+}
+
+/* Derivative of ``gap_beside``. */
+static inline int64_t derivative_strip_runs__gap_beside_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t strip, double x, double x_t)
+{
+    double v1;
+    double v2;
+    v1 = x * x;
+    v2 = (*cspan_at(&work, strip + layout__STRIP_A)) + (*cspan_at(&work, strip + layout__STRIP_SKEW)) * x;
+    (*result_0) = v1 * v2;
+    (*result_1) = (x_t * x + x * x_t) * v2 + v1 * ((*cspan_at(&work_t, strip + layout__STRIP_A)) + ((*cspan_at(&work_t, strip + layout__STRIP_SKEW)) * x + (*cspan_at(&work, strip + layout__STRIP_SKEW)) * x_t));
+    return 0;
+}
+
+/* Derivative of ``lay_strips``. */
+static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves)
 {
     int64_t count;
-    int64_t back;
-    int64_t i;
-    int64_t strip;
-    double v1;
-    double pushed_t;
-    double pushed;
-    int64_t row;
+    int64_t k_end;
+    int64_t k;
+    int64_t run;
     int64_t j;
-    int64_t changed;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    changed = INT64_C(0);
-    for (back = INT64_C(0); back < count; back += INT64_C(1))
+    int64_t i;
+    double v1;
+    double v1_t;
+    double station_t;
+    double station;
+    double v2;
+    double v2_t;
+    double v3;
+    double v4;
+    double v5;
+    double v6;
+    double spread_t;
+    double spread;
+    int64_t strip;
+    double v7;
+    double v7_t;
+    double v8;
+    double v8_t;
+    double v9;
+    double v11;
+    double v10;
+    double v10_t;
+    double v12;
+    double v12_t;
+    double gap_t;
+    double gap;
+    int64_t m;
+    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
     {
-        i = count - INT64_C(1) - back;
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if ((!single) || (changed == INT64_C(0)))
+        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+        j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
+        for (i = INT64_C(0); i < layout__FINE_WAVES * count; i += INT64_C(1))
         {
-            if ((*cspan_at(&work, strip + layout__STRIP_LOADED)) == 1.0)
+            derivative_strip_runs__run_station_t(&v1, &v1_t, work, work_t, run, (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + i)), 0.0);
+            station_t = v1_t;
+            station = v1;
+            j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), station);
+            derivative_strip_surfaces__rest_gap_t(&v2, &v2_t, work, work_t, j, station, station_t);
+            (*cspan_at(&work_t, run + layout__STRIP_RUN_GAPS + i)) = v2_t;
+            (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + i)) = v2;
+        }
+        j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
+        v3 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
+        v4 = 0.5 * v3;
+        v5 = v4 * M_PI;
+        v6 = (double)(count);
+        spread_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START))) * M_PI / v6;
+        spread = v5 / v6;
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * count + i);
+            derivative_strip_runs__run_station_t(&v7, &v7_t, work, work_t, run, (*cspan_at(&tables, waves + layout__WAVES_COS + i)), 0.0);
+            (*cspan_at(&work_t, strip + layout__STRIP_STATION)) = v7_t;
+            (*cspan_at(&work, strip + layout__STRIP_STATION)) = v7;
+            j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, strip + layout__STRIP_STATION)));
+            derivative_strip_surfaces__way_through_t(&v8, &v8_t, work, work_t, j, (*cspan_at(&work, strip + layout__STRIP_STATION)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)));
+            derivative_strip_runs__lay_strip_t(work, work_t, strip, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1)), v8, v8_t);
+            (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            v9 = spread * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) = spread_t * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH)) + v9 * (*cspan_at(&work_t, strip + layout__STRIP_STRETCH));
+            (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = v9 * (*cspan_at(&work, strip + layout__STRIP_STRETCH));
+            v11 = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
+            derivative_powers__log_rule_t(&v10, &v10_t, v11, ((*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) - v11 * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
+            (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)) = v10_t;
+            (*cspan_at(&work, strip + layout__STRIP_SLENDER)) = v10;
+            derivative_strip_runs__gap_beside_t(&v12, &v12_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*cspan_at(&work_t, strip + layout__STRIP_LEAD)));
+            gap_t = v12_t;
+            gap = v12;
+            for (m = INT64_C(0); m < layout__FINE_WAVES * count; m += INT64_C(1))
             {
-                if ((*cspan_at(&work, strip + layout__STRIP_Y)) < 0.0)
-                {
-                    (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
-                    (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(0);
-                    changed = changed + INT64_C(1);
-                }
+                gap_t = gap_t + (*cspan_at(&tables, waves + layout__WAVES_SMOOTHING + INT64_C(48) * i + m)) * (*cspan_at(&work_t, run + layout__STRIP_RUN_GAPS + m));
+                gap = gap + (*cspan_at(&tables, waves + layout__WAVES_SMOOTHING + INT64_C(48) * i + m)) * (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + m));
+            }
+            (*cspan_at(&work_t, strip + layout__STRIP_GAP)) = gap_t;
+            (*cspan_at(&work, strip + layout__STRIP_GAP)) = gap;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``lay_strip``. */
+static inline int64_t derivative_strip_runs__lay_strip_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t low, int64_t high, double u, double u_t)
+{
+    double v1;
+    double v1_t;
+    double v2;
+    double v2_t;
+    double v3;
+    double v3_t;
+    double v4;
+    double v4_t;
+    double v5;
+    double v5_t;
+    double v6;
+    double v6_t;
+    double v7;
+    double v7_t;
+    double v8;
+    double v8_t;
+    double v9;
+    double v9_t;
+    (*cspan_at(&work_t, strip + layout__STRIP_REGION)) = 0.0;
+    (*cspan_at(&work, strip + layout__STRIP_REGION)) = (double)((int64_t)((*cspan_at(&work, low + layout__TRACED_STATION_REGION))));
+    if (u > 0.5)
+    {
+        (*cspan_at(&work_t, strip + layout__STRIP_REGION)) = 0.0;
+        (*cspan_at(&work, strip + layout__STRIP_REGION)) = (double)((int64_t)((*cspan_at(&work, high + layout__TRACED_STATION_REGION))));
+    }
+    derivative_strip_surfaces__between_t(&v1, &v1_t, (*cspan_at(&work, low + layout__TRACED_STATION_PLACE)), (*cspan_at(&work_t, low + layout__TRACED_STATION_PLACE)), (*cspan_at(&work, high + layout__TRACED_STATION_PLACE)), (*cspan_at(&work_t, high + layout__TRACED_STATION_PLACE)), u, u_t);
+    (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) = v1_t;
+    (*cspan_at(&work, strip + layout__STRIP_PLACE)) = v1;
+    derivative_strip_surfaces__between_t(&v2, &v2_t, (*cspan_at(&work, low + layout__TRACED_STATION_STRETCH)), (*cspan_at(&work_t, low + layout__TRACED_STATION_STRETCH)), (*cspan_at(&work, high + layout__TRACED_STATION_STRETCH)), (*cspan_at(&work_t, high + layout__TRACED_STATION_STRETCH)), u, u_t);
+    (*cspan_at(&work_t, strip + layout__STRIP_STRETCH)) = v2_t;
+    (*cspan_at(&work, strip + layout__STRIP_STRETCH)) = v2;
+    derivative_strip_surfaces__between_t(&v3, &v3_t, (*cspan_at(&work, low + layout__TRACED_STATION_COS)), (*cspan_at(&work_t, low + layout__TRACED_STATION_COS)), (*cspan_at(&work, high + layout__TRACED_STATION_COS)), (*cspan_at(&work_t, high + layout__TRACED_STATION_COS)), u, u_t);
+    (*cspan_at(&work_t, strip + layout__STRIP_COS)) = v3_t;
+    (*cspan_at(&work, strip + layout__STRIP_COS)) = v3;
+    derivative_strip_surfaces__between_t(&v4, &v4_t, (*cspan_at(&work, low + layout__TRACED_STATION_SIN)), (*cspan_at(&work_t, low + layout__TRACED_STATION_SIN)), (*cspan_at(&work, high + layout__TRACED_STATION_SIN)), (*cspan_at(&work_t, high + layout__TRACED_STATION_SIN)), u, u_t);
+    (*cspan_at(&work_t, strip + layout__STRIP_SIN)) = v4_t;
+    (*cspan_at(&work, strip + layout__STRIP_SIN)) = v4;
+    derivative_strip_surfaces__between_t(&v5, &v5_t, (*cspan_at(&work, low + layout__TRACED_STATION_X)), (*cspan_at(&work_t, low + layout__TRACED_STATION_X)), (*cspan_at(&work, high + layout__TRACED_STATION_X)), (*cspan_at(&work_t, high + layout__TRACED_STATION_X)), u, u_t);
+    (*cspan_at(&work_t, strip + layout__STRIP_X)) = v5_t;
+    (*cspan_at(&work, strip + layout__STRIP_X)) = v5;
+    derivative_strip_surfaces__between_t(&v6, &v6_t, (*cspan_at(&work, low + layout__TRACED_STATION_A)), (*cspan_at(&work_t, low + layout__TRACED_STATION_A)), (*cspan_at(&work, high + layout__TRACED_STATION_A)), (*cspan_at(&work_t, high + layout__TRACED_STATION_A)), u, u_t);
+    (*cspan_at(&work_t, strip + layout__STRIP_A)) = v6_t;
+    (*cspan_at(&work, strip + layout__STRIP_A)) = v6;
+    derivative_strip_surfaces__between_t(&v7, &v7_t, (*cspan_at(&work, low + layout__TRACED_STATION_SKEW)), (*cspan_at(&work_t, low + layout__TRACED_STATION_SKEW)), (*cspan_at(&work, high + layout__TRACED_STATION_SKEW)), (*cspan_at(&work_t, high + layout__TRACED_STATION_SKEW)), u, u_t);
+    (*cspan_at(&work_t, strip + layout__STRIP_SKEW)) = v7_t;
+    (*cspan_at(&work, strip + layout__STRIP_SKEW)) = v7;
+    derivative_strip_surfaces__between_t(&v8, &v8_t, (*cspan_at(&work, low + layout__TRACED_STATION_SHARE)), (*cspan_at(&work_t, low + layout__TRACED_STATION_SHARE)), (*cspan_at(&work, high + layout__TRACED_STATION_SHARE)), (*cspan_at(&work_t, high + layout__TRACED_STATION_SHARE)), u, u_t);
+    (*cspan_at(&work_t, strip + layout__STRIP_SHARE)) = v8_t;
+    (*cspan_at(&work, strip + layout__STRIP_SHARE)) = v8;
+    derivative_strip_surfaces__between_t(&v9, &v9_t, (*cspan_at(&work, low + layout__TRACED_STATION_COUNTED)), (*cspan_at(&work_t, low + layout__TRACED_STATION_COUNTED)), (*cspan_at(&work, high + layout__TRACED_STATION_COUNTED)), (*cspan_at(&work_t, high + layout__TRACED_STATION_COUNTED)), u, u_t);
+    (*cspan_at(&work_t, strip + layout__STRIP_COUNTED)) = v9_t;
+    (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = v9;
+    return INT64_C(0);
+}
+
+/* Derivative of ``renew_runs``. */
+static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves)
+{
+    int64_t count;
+    double largest_t;
+    double largest;
+    int64_t i_end;
+    int64_t i;
+    double v1;
+    double v1_t;
+    int64_t k_end;
+    int64_t k;
+    int64_t after;
+    int64_t strip;
+    int64_t k2;
+    int64_t k3;
+    double v4;
+    double middle_t;
+    double middle;
+    double v5;
+    double v6;
+    double station_t;
+    double station;
+    double half;
+    double half_t;
+    double lead;
+    double lead_t;
+    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    largest_t = 0.0;
+    largest = 0.0;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        v1 = largest;
+        v1_t = largest_t;
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) > v1)
+        {
+            v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y));
+            v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y));
+        }
+        largest_t = v1_t;
+        largest = v1;
+    }
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    {
+        derivative_strip_runs__part_run_t(tables, work, work_t, waves, k, largest, largest_t);
+    }
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    {
+        after = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k;
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * count + i);
+            if ((int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_ORIGIN))) >= INT64_C(0))
+            {
+                k2 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * ((int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_ORIGIN))) * count + i) + layout__STRIP_NEXT_AXIS;
+                (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) = (*cspan_at(&work_t, k2));
+                (*cspan_at(&work, strip + layout__STRIP_AXIS)) = (*cspan_at(&work, k2));
+                k3 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * ((int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_ORIGIN))) * count + i) + layout__STRIP_NEXT_LEAD;
+                (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = (*cspan_at(&work_t, k3));
+                (*cspan_at(&work, strip + layout__STRIP_LEAD)) = (*cspan_at(&work, k3));
             }
             else
             {
-                v1 = (*cspan_at(&work, strip + layout__STRIP_SHARE)) - strip_pressures__TOUCH;
-                pushed_t = (*cspan_at(&work_t, strip + layout__STRIP_SHARE)) * penetration + v1 * penetration_t - (*cspan_at(&work_t, strip + layout__STRIP_GAP));
-                pushed = v1 * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP));
-                row = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
-                for (j = INT64_C(0); j < count; j += INT64_C(1))
+                v4 = (*cspan_at(&work, after + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work, after + layout__STRIP_RUN_NEXT_STOP));
+                middle_t = 0.5 * ((*cspan_at(&work_t, after + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work_t, after + layout__STRIP_RUN_NEXT_STOP)));
+                middle = 0.5 * v4;
+                v5 = (*cspan_at(&work, after + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, after + layout__STRIP_RUN_NEXT_START));
+                v6 = 0.5 * v5;
+                station_t = middle_t - 0.5 * ((*cspan_at(&work_t, after + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work_t, after + layout__STRIP_RUN_NEXT_START))) * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
+                station = middle - v6 * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
+                derivative_strip_runs__sample_strips_t(&half, &half_t, &lead, &lead_t, tables, work, work_t, waves, (int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_LOW))), station, station_t);
+                (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) = half_t / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+                (*cspan_at(&work, strip + layout__STRIP_AXIS)) = half / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+                (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = lead_t;
+                (*cspan_at(&work, strip + layout__STRIP_LEAD)) = lead;
+            }
+        }
+        if ((int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_ORIGIN))) < INT64_C(0))
+        {
+            derivative_strip_runs__raise_axes_t(work, work_t, k * count, count);
+        }
+    }
+    derivative_strip_runs__adopt_runs_t(work, work_t);
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT))) * count);
+    return INT64_C(0);
+}
+
+/* Derivative of ``part_run``. */
+static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t k, double largest, double largest_t)
+{
+    int64_t run;
+    int64_t count;
+    int64_t first;
+    double v1;
+    double limit_t;
+    double limit;
+    int64_t pulling;
+    int64_t i;
+    int64_t before;
+    int64_t last;
+    double v2;
+    double v2_t;
+    double v3;
+    double v3_t;
+    run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    first = k * count;
+    v1 = -strip_runs__PULLING;
+    limit_t = v1 * largest_t;
+    limit = v1 * largest;
+    pulling = INT64_C(0);
+    for (i = INT64_C(2); i < count - INT64_C(2); i += INT64_C(1))
+    {
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) < limit)
+        {
+            pulling = pulling + INT64_C(1);
+        }
+    }
+    if ((pulling == INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)) + layout__STRIP_Y)) >= limit) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + count - INT64_C(2)) + layout__STRIP_Y)) >= limit))
+    {
+        before = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
+        derivative_strip_runs__add_run_t(work, work_t, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))), (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)), (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)));
+        if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))) > before)
+        {
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before + layout__STRIP_RUN_ORIGIN)) = 0.0;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before + layout__STRIP_RUN_ORIGIN)) = (double)(k);
+        }
+    }
+    else
+    {
+        i = INT64_C(0);
+        while(i < count)
+        {
+            last = i;
+            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) >= limit)
+            {
+                while((last < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + last + INT64_C(1)) + layout__STRIP_Y)) >= limit))
                 {
-                    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)) != 0.0)
+                    last = last + INT64_C(1);
+                }
+                if ((last > i) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) > strip_runs__SINGLE * largest))
+                {
+                    derivative_strip_runs__pressed_end_t(&v2, &v2_t, tables, work, work_t, waves, k, i, -INT64_C(1));
+                    derivative_strip_runs__pressed_end_t(&v3, &v3_t, tables, work, work_t, waves, k, last, INT64_C(1));
+                    derivative_strip_runs__add_run_t(work, work_t, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))), (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), v2, v2_t, v3, v3_t);
+                }
+            }
+            i = last + INT64_C(1);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``pressed_end``. */
+static inline int64_t derivative_strip_runs__pressed_end_t(double* station, double* station_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t k, int64_t i, int64_t outward)
+{
+    int64_t run;
+    int64_t beyond;
+    int64_t k1;
+    double inner_t;
+    double inner;
+    int64_t k2;
+    double outer_t;
+    double outer;
+    int64_t k3;
+    int64_t k4;
+    double way_t;
+    double way;
+    double v5;
+    double v5_t;
+    double v6;
+    double v7;
+    double v7_t;
+    double v8;
+    double v9;
+    run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+    beyond = i + outward;
+    (*station_t) = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START));
+    (*station) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
+    if (beyond >= (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))))
+    {
+        (*station_t) = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP));
+        (*station) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
+    }
+    else if (beyond >= INT64_C(0))
+    {
+        k1 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + i) + layout__STRIP_Y;
+        inner_t = (*cspan_at(&work_t, k1));
+        inner = (*cspan_at(&work, k1));
+        k2 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + beyond) + layout__STRIP_Y;
+        outer_t = (*cspan_at(&work_t, k2));
+        outer = (*cspan_at(&work, k2));
+        k3 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + i) + layout__STRIP_NEXT_STATION;
+        (*station_t) = (*cspan_at(&work_t, k3));
+        (*station) = (*cspan_at(&work, k3));
+        k4 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + beyond) + layout__STRIP_NEXT_STATION;
+        way_t = (*cspan_at(&work_t, k4)) - (*station_t);
+        way = (*cspan_at(&work, k4)) - (*station);
+        v5 = inner;
+        v5_t = inner_t;
+        if (0.0 > v5)
+        {
+            v5 = 0.0;
+            v5_t = 0.0;
+        }
+        v6 = way * v5;
+        v7 = inner;
+        v7_t = inner_t;
+        if (0.0 > v7)
+        {
+            v7 = 0.0;
+            v7_t = 0.0;
+        }
+        v8 = v7 - outer;
+        v9 = v6 / v8;
+        (*station_t) = (*station_t) + (way_t * v5 + way * v5_t - v9 * (v7_t - outer_t)) / v8;
+        (*station) = (*station) + v9;
+    }
+    return 0;
+}
+
+/* Derivative of ``sample_strips``. */
+static inline int64_t derivative_strip_runs__sample_strips_t(double* v4, double* v4_t, double* v5, double* v5_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t low, double station, double station_t)
+{
+    int64_t before;
+    int64_t after;
+    int64_t k_end;
+    int64_t k;
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    int64_t lower;
+    int64_t upper;
+    double u_t;
+    double u;
+    double v1;
+    double v2;
+    double v3;
+    before = -INT64_C(1);
+    after = -INT64_C(1);
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    {
+        if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k + layout__STRIP_RUN_LOW))) == low)
+        {
+            i_end = (k + INT64_C(1)) * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+            for (i = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))); i < i_end; i += INT64_C(1))
+            {
+                strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+                if ((*cspan_at(&work, strip + layout__STRIP_NEXT_STATION)) <= station)
+                {
+                    if ((before < INT64_C(0)) || ((*cspan_at(&work, strip + layout__STRIP_NEXT_STATION)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_NEXT_STATION))))
                     {
-                        pushed_t = pushed_t - ((*cspan_at(&work_t, row + j)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)) + (*cspan_at(&work, row + j)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)));
-                        pushed = pushed - (*cspan_at(&work, row + j)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
+                        before = i;
                     }
                 }
-                if (pushed > 0.0)
+                else if ((after < INT64_C(0)) || ((*cspan_at(&work, strip + layout__STRIP_NEXT_STATION)) < (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_NEXT_STATION))))
                 {
-                    (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
-                    (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(1);
-                    changed = changed + INT64_C(1);
+                    after = i;
                 }
             }
         }
     }
-    return changed;
+    if (before < INT64_C(0))
+    {
+        before = after;
+    }
+    if (after < INT64_C(0))
+    {
+        after = before;
+    }
+    lower = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before;
+    upper = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after;
+    u_t = 0.0;
+    u = 0.0;
+    if ((*cspan_at(&work, upper + layout__STRIP_NEXT_STATION)) > (*cspan_at(&work, lower + layout__STRIP_NEXT_STATION)))
+    {
+        v1 = station - (*cspan_at(&work, lower + layout__STRIP_NEXT_STATION));
+        v2 = (*cspan_at(&work, upper + layout__STRIP_NEXT_STATION)) - (*cspan_at(&work, lower + layout__STRIP_NEXT_STATION));
+        v3 = v1 / v2;
+        u_t = (station_t - (*cspan_at(&work_t, lower + layout__STRIP_NEXT_STATION)) - v3 * ((*cspan_at(&work_t, upper + layout__STRIP_NEXT_STATION)) - (*cspan_at(&work_t, lower + layout__STRIP_NEXT_STATION)))) / v2;
+        u = v3;
+    }
+    derivative_strip_surfaces__between_t(v4, v4_t, (*cspan_at(&work, lower + layout__STRIP_NEXT_HALF)), (*cspan_at(&work_t, lower + layout__STRIP_NEXT_HALF)), (*cspan_at(&work, upper + layout__STRIP_NEXT_HALF)), (*cspan_at(&work_t, upper + layout__STRIP_NEXT_HALF)), u, u_t);
+    derivative_strip_surfaces__between_t(v5, v5_t, (*cspan_at(&work, lower + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work_t, lower + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work, upper + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work_t, upper + layout__STRIP_NEXT_LEAD)), u, u_t);
+    return 0;
 }
 
 
@@ -5675,44 +5509,238 @@ static inline int64_t derivative_strip_pressures__exchange_strips_t(array_double
  * Derivatives of strip_surfaces.py.
  */
 
-/* Derivative of ``trace_strips``. */
-static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count)
+/* Derivative of ``find_zones``. */
+static inline int64_t derivative_strip_surfaces__find_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double deepest, double deepest_t)
 {
     int64_t index;
     int64_t region;
-    bool started;
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         derivative_frame__enter_plane_t(work, work_t, region, index);
-        started = 0;
-        i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-        {
-            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-            if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
-            {
-                if (!started)
-                {
-                    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-                    derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, 0.0);
-                    started = 1;
-                }
-                derivative_strip_surfaces__trace_strip_t(tables, work, work_t, pair, region, strip);
-            }
-        }
+        derivative_strip_surfaces__measure_zone_t(tables, work, work_t, pair, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest, deepest_t);
         derivative_frame__leave_plane_t(work, work_t, region);
     }
     return INT64_C(0);
 }
 
-/* Derivative of ``trace_strip``. */
-static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t strip)
+/* Derivative of ``measure_zone``. */
+static inline int64_t derivative_strip_surfaces__measure_zone_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, double deepest_t)
+{
+    double v1;
+    double v2;
+    double v2_t;
+    double level_t;
+    double level;
+    double v3;
+    double v3_t;
+    double bend_t;
+    double bend;
+    double v4;
+    double v5;
+    double v6;
+    double estimate_t;
+    double estimate;
+    double v7;
+    double v7_t;
+    double high_t;
+    double high;
+    double v8;
+    double v8_t;
+    double low_t;
+    double low;
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE)) = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE));
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE));
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE));
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE));
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    v1 = strip_surfaces__OWN_SHALLOW * (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH));
+    v2 = strip_surfaces__SHALLOW * deepest;
+    v2_t = strip_surfaces__SHALLOW * deepest_t;
+    if (v1 < v2)
+    {
+        v2 = v1;
+        v2_t = strip_surfaces__OWN_SHALLOW * (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH));
+    }
+    level_t = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)) - v2_t;
+    level = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - v2;
+    if (level > 0.0)
+    {
+        v3 = (*cspan_at(&work, region + layout__REGION_BEND));
+        v3_t = (*cspan_at(&work_t, region + layout__REGION_BEND));
+        if ((*cspan_at(&work, region + layout__REGION_CURVATURE)) > v3)
+        {
+            v3 = (*cspan_at(&work, region + layout__REGION_CURVATURE));
+            v3_t = (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
+        }
+        bend_t = v3_t;
+        bend = v3;
+        v4 = 2.0 * level;
+        v5 = v4 / bend;
+        v6 = sqrt(v5);
+        estimate_t = derivative_rates__root_rate(v6, (2.0 * level_t - v5 * bend_t) / bend);
+        estimate = v6;
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+        derivative_widths__width_rule_t(&v7, &v7_t, tables, work, work_t, pair, region, 1.0, 0.0, level, level_t, estimate, estimate_t);
+        high_t = v7_t;
+        high = v7;
+        derivative_widths__width_rule_t(&v8, &v8_t, tables, work, work_t, pair, region, -1.0, 0.0, level, level_t, high, high_t);
+        low_t = v8_t;
+        low = v8;
+        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) + high_t;
+        (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) + high;
+        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) - low_t;
+        (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) - low;
+        derivative_strip_surfaces__weigh_zone_t(work, work_t, tables, zone, 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE)), 0.5 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE)));
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``weigh_zone``. */
+static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t zone, double A, double A_t)
+{
+    double v1;
+    double v1_t;
+    double low_t;
+    double low;
+    double v2;
+    double v2_t;
+    double high_t;
+    double high;
+    double v3;
+    double v4;
+    double one_alpha;
+    double one_alpha_t;
+    double one_beta;
+    double one_beta_t;
+    double nr;
+    double nr_t;
+    double v6;
+    double v5;
+    double v5_t;
+    double v8;
+    double v7;
+    double v7_t;
+    derivative_strip_surfaces__zone_curvature_t(&v1, &v1_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE)) - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)), A, A_t);
+    low_t = v1_t;
+    low = v1;
+    derivative_strip_surfaces__zone_curvature_t(&v2, &v2_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)), (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE)), A, A_t);
+    high_t = v2_t;
+    high = v2;
+    v3 = low * high;
+    v4 = sqrt(v3);
+    derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, v4, derivative_rates__root_rate(v4, low_t * high + low * high_t));
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_ONE_ALPHA)) = one_alpha_t;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) = one_alpha;
+    v6 = A / low;
+    derivative_coefficients__table_value_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v6, (A_t - v6 * low_t) / low);
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LOW_BETA)) = v5_t;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_LOW_BETA)) = v5;
+    v8 = A / high;
+    derivative_coefficients__table_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v8, (A_t - v8 * high_t) / high);
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_HIGH_BETA)) = v7_t;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_HIGH_BETA)) = v7;
+    return INT64_C(0);
+}
+
+/* Derivative of ``zone_curvature``. */
+static inline int64_t derivative_strip_surfaces__zone_curvature_t(double* B, double* B_t, double depth, double depth_t, double width, double width_t, double A, double A_t)
+{
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    double v4_t;
+    (*B_t) = strip_surfaces__SHARPEST_ZONE * A_t;
+    (*B) = strip_surfaces__SHARPEST_ZONE * A;
+    if (depth < (*B) * width * width)
+    {
+        v1 = width * width;
+        v2 = depth / v1;
+        (*B_t) = (depth_t - v2 * (width_t * width + width * width_t)) / v1;
+        (*B) = v2;
+    }
+    v3 = strip_surfaces__FLATTEST_ZONE * A;
+    v4 = (*B);
+    v4_t = (*B_t);
+    if (v3 > v4)
+    {
+        v4 = v3;
+        v4_t = strip_surfaces__FLATTEST_ZONE * A_t;
+    }
+    (*B_t) = v4_t;
+    (*B) = v4;
+    return 0;
+}
+
+/* Derivative of ``trace_zones``. */
+static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count)
+{
+    int64_t index;
+    int64_t zone;
+    int64_t region;
+    int64_t first;
+    double v1;
+    double v2;
+    double spacing_t;
+    double spacing;
+    int64_t i;
+    int64_t at;
+    double v3;
+    int64_t i_end;
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = 0.0;
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index;
+        if ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) > (*cspan_at(&work, zone + layout__STRIP_ZONE_START)))
+        {
+            region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+            first = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
+            if ((index > INT64_C(0)) && (first > INT64_C(0)))
+            {
+                (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - INT64_C(1)) + layout__TRACED_STATION_JOINED)) = 0.0;
+                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - INT64_C(1)) + layout__TRACED_STATION_JOINED)) = (double)((*cspan_at(&work, zone + layout__STRIP_ZONE_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (index - INT64_C(1)) + layout__STRIP_ZONE_STOP)) < strip_surfaces__TOUCHING);
+            }
+            derivative_frame__enter_plane_t(work, work_t, region, index);
+            derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+            derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, 0.0);
+            v1 = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
+            v2 = (double)(strip_surfaces__ZONE_STATIONS - INT64_C(1)) + 2.0 * strip_surfaces__INSET;
+            spacing_t = ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START))) / v2;
+            spacing = v1 / v2;
+            for (i = INT64_C(0); i < strip_surfaces__ZONE_STATIONS; i += INT64_C(1))
+            {
+                at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first + i);
+                v3 = (double)(i) + strip_surfaces__INSET;
+                (*cspan_at(&work_t, at + layout__TRACED_STATION_STATION)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) + v3 * spacing_t;
+                (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + v3 * spacing;
+                (*cspan_at(&work_t, at + layout__TRACED_STATION_REGION)) = 0.0;
+                (*cspan_at(&work, at + layout__TRACED_STATION_REGION)) = (double)(index);
+                (*cspan_at(&work_t, at + layout__TRACED_STATION_JOINED)) = 0.0;
+                (*cspan_at(&work, at + layout__TRACED_STATION_JOINED)) = (double)(i < strip_surfaces__ZONE_STATIONS - INT64_C(1));
+                derivative_strip_surfaces__trace_station_t(tables, work, work_t, pair, region, zone, at);
+            }
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = 0.0;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = (double)(first + strip_surfaces__ZONE_STATIONS);
+            derivative_frame__leave_plane_t(work, work_t, region);
+        }
+    }
+    derivative_strip_surfaces__place_on_middle_t(work, work_t);
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        derivative_strip_surfaces__incline_station_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i);
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``trace_station``. */
+static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t zone, int64_t at)
 {
     double gap;
     double gap_t;
@@ -5722,172 +5750,83 @@ static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d t
     double bend_t;
     double curvature;
     double curvature_t;
+    double beta_t;
+    double beta;
+    double v1;
     double height;
     double height_t;
     double slope;
     double slope_t;
-    double v1;
     double v2;
     double v3;
-    double v4;
-    double v4_t;
-    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE, 0.0);
-    (*cspan_at(&work_t, strip + layout__STRIP_RISE)) = 0.0;
-    (*cspan_at(&work, strip + layout__STRIP_RISE)) = 0.0;
-    (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) = 0.0;
-    (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = -frame__NO_GAP;
-    if (gap < frame__NO_GAP)
-    {
-        (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap_t;
-        (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap;
-        (*cspan_at(&work_t, strip + layout__STRIP_RISE)) = -rate_t;
-        (*cspan_at(&work, strip + layout__STRIP_RISE)) = -rate;
-    }
-    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-    v1 = 1.0 + slope * slope;
-    v2 = sqrt(v1);
-    v3 = 1.0 / v2;
-    (*cspan_at(&work_t, strip + layout__STRIP_COS)) = (-v3) * derivative_rates__root_rate(v2, slope_t * slope + slope * slope_t) / v2;
-    (*cspan_at(&work, strip + layout__STRIP_COS)) = v3;
-    (*cspan_at(&work_t, strip + layout__STRIP_SIN)) = slope_t * (*cspan_at(&work, strip + layout__STRIP_COS)) + slope * (*cspan_at(&work_t, strip + layout__STRIP_COS));
-    (*cspan_at(&work, strip + layout__STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__STRIP_COS));
-    (*cspan_at(&work_t, strip + layout__STRIP_X)) = 0.0;
-    (*cspan_at(&work, strip + layout__STRIP_X)) = 0.0;
-    (*cspan_at(&work_t, strip + layout__STRIP_A)) = 0.5 * curvature_t;
-    (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * curvature;
-    (*cspan_at(&work_t, strip + layout__STRIP_SKEW)) = 0.0;
-    (*cspan_at(&work, strip + layout__STRIP_SKEW)) = 0.0;
-    (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-    (*cspan_at(&work, strip + layout__STRIP_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-    if (frame__is_yawed(work))
-    {
-        derivative_locus__outline_x_t(&v4, &v4_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)), (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)));
-        (*cspan_at(&work_t, strip + layout__STRIP_X)) = v4_t;
-        (*cspan_at(&work, strip + layout__STRIP_X)) = v4;
-    }
-    return INT64_C(0);
-}
-
-/* Derivative of ``place_on_middle``. */
-static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_double_1d work_t, int64_t count)
-{
-    double stretch_t;
-    double stretch;
-    int64_t i;
-    int64_t strip;
-    int64_t before;
-    int64_t after;
-    double turned_t;
-    double turned;
-    double reach_t;
-    double reach;
-    double last_t;
-    double last;
-    double v1;
-    double v2;
-    double v3;
-    double way_t;
-    double way;
     double v4;
     double v5;
-    stretch_t = 0.0;
-    stretch = 1.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        before = i;
-        after = i;
-        if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_JOINED)) == 1.0))
-        {
-            before = i - INT64_C(1);
-        }
-        if ((i < count - INT64_C(1)) && ((*cspan_at(&work, strip + layout__STRIP_JOINED)) == 1.0))
-        {
-            after = i + INT64_C(1);
-        }
-        turned_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_SIN)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_COS)) - ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_SIN)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_COS)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_SIN)));
-        turned = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_SIN));
-        reach_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_STATION));
-        reach = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_STATION));
-        last_t = stretch_t;
-        last = stretch;
-        stretch_t = 0.0;
-        stretch = 1.0;
-        if ((reach > 0.0) && ((*cspan_at(&work, strip + layout__STRIP_OVERLAP)) > 0.0))
-        {
-            v1 = 0.5 * (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
-            v2 = v1 * turned;
-            v3 = v2 / reach;
-            stretch_t = -((0.5 * (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) * turned + v1 * turned_t - v3 * reach_t) / reach);
-            stretch = 1.0 - v3;
-        }
-        (*cspan_at(&work_t, strip + layout__STRIP_BREADTH)) = (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) * stretch + (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * stretch_t;
-        (*cspan_at(&work, strip + layout__STRIP_BREADTH)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * stretch;
-        (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) = (*cspan_at(&work_t, strip + layout__STRIP_STATION));
-        (*cspan_at(&work, strip + layout__STRIP_PLACE)) = (*cspan_at(&work, strip + layout__STRIP_STATION));
-        if (i > INT64_C(0))
-        {
-            way_t = (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
-            way = (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
-            v4 = last + stretch;
-            v5 = 0.5 * v4;
-            (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PLACE)) + (0.5 * (last_t + stretch_t) * way + v5 * way_t);
-            (*cspan_at(&work, strip + layout__STRIP_PLACE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PLACE)) + v5 * way;
-        }
-    }
-    return INT64_C(0);
-}
-
-/* Derivative of ``incline_strips``. */
-static inline int64_t derivative_strip_surfaces__incline_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables)
-{
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    double half_t;
-    double half;
-    double v1;
-    double v2;
-    double v3;
-    double scale_t;
-    double scale;
-    double v4;
-    double v5;
-    double cosine_t;
-    double cosine;
+    double v5_t;
     double v6;
     double v7;
     double v7_t;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    double level_t;
+    double level;
+    double v8;
+    double v9;
+    double v10;
+    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), (*cspan_at(&work_t, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE, 0.0);
+    (*cspan_at(&work_t, at + layout__TRACED_STATION_RISE)) = 0.0;
+    (*cspan_at(&work, at + layout__TRACED_STATION_RISE)) = 0.0;
+    (*cspan_at(&work_t, at + layout__TRACED_STATION_OVERLAP)) = 0.0;
+    (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) = 0.0;
+    if (gap < frame__NO_GAP)
     {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        half_t = 0.5 * (*cspan_at(&work_t, strip + layout__STRIP_RISE));
-        half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_RISE));
-        v1 = 1.0 + half * half;
-        v2 = sqrt(v1);
-        v3 = 1.0 / v2;
-        scale_t = (-v3) * derivative_rates__root_rate(v2, half_t * half + half * half_t) / v2;
-        scale = v3;
-        v4 = (*cspan_at(&work, strip + layout__STRIP_COS)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        (*cspan_at(&work_t, strip + layout__STRIP_SHARE)) = ((*cspan_at(&work_t, strip + layout__STRIP_COS)) - v4 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        (*cspan_at(&work, strip + layout__STRIP_SHARE)) = v4;
-        v5 = (*cspan_at(&work, strip + layout__STRIP_COS)) - half * (*cspan_at(&work, strip + layout__STRIP_SIN));
-        cosine_t = ((*cspan_at(&work_t, strip + layout__STRIP_COS)) - (half_t * (*cspan_at(&work, strip + layout__STRIP_SIN)) + half * (*cspan_at(&work_t, strip + layout__STRIP_SIN)))) * scale + v5 * scale_t;
-        cosine = v5 * scale;
-        v6 = (*cspan_at(&work, strip + layout__STRIP_SIN)) + half * (*cspan_at(&work, strip + layout__STRIP_COS));
-        (*cspan_at(&work_t, strip + layout__STRIP_SIN)) = ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) + (half_t * (*cspan_at(&work, strip + layout__STRIP_COS)) + half * (*cspan_at(&work_t, strip + layout__STRIP_COS)))) * scale + v6 * scale_t;
-        (*cspan_at(&work, strip + layout__STRIP_SIN)) = v6 * scale;
-        (*cspan_at(&work_t, strip + layout__STRIP_COS)) = cosine_t;
-        (*cspan_at(&work, strip + layout__STRIP_COS)) = cosine;
-        (*cspan_at(&work_t, strip + layout__STRIP_COUNTED)) = 0.0;
-        (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = 1.0;
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+        (*cspan_at(&work_t, at + layout__TRACED_STATION_OVERLAP)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap_t;
+        (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap;
+        (*cspan_at(&work_t, at + layout__TRACED_STATION_RISE)) = -rate_t;
+        (*cspan_at(&work, at + layout__TRACED_STATION_RISE)) = -rate;
+    }
+    beta_t = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LOW_BETA));
+    beta = (*cspan_at(&work, zone + layout__STRIP_ZONE_LOW_BETA));
+    if ((*cspan_at(&work, at + layout__TRACED_STATION_STATION)) > (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)))
+    {
+        beta_t = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_HIGH_BETA));
+        beta = (*cspan_at(&work, zone + layout__STRIP_ZONE_HIGH_BETA));
+    }
+    v1 = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP));
+    (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)) - (beta_t * v1 + beta * ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)) - (*cspan_at(&work_t, at + layout__TRACED_STATION_OVERLAP))));
+    (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - beta * v1;
+    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    v2 = 1.0 + slope * slope;
+    v3 = sqrt(v2);
+    v4 = 1.0 / v3;
+    (*cspan_at(&work_t, at + layout__TRACED_STATION_COS)) = (-v4) * derivative_rates__root_rate(v3, slope_t * slope + slope * slope_t) / v3;
+    (*cspan_at(&work, at + layout__TRACED_STATION_COS)) = v4;
+    (*cspan_at(&work_t, at + layout__TRACED_STATION_SIN)) = slope_t * (*cspan_at(&work, at + layout__TRACED_STATION_COS)) + slope * (*cspan_at(&work_t, at + layout__TRACED_STATION_COS));
+    (*cspan_at(&work, at + layout__TRACED_STATION_SIN)) = slope * (*cspan_at(&work, at + layout__TRACED_STATION_COS));
+    (*cspan_at(&work_t, at + layout__TRACED_STATION_X)) = 0.0;
+    (*cspan_at(&work, at + layout__TRACED_STATION_X)) = 0.0;
+    (*cspan_at(&work_t, at + layout__TRACED_STATION_A)) = 0.5 * curvature_t;
+    (*cspan_at(&work, at + layout__TRACED_STATION_A)) = 0.5 * curvature;
+    (*cspan_at(&work_t, at + layout__TRACED_STATION_SKEW)) = 0.0;
+    (*cspan_at(&work, at + layout__TRACED_STATION_SKEW)) = 0.0;
+    (*cspan_at(&work_t, at + layout__TRACED_STATION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    if (frame__is_yawed(work))
+    {
+        derivative_locus__outline_x_t(&v5, &v5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)), (*cspan_at(&work_t, at + layout__TRACED_STATION_WHEEL)));
+        (*cspan_at(&work_t, at + layout__TRACED_STATION_X)) = v5_t;
+        (*cspan_at(&work, at + layout__TRACED_STATION_X)) = v5;
+        v6 = strip_surfaces__LEAST_LEVEL * (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH));
+        v7 = (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL));
+        v7_t = (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL));
+        if (v6 > v7)
         {
-            derivative_rails__upright_share_t(&v7, &v7_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, cosine_t, (*cspan_at(&work, strip + layout__STRIP_SIN)), (*cspan_at(&work_t, strip + layout__STRIP_SIN)));
-            (*cspan_at(&work_t, strip + layout__STRIP_COUNTED)) = v7_t;
-            (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = v7;
+            v7 = v6;
+            v7_t = strip_surfaces__LEAST_LEVEL * (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH));
         }
+        level_t = v7_t;
+        level = v7;
+        v8 = (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work, at + layout__TRACED_STATION_A));
+        v9 = level / v8;
+        v10 = sqrt(v9);
+        derivative_strip_surfaces__measure_ridge_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), at, strip_pressures__TESTED * v10, strip_pressures__TESTED * derivative_rates__root_rate(v10, (level_t - v9 * ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work, at + layout__TRACED_STATION_A)) + (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work_t, at + layout__TRACED_STATION_A)))) / v8));
     }
     return INT64_C(0);
 }
@@ -5924,7 +5863,7 @@ static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, dou
 }
 
 /* Derivative of ``measure_ridge``. */
-static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t strip, double away, double away_t)
+static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t at, double away, double away_t)
 {
     double v1;
     double across_t;
@@ -5965,11 +5904,11 @@ static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d
         v1 = away * (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
         across_t = (away_t * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) + away * (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW))) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
         across = v1 * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-        derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)), (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)));
-        derivative_strip_surfaces__profile_within_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) - across, (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) - across_t);
+        derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)), (*cspan_at(&work_t, at + layout__TRACED_STATION_WHEEL)));
+        derivative_strip_surfaces__profile_within_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)) - across, (*cspan_at(&work_t, at + layout__TRACED_STATION_WHEEL)) - across_t);
         before_t = v2_t;
         before = v2;
-        derivative_strip_surfaces__profile_within_t(&v3, &v3_t, tables, pair, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) + across, (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) + across_t);
+        derivative_strip_surfaces__profile_within_t(&v3, &v3_t, tables, pair, (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)) + across, (*cspan_at(&work_t, at + layout__TRACED_STATION_WHEEL)) + across_t);
         after_t = v3_t;
         after = v3;
         mean_t = bend_t;
@@ -5984,8 +5923,8 @@ static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d
             mean = v5;
         }
         derivative_curvature__longitudinal_curvature_t(&v6, &v6_t, work, work_t, tables, place, z, z_t, slope, slope_t, mean, mean_t);
-        (*cspan_at(&work_t, strip + layout__STRIP_A)) = 0.5 * v6_t;
-        (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * v6;
+        (*cspan_at(&work_t, at + layout__TRACED_STATION_A)) = 0.5 * v6_t;
+        (*cspan_at(&work, at + layout__TRACED_STATION_A)) = 0.5 * v6;
         v7 = after - before;
         odd_t = 0.5 * (after_t - before_t) - (slope_t * across + slope * across_t);
         odd = 0.5 * v7 - slope * across;
@@ -5995,327 +5934,193 @@ static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d
         v11 = v10 * away;
         v12 = v11 * away;
         v13 = odd / v12;
-        (*cspan_at(&work_t, strip + layout__STRIP_SKEW)) = (odd_t - v13 * (((derivative_rates__root_rate(v9, slope_t * slope + slope * slope_t) * away + v9 * away_t) * away + v10 * away_t) * away + v11 * away_t)) / v12;
-        (*cspan_at(&work, strip + layout__STRIP_SKEW)) = v13;
+        (*cspan_at(&work_t, at + layout__TRACED_STATION_SKEW)) = (odd_t - v13 * (((derivative_rates__root_rate(v9, slope_t * slope + slope * slope_t) * away + v9 * away_t) * away + v10 * away_t) * away + v11 * away_t)) / v12;
+        (*cspan_at(&work, at + layout__TRACED_STATION_SKEW)) = v13;
     }
     return INT64_C(0);
 }
 
-/* Derivative of ``first_lengths``. */
-static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count)
+/* Derivative of ``place_on_middle``. */
+static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_double_1d work_t)
 {
-    int64_t index;
-    int64_t region;
-    int64_t zone;
-    double depth_t;
-    double depth;
-    double middle_t;
-    double middle;
-    double A_t;
-    double A;
+    int64_t i_end;
+    int64_t i;
+    int64_t at;
+    int64_t before;
+    int64_t after;
+    double turned_t;
+    double turned;
     double v1;
-    double v1_t;
-    double low_t;
-    double low;
     double v2;
-    double v2_t;
-    double high_t;
-    double high;
     double v3;
     double v4;
-    double B_t;
-    double B;
-    double one_alpha;
-    double one_alpha_t;
-    double one_beta;
-    double one_beta_t;
-    double nr;
-    double nr_t;
-    double lean_t;
-    double lean;
-    double v6;
+    double way_t;
+    double way;
     double v5;
-    double v5_t;
-    double low_beta_t;
-    double low_beta;
-    double v8;
+    double v6;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        before = i;
+        after = i;
+        if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_JOINED)) == 1.0))
+        {
+            before = i - INT64_C(1);
+        }
+        if (((*cspan_at(&work, at + layout__TRACED_STATION_JOINED)) == 1.0) && (i < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)))
+        {
+            after = i + INT64_C(1);
+        }
+        turned_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS)) - ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN)));
+        turned = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN));
+        (*cspan_at(&work_t, at + layout__TRACED_STATION_STRETCH)) = 0.0;
+        (*cspan_at(&work, at + layout__TRACED_STATION_STRETCH)) = 1.0;
+        if ((*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) > 0.0)
+        {
+            v1 = 0.5 * (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP));
+            v2 = v1 * turned;
+            v3 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_STATION));
+            v4 = v2 / v3;
+            (*cspan_at(&work_t, at + layout__TRACED_STATION_STRETCH)) = (*cspan_at(&work_t, at + layout__TRACED_STATION_STRETCH)) - (0.5 * (*cspan_at(&work_t, at + layout__TRACED_STATION_OVERLAP)) * turned + v1 * turned_t - v4 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_STATION)))) / v3;
+            (*cspan_at(&work, at + layout__TRACED_STATION_STRETCH)) = (*cspan_at(&work, at + layout__TRACED_STATION_STRETCH)) - v4;
+        }
+        (*cspan_at(&work_t, at + layout__TRACED_STATION_PLACE)) = (*cspan_at(&work_t, at + layout__TRACED_STATION_STATION));
+        (*cspan_at(&work, at + layout__TRACED_STATION_PLACE)) = (*cspan_at(&work, at + layout__TRACED_STATION_STATION));
+        if (i > INT64_C(0))
+        {
+            way_t = (*cspan_at(&work_t, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_STATION));
+            way = (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_STATION));
+            v5 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_STRETCH)) + (*cspan_at(&work, at + layout__TRACED_STATION_STRETCH));
+            v6 = 0.5 * v5;
+            (*cspan_at(&work_t, at + layout__TRACED_STATION_PLACE)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_PLACE)) + (0.5 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_STRETCH)) + (*cspan_at(&work_t, at + layout__TRACED_STATION_STRETCH))) * way + v6 * way_t);
+            (*cspan_at(&work, at + layout__TRACED_STATION_PLACE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_PLACE)) + v6 * way;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``incline_station``. */
+static inline int64_t derivative_strip_surfaces__incline_station_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t at)
+{
+    double half_t;
+    double half;
+    double v1;
+    double v2;
+    double v3;
+    double scale_t;
+    double scale;
+    double v4;
+    double v5;
+    double cosine_t;
+    double cosine;
+    double v6;
     double v7;
     double v7_t;
-    double high_beta_t;
-    double high_beta;
-    double v9;
-    double v9_t;
-    double slant_t;
-    double slant;
-    double alpha;
-    double alpha_t;
-    double beta;
-    double beta_t;
-    double v10;
-    double v10_t;
-    double v11;
-    double v12;
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    double v13;
-    double v14;
-    double v14_t;
-    double overlap_t;
-    double overlap;
-    double v15;
-    double v16;
-    double farthest_t;
-    double farthest;
-    double v18;
-    double v17;
-    double v17_t;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    half_t = 0.5 * (*cspan_at(&work_t, at + layout__TRACED_STATION_RISE));
+    half = 0.5 * (*cspan_at(&work, at + layout__TRACED_STATION_RISE));
+    v1 = 1.0 + half * half;
+    v2 = sqrt(v1);
+    v3 = 1.0 / v2;
+    scale_t = (-v3) * derivative_rates__root_rate(v2, half_t * half + half * half_t) / v2;
+    scale = v3;
+    v4 = (*cspan_at(&work, at + layout__TRACED_STATION_COS)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    (*cspan_at(&work_t, at + layout__TRACED_STATION_SHARE)) = ((*cspan_at(&work_t, at + layout__TRACED_STATION_COS)) - v4 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    (*cspan_at(&work, at + layout__TRACED_STATION_SHARE)) = v4;
+    v5 = (*cspan_at(&work, at + layout__TRACED_STATION_COS)) - half * (*cspan_at(&work, at + layout__TRACED_STATION_SIN));
+    cosine_t = ((*cspan_at(&work_t, at + layout__TRACED_STATION_COS)) - (half_t * (*cspan_at(&work, at + layout__TRACED_STATION_SIN)) + half * (*cspan_at(&work_t, at + layout__TRACED_STATION_SIN)))) * scale + v5 * scale_t;
+    cosine = v5 * scale;
+    v6 = (*cspan_at(&work, at + layout__TRACED_STATION_SIN)) + half * (*cspan_at(&work, at + layout__TRACED_STATION_COS));
+    (*cspan_at(&work_t, at + layout__TRACED_STATION_SIN)) = ((*cspan_at(&work_t, at + layout__TRACED_STATION_SIN)) + (half_t * (*cspan_at(&work, at + layout__TRACED_STATION_COS)) + half * (*cspan_at(&work_t, at + layout__TRACED_STATION_COS)))) * scale + v6 * scale_t;
+    (*cspan_at(&work, at + layout__TRACED_STATION_SIN)) = v6 * scale;
+    (*cspan_at(&work_t, at + layout__TRACED_STATION_COS)) = cosine_t;
+    (*cspan_at(&work, at + layout__TRACED_STATION_COS)) = cosine;
+    (*cspan_at(&work_t, at + layout__TRACED_STATION_COUNTED)) = 0.0;
+    (*cspan_at(&work, at + layout__TRACED_STATION_COUNTED)) = 1.0;
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
     {
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index;
-        depth_t = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work_t, region + layout__REGION_GAP));
-        depth = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, region + layout__REGION_GAP));
-        middle_t = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
-        middle = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-        A_t = 0.5 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
-        A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-        derivative_strip_surfaces__zone_curvature_t(&v1, &v1_t, depth, depth_t, middle - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), middle_t - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)), A, A_t);
-        low_t = v1_t;
-        low = v1;
-        derivative_strip_surfaces__zone_curvature_t(&v2, &v2_t, depth, depth_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - middle, (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) - middle_t, A, A_t);
-        high_t = v2_t;
-        high = v2;
-        v3 = low * high;
-        v4 = sqrt(v3);
-        B_t = derivative_rates__root_rate(v4, low_t * high + low * high_t);
-        B = v4;
-        derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
-        lean_t = 0.0;
-        lean = 0.0;
-        v6 = A / low;
-        derivative_coefficients__table_value_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v6, (A_t - v6 * low_t) / low);
-        low_beta_t = v5_t;
-        low_beta = v5;
-        v8 = A / high;
-        derivative_coefficients__table_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v8, (A_t - v8 * high_t) / high);
-        high_beta_t = v7_t;
-        high_beta = v7;
-        if (frame__is_yawed(work))
-        {
-            derivative_strip_surfaces__ridge_slant_t(&v9, &v9_t, work, work_t, index);
-            slant_t = v9_t;
-            slant = v9;
-            derivative_coefficients__skewed_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, slant, slant_t);
-            derivative_coefficients__middle_slant_t(&v10, &v10_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, slant, slant_t);
-            lean_t = v10_t - slant_t;
-            lean = v10 - slant;
-            v11 = beta / one_beta;
-            low_beta_t = low_beta_t * v11 + low_beta * ((beta_t - v11 * one_beta_t) / one_beta);
-            low_beta = low_beta * v11;
-            v12 = beta / one_beta;
-            high_beta_t = high_beta_t * v12 + high_beta * ((beta_t - v12 * one_beta_t) / one_beta);
-            high_beta = high_beta * v12;
-            one_alpha_t = alpha_t;
-            one_alpha = alpha;
-        }
-        i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-        {
-            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-            if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
-            {
-                if (frame__is_yawed(work))
-                {
-                    v13 = strip_surfaces__LEAST_OVERLAP * depth;
-                    v14 = (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
-                    v14_t = (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP));
-                    if (v13 > v14)
-                    {
-                        v14 = v13;
-                        v14_t = strip_surfaces__LEAST_OVERLAP * depth_t;
-                    }
-                    overlap_t = v14_t;
-                    overlap = v14;
-                    v15 = overlap * (*cspan_at(&tables, pair + layout__PAIR_RADIUS));
-                    v16 = sqrt(v15);
-                    derivative_strip_surfaces__measure_ridge_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * v16, strip_lengths__TESTED * derivative_rates__root_rate(v16, overlap_t * (*cspan_at(&tables, pair + layout__PAIR_RADIUS))));
-                }
-                beta_t = low_beta_t;
-                beta = low_beta;
-                if ((*cspan_at(&work, strip + layout__STRIP_STATION)) > middle)
-                {
-                    beta_t = high_beta_t;
-                    beta = high_beta;
-                }
-                derivative_strip_surfaces__first_length_t(work, work_t, strip, depth, depth_t, one_alpha, one_alpha_t, beta, beta_t);
-                farthest_t = strip_surfaces__FIRST_LEAD * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
-                farthest = strip_surfaces__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-                v18 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - middle;
-                derivative_pressed__limited_t(&v17, &v17_t, lean * v18, lean_t * v18 + lean * ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - middle_t), farthest, farthest_t);
-                (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = v17_t;
-                (*cspan_at(&work, strip + layout__STRIP_LEAD)) = v17;
-            }
-        }
+        derivative_rails__upright_share_t(&v7, &v7_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, cosine_t, (*cspan_at(&work, at + layout__TRACED_STATION_SIN)), (*cspan_at(&work_t, at + layout__TRACED_STATION_SIN)));
+        (*cspan_at(&work_t, at + layout__TRACED_STATION_COUNTED)) = v7_t;
+        (*cspan_at(&work, at + layout__TRACED_STATION_COUNTED)) = v7;
     }
-    derivative_strip_lengths__limit_lengths_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
     return INT64_C(0);
 }
 
-/* Derivative of ``ridge_slant``. */
-static inline int64_t derivative_strip_surfaces__ridge_slant_t(double* slant, double* slant_t, array_double_1d work, array_double_1d work_t, int64_t index)
+/* Derivative of ``way_through``. */
+static inline int64_t derivative_strip_surfaces__way_through_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t j, double station, double station_t)
 {
-    int64_t first;
-    int64_t last;
-    int64_t i_end;
-    int64_t i;
+    double start_t;
+    double start;
     double v1;
     double v2;
-    double v3;
-    first = -INT64_C(1);
-    last = -INT64_C(1);
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))) == index)
-        {
-            if (first < INT64_C(0))
-            {
-                first = i;
-            }
-            last = i;
-        }
-    }
-    (*slant_t) = 0.0;
-    (*slant) = 0.0;
-    if (last > first)
-    {
-        v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_X)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_X));
-        v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION));
-        v3 = v1 / v2;
-        (*slant_t) = ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_X)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_X)) - v3 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION)))) / v2;
-        (*slant) = v3;
-    }
+    start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_STATION));
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_STATION));
+    v1 = station - start;
+    v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1)) + layout__TRACED_STATION_STATION)) - start;
+    (*v3) = v1 / v2;
+    (*result_1) = (station_t - start_t - (*v3) * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1)) + layout__TRACED_STATION_STATION)) - start_t)) / v2;
     return 0;
 }
 
-/* Derivative of ``zone_curvature``. */
-static inline int64_t derivative_strip_surfaces__zone_curvature_t(double* B, double* B_t, double depth, double depth_t, double width, double width_t, double A, double A_t)
+/* Derivative of ``between``. */
+static inline int64_t derivative_strip_surfaces__between_t(double* result_0, double* result_1, double low, double low_t, double high, double high_t, double u, double u_t)
 {
-    double most_t;
-    double most;
     double v1;
-    double v2;
-    double v3;
-    double v4;
-    double v4_t;
-    most_t = strip_surfaces__SHARPEST_ZONE * A_t;
-    most = strip_surfaces__SHARPEST_ZONE * A;
-    (*B_t) = most_t;
-    (*B) = most;
-    if (depth < most * width * width)
-    {
-        v1 = width * width;
-        v2 = depth / v1;
-        (*B_t) = (depth_t - v2 * (width_t * width + width * width_t)) / v1;
-        (*B) = v2;
-    }
-    v3 = strip_surfaces__FLATTEST_ZONE * A;
-    v4 = (*B);
-    v4_t = (*B_t);
-    if (v3 > v4)
-    {
-        v4 = v3;
-        v4_t = strip_surfaces__FLATTEST_ZONE * A_t;
-    }
-    (*B_t) = v4_t;
-    (*B) = v4;
+    v1 = high - low;
+    (*result_0) = low + u * v1;
+    (*result_1) = low_t + (u_t * v1 + u * (high_t - low_t));
     return 0;
 }
 
-/* Derivative of ``first_length``. */
-static inline int64_t derivative_strip_surfaces__first_length_t(array_double_1d work, array_double_1d work_t, int64_t strip, double depth, double depth_t, double one_alpha, double one_alpha_t, double one_beta, double one_beta_t)
+/* Derivative of ``rest_gap``. */
+static inline int64_t derivative_strip_surfaces__rest_gap_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t j, double station, double station_t)
 {
+    int64_t low;
+    int64_t high;
+    double way_t;
+    double way;
     double v1;
-    double level_t;
-    double level;
     double v2;
+    double u_t;
+    double u;
+    double v_t;
+    double v;
     double v3;
-    double v3_t;
-    double least_t;
-    double least;
     double v4;
-    double v4_t;
     double v5;
     double v6;
     double v7;
-    v1 = depth - (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
-    level_t = depth_t - (one_beta_t * v1 + one_beta * (depth_t - (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP))));
-    level = depth - one_beta * v1;
-    (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
-    (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(level > 0.0);
-    v2 = strip_surfaces__LEAST_OVERLAP * depth;
-    v3 = strip_surfaces__INSIDE * (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
-    v3_t = strip_surfaces__INSIDE * (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP));
-    if (v2 > v3)
-    {
-        v3 = v2;
-        v3_t = strip_surfaces__LEAST_OVERLAP * depth_t;
-    }
-    least_t = v3_t;
-    least = v3;
-    v4 = level;
-    v4_t = level_t;
-    if (least > v4)
-    {
-        v4 = least;
-        v4_t = least_t;
-    }
-    level_t = v4_t;
-    level = v4;
-    v5 = one_alpha * (*cspan_at(&work, strip + layout__STRIP_A));
-    v6 = level / v5;
-    v7 = sqrt(v6);
-    (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = derivative_rates__root_rate(v7, (level_t - v6 * (one_alpha_t * (*cspan_at(&work, strip + layout__STRIP_A)) + one_alpha * (*cspan_at(&work_t, strip + layout__STRIP_A)))) / v5);
-    (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = v7;
-    return INT64_C(0);
-}
-
-/* Derivative of ``lengths_before``. */
-static inline int64_t derivative_strip_surfaces__lengths_before_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
-{
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    derivative_strip_layout__length_before_t(work, work_t);
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if (frame__is_yawed(work))
-        {
-            derivative_strip_surfaces__measure_ridge_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), strip_lengths__TESTED * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
-        }
-    }
-    derivative_strip_lengths__limit_lengths_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
-    return INT64_C(0);
-}
-
-/* Derivative of ``set_gaps``. */
-static inline int64_t derivative_strip_surfaces__set_gaps_t(array_double_1d work, array_double_1d work_t)
-{
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    double v1;
-    double v1_t;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        derivative_strip_lengths__gap_beside_t(&v1, &v1_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*cspan_at(&work_t, strip + layout__STRIP_LEAD)));
-        (*cspan_at(&work_t, strip + layout__STRIP_GAP)) = (*cspan_at(&work_t, strip + layout__STRIP_SHARE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) + (*cspan_at(&work, strip + layout__STRIP_SHARE)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) + v1_t;
-        (*cspan_at(&work, strip + layout__STRIP_GAP)) = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) + v1;
-    }
-    return INT64_C(0);
+    double v8;
+    double v9;
+    double v10;
+    double v11;
+    double overlap_t;
+    double overlap;
+    double v12;
+    double v12_t;
+    low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j;
+    high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1));
+    way_t = (*cspan_at(&work_t, high + layout__TRACED_STATION_STATION)) - (*cspan_at(&work_t, low + layout__TRACED_STATION_STATION));
+    way = (*cspan_at(&work, high + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, low + layout__TRACED_STATION_STATION));
+    v1 = station - (*cspan_at(&work, low + layout__TRACED_STATION_STATION));
+    v2 = v1 / way;
+    u_t = (station_t - (*cspan_at(&work_t, low + layout__TRACED_STATION_STATION)) - v2 * way_t) / way;
+    u = v2;
+    v_t = -u_t;
+    v = 1.0 - u;
+    v3 = 1.0 + 2.0 * u;
+    v4 = v3 * v;
+    v5 = v4 * v;
+    v6 = u * u;
+    v7 = 3.0 - 2.0 * u;
+    v8 = v6 * v7;
+    v9 = u * v;
+    v10 = v9 * way;
+    v11 = v * (*cspan_at(&work, low + layout__TRACED_STATION_RISE)) - u * (*cspan_at(&work, high + layout__TRACED_STATION_RISE));
+    overlap_t = ((2.0 * u_t * v + v3 * v_t) * v + v4 * v_t) * (*cspan_at(&work, low + layout__TRACED_STATION_OVERLAP)) + v5 * (*cspan_at(&work_t, low + layout__TRACED_STATION_OVERLAP)) + (((u_t * u + u * u_t) * v7 + v6 * (-(2.0 * u_t))) * (*cspan_at(&work, high + layout__TRACED_STATION_OVERLAP)) + v8 * (*cspan_at(&work_t, high + layout__TRACED_STATION_OVERLAP))) + (((u_t * v + u * v_t) * way + v9 * way_t) * v11 + v10 * (v_t * (*cspan_at(&work, low + layout__TRACED_STATION_RISE)) + v * (*cspan_at(&work_t, low + layout__TRACED_STATION_RISE)) - (u_t * (*cspan_at(&work, high + layout__TRACED_STATION_RISE)) + u * (*cspan_at(&work_t, high + layout__TRACED_STATION_RISE)))));
+    overlap = v5 * (*cspan_at(&work, low + layout__TRACED_STATION_OVERLAP)) + v8 * (*cspan_at(&work, high + layout__TRACED_STATION_OVERLAP)) + v10 * v11;
+    derivative_strip_surfaces__between_t(&v12, &v12_t, (*cspan_at(&work, low + layout__TRACED_STATION_SHARE)), (*cspan_at(&work_t, low + layout__TRACED_STATION_SHARE)), (*cspan_at(&work, high + layout__TRACED_STATION_SHARE)), (*cspan_at(&work_t, high + layout__TRACED_STATION_SHARE)), u, u_t);
+    (*result_0) = v12 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - overlap;
+    (*result_1) = v12_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) + v12 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - overlap_t;
+    return 0;
 }

@@ -29,7 +29,6 @@ static inline int64_t derivative_circle__atan2_rule_t(double* result_0, double* 
 static inline int64_t derivative_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double ratio, double ratio_t);
 static inline int64_t derivative_coefficients__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v5, double* v5_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t);
 static inline int64_t derivative_coefficients__skewed_coefficients_t(double* v17, double* result_1, double* v18, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t);
-static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t);
 static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, double* result_1, double one_beta, double one_beta_t, double nr, double nr_t, double B, double B_t, double contact_modulus, double contact_modulus_t);
 static inline int64_t derivative_coefficients__second_difference_t(double* v5, double* result_1, array_double_1d work, array_double_1d work_t, int64_t values, int64_t k, double spacing, double spacing_t, int64_t window);
 static inline int64_t derivative_coefficients__secant_curvature_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t gaps, int64_t k, double spacing, double spacing_t, int64_t window, double middle, double middle_t);
@@ -306,7 +305,6 @@ static inline int64_t derivative_pressed__turning_point_t(double* result_0, doub
 static inline int64_t derivative_pressed_regions__touching_shift_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t point);
 static inline int64_t derivative_pressed_regions__press_frame_t(array_double_1d work, array_double_1d work_t, double height, double height_t, double depth, double depth_t, double gap, double gap_t);
 static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double penetration, double penetration_t);
-static inline int64_t derivative_pressed_regions__sink_deeper_t(array_double_1d work, array_double_1d work_t, int64_t count, double penetration, double penetration_t);
 static inline int64_t derivative_pressed_regions__open_pressed_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t point);
 static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t point);
 static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
@@ -401,54 +399,27 @@ static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d w
 static inline int64_t derivative_stiffness__stiffnesses_at_t(double* along, double* along_t, double* across, double* across_t, double* turning, double* turning_t, array_double_1d work, array_double_1d work_t, int64_t index, double station, double station_t);
 
 /* derivative_strip_contact.py */
-static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, double deepest_t);
-static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double deepest, double deepest_t);
-static inline int64_t derivative_strip_contact__lay_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, int64_t wanted);
-static inline int64_t derivative_strip_contact__solve_strips_t(double* r1, double* r1_t, bool* r2, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration);
-static inline int64_t derivative_strip_contact__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double force, double force_t, bool by_penetration);
-static inline int64_t derivative_strip_contact__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double force, double force_t, bool by_penetration);
-static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
+static inline int64_t derivative_strip_contact__open_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
+static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetration, double* penetration_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t first, int64_t last, double force, double force_t, bool by_penetration);
 static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t);
 
-/* derivative_strip_layout.py */
-static inline int64_t derivative_strip_layout__zone_cells_t(array_double_1d work, array_double_1d work_t, int64_t count);
-static inline int64_t derivative_strip_layout__touch_t(array_double_1d work, array_double_1d work_t, int64_t count);
-static inline int64_t derivative_strip_layout__loaded_share_t(double* share, double* share_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t i, double largest, double largest_t);
-static inline int64_t derivative_strip_layout__pressure_changes_t(double* change, double* change_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t i);
-static inline int64_t derivative_strip_layout__strip_cells_t(array_double_1d work, array_double_1d work_t);
-static inline int64_t derivative_strip_layout__run_of_cells_t(int64_t* last, double* weight, double* weight_t, array_double_1d work, array_double_1d work_t, int64_t first);
-static inline int64_t derivative_strip_layout__run_stop_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t index);
-static inline int64_t derivative_strip_layout__cut_run_t(array_double_1d work, array_double_1d work_t, int64_t first, int64_t made, int64_t number, double weight, double weight_t);
-static inline int64_t derivative_strip_layout__place_in_regions_t(array_double_1d work, array_double_1d work_t, int64_t count, int64_t region_count);
-static inline int64_t derivative_strip_layout__divide_cells_t(array_double_1d work, array_double_1d work_t, int64_t region_count, int64_t wanted);
-static inline int64_t derivative_strip_layout__cell_middle_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t cell);
-static inline int64_t derivative_strip_layout__length_before_t(array_double_1d work, array_double_1d work_t);
-
 /* derivative_strip_lengths.py */
-static inline int64_t derivative_strip_lengths__gap_beside_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t strip, double x, double x_t);
 static inline int64_t derivative_strip_lengths__corrected_t(double* v3, double* result_1, double ratio, double ratio_t, double power, double power_t);
-static inline int64_t derivative_strip_lengths__correct_strip_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double penetration, double penetration_t, double power, double power_t, bool yawed);
-static inline int64_t derivative_strip_lengths__neighbouring_length_t(double* half, double* half_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t i);
-static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, double power, double power_t, bool yawed);
-static inline int64_t derivative_strip_lengths__limit_lengths_t(array_double_1d work, array_double_1d work_t, int64_t count);
-static inline int64_t derivative_strip_lengths__adopt_lengths_t(array_double_1d work, array_double_1d work_t);
+static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, double penetration, double penetration_t, bool yawed);
+static inline int64_t derivative_strip_lengths__end_axis_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t inner, int64_t second);
+static inline int64_t derivative_strip_lengths__edge_move_t(double* v8, double* result_1, double half, double half_t, double wrong, double wrong_t, double root, double root_t);
+static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t first);
+static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t k);
+static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, bool yawed);
 
 /* derivative_strip_patches.py */
-static inline int64_t derivative_strip_patches__run_edge_t(double* edge, double* edge_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t last, int64_t first, int64_t outward);
 static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t index, double station, double station_t, double x, double x_t);
 static inline int64_t derivative_strip_patches__load_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t index);
-static inline int64_t derivative_strip_patches__end_like_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t edge, int64_t inner);
-static inline int64_t derivative_strip_patches__keep_strip_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t to);
-static inline int64_t derivative_strip_patches__divided_bend_t(double* v7, double* result_1, array_double_1d work, array_double_1d work_t, int64_t i, double before, double before_t, double value, double value_t, double after, double after_t);
-static inline int64_t derivative_strip_patches__square_bend_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, int64_t i);
-static inline int64_t derivative_strip_patches__cell_bend_t(double* bend, double* bend_t, array_double_1d work, array_double_1d work_t, int64_t i, int64_t first, int64_t last);
-static inline int64_t derivative_strip_patches__cell_area_t(double* result_0, double* result_1, double low, double low_t, double high, double high_t, double bend, double bend_t, double width, double width_t);
-static inline int64_t derivative_strip_patches__run_area_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t first, int64_t last, double start, double start_t, double stop, double stop_t);
-static inline int64_t derivative_strip_patches__summit_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t i, double before, double before_t, double value, double value_t, double after, double after_t);
-static inline int64_t derivative_strip_patches__largest_pressure_t(double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t last);
-static inline int64_t derivative_strip_patches__largest_square_t(double* square, double* square_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t last);
-static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t first, int64_t last);
+static inline int64_t derivative_strip_patches__roughness_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t g);
+static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t k);
+static inline int64_t derivative_strip_patches__largest_square_t(double* largest, double* largest_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t last, bool pressures);
+static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, int64_t k);
 static inline int64_t derivative_strip_patches__fill_from_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, int64_t count);
 static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count);
 
@@ -458,32 +429,44 @@ static inline int64_t derivative_strip_pressures__nearness_t(double* v3, double*
 static inline int64_t derivative_strip_pressures__apartness_t(double* v2, double* result_1, double x, double x_t, double half_length, double half_length_t);
 static inline int64_t derivative_strip_pressures__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t);
 static inline int64_t derivative_strip_pressures__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t);
-static inline int64_t derivative_strip_pressures__mean_at_t(double* v7, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double v, double v_t);
-static inline int64_t derivative_strip_pressures__begin_influences_t(array_double_1d work, array_double_1d work_t);
-static inline int64_t derivative_strip_pressures__fill_column_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t j, bool yawed);
-static inline int64_t derivative_strip_pressures__know_influences_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, bool yawed);
-static inline int64_t derivative_strip_pressures__far_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double x, double x_t, int64_t first, int64_t last);
-static inline int64_t derivative_strip_pressures__end_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double away, double away_t);
-static inline int64_t derivative_strip_pressures__list_loaded_t(array_double_1d work, array_double_1d work_t);
-static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_double_1d work_t, int64_t size);
-static inline int64_t derivative_strip_pressures__equilibrium_penetration_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t size, double force, double force_t);
-static inline int64_t derivative_strip_pressures__read_solution_t(array_double_1d work, array_double_1d work_t, int64_t size, double penetration, double penetration_t);
-static inline int64_t derivative_strip_pressures__exchange_strips_t(array_double_1d work, array_double_1d work_t, double penetration, double penetration_t, bool single);
-static inline int64_t derivative_strip_pressures__solve_pressures_t(double* result_0, double* result_1, bool* result_2_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration, bool yawed);
+static inline int64_t derivative_strip_pressures__spacing_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double slender, double slender_t);
+static inline int64_t derivative_strip_pressures__own_influence_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, bool tested);
+static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, bool yawed);
+static inline int64_t derivative_strip_pressures__tested_displacement_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, double away, double away_t);
+static inline int64_t derivative_strip_pressures__equilibrium_penetration_t(double* v6, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t);
+static inline int64_t derivative_strip_pressures__solve_pressures_t(double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration, bool yawed);
+
+/* derivative_strip_runs.py */
+static inline int64_t derivative_strip_runs__level_end_t(double* station, double* station_t, array_double_1d work, array_double_1d work_t, int64_t inside, int64_t outside, int64_t low, int64_t high);
+static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, array_double_1d work_t, int64_t low, int64_t high, double start, double start_t, double stop, double stop_t);
+static inline int64_t derivative_strip_runs__begin_curve_t(array_double_1d work, array_double_1d work_t, int64_t low, int64_t high);
+static inline int64_t derivative_strip_runs__adopt_runs_t(array_double_1d work, array_double_1d work_t);
+static inline int64_t derivative_strip_runs__run_station_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t run, double cosine, double cosine_t);
+static inline int64_t derivative_strip_runs__level_length_t(double* v8, double* result_1, array_double_1d work, array_double_1d work_t, int64_t j, double station, double station_t);
+static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, array_double_1d work_t, int64_t first, int64_t count);
+static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves);
+static inline int64_t derivative_strip_runs__gap_beside_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t strip, double x, double x_t);
+static inline int64_t derivative_strip_runs__lay_strip_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t low, int64_t high, double u, double u_t);
+static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves);
+static inline int64_t derivative_strip_runs__pressed_end_t(double* station, double* station_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t k, int64_t i, int64_t outward);
+static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t k, double largest, double largest_t);
+static inline int64_t derivative_strip_runs__sample_strips_t(double* v4, double* v4_t, double* v5, double* v5_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t low, double station, double station_t);
+static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves);
 
 /* derivative_strip_surfaces.py */
-static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t strip);
-static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count);
-static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_double_1d work_t, int64_t count);
-static inline int64_t derivative_strip_surfaces__incline_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables);
-static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, double* z_t, array_double_1d tables, int64_t pair, double y, double y_t);
-static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t strip, double away, double away_t);
 static inline int64_t derivative_strip_surfaces__zone_curvature_t(double* B, double* B_t, double depth, double depth_t, double width, double width_t, double A, double A_t);
-static inline int64_t derivative_strip_surfaces__ridge_slant_t(double* slant, double* slant_t, array_double_1d work, array_double_1d work_t, int64_t index);
-static inline int64_t derivative_strip_surfaces__first_length_t(array_double_1d work, array_double_1d work_t, int64_t strip, double depth, double depth_t, double one_alpha, double one_alpha_t, double one_beta, double one_beta_t);
-static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count);
-static inline int64_t derivative_strip_surfaces__lengths_before_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
-static inline int64_t derivative_strip_surfaces__set_gaps_t(array_double_1d work, array_double_1d work_t);
+static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t zone, double A, double A_t);
+static inline int64_t derivative_strip_surfaces__measure_zone_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, double deepest_t);
+static inline int64_t derivative_strip_surfaces__find_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double deepest, double deepest_t);
+static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, double* z_t, array_double_1d tables, int64_t pair, double y, double y_t);
+static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t at, double away, double away_t);
+static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t zone, int64_t at);
+static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_double_1d work_t);
+static inline int64_t derivative_strip_surfaces__incline_station_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t at);
+static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count);
+static inline int64_t derivative_strip_surfaces__way_through_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t j, double station, double station_t);
+static inline int64_t derivative_strip_surfaces__between_t(double* result_0, double* result_1, double low, double low_t, double high, double high_t, double u, double u_t);
+static inline int64_t derivative_strip_surfaces__rest_gap_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t j, double station, double station_t);
 
 /* derivative_tables.py */
 static inline int64_t derivative_tables__table_cell_t(int64_t* cell, double* result_1, double* result_2, double u, double u_t, double last, double last_t);

@@ -88,56 +88,27 @@ static inline int64_t patch_places__place_patches(array_double_1d tables, array_
 static inline int64_t patch_places__place_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch);
 
 /* normal/strip_contact.py */
-static inline int64_t strip_contact__measure_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, double deepest);
-static inline int64_t strip_contact__find_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double deepest);
-static inline int64_t strip_contact__lay_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, int64_t wanted);
-static inline int64_t strip_contact__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, double force, bool by_penetration);
-static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, bool by_penetration);
-static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, bool by_penetration);
-static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair);
+static inline int64_t strip_contact__open_runs(array_double_1d tables, array_double_1d work, int64_t pair);
+static inline double strip_contact__sweep_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t first, int64_t last, double force, bool by_penetration);
 static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double force);
 
-/* normal/strip_layout.py */
-static inline int64_t strip_layout__zone_cells(array_double_1d work, int64_t count);
-static inline int64_t strip_layout__touch(array_double_1d work, int64_t count);
-static inline double strip_layout__loaded_share(array_double_1d work, int64_t count, int64_t i, double largest);
-static inline double strip_layout__pressure_changes(array_double_1d work, int64_t count, int64_t i);
-static inline int64_t strip_layout__strip_cells(array_double_1d work);
-static inline bool strip_layout__continued(array_double_1d work, int64_t index);
-static inline int64_t strip_layout__run_of_cells(int64_t* last, double* weight, array_double_1d work, int64_t first);
-static inline double strip_layout__run_stop(array_double_1d work, int64_t index);
-static inline int64_t strip_layout__cut_run(array_double_1d work, int64_t first, int64_t made, int64_t number, double weight);
-static inline int64_t strip_layout__place_in_regions(array_double_1d work, int64_t count, int64_t region_count);
-static inline int64_t strip_layout__divide_cells(array_double_1d work, int64_t region_count, int64_t wanted);
-static inline double strip_layout__cell_middle(array_double_1d work, int64_t cell);
-static inline int64_t strip_layout__length_before(array_double_1d work);
-
 /* normal/strip_lengths.py */
-static inline double strip_lengths__gap_beside(array_double_1d work, int64_t strip, double x);
 static inline double strip_lengths__corrected(double ratio, double power);
-static inline double strip_lengths__correct_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double penetration, double power, bool yawed);
-static inline double strip_lengths__neighbouring_length(array_double_1d work, int64_t count, int64_t i);
-static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, double power, bool yawed);
-static inline int64_t strip_lengths__limit_lengths(array_double_1d work, int64_t count);
-static inline int64_t strip_lengths__adopt_lengths(array_double_1d work);
+static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_double_1d tables, int64_t i, double penetration, bool yawed);
+static inline int64_t strip_lengths__end_axis(array_double_1d work, int64_t strip, int64_t inner, int64_t second);
+static inline double strip_lengths__edge_move(double half, double wrong, double root);
+static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first);
+static inline int64_t strip_lengths__finish_strips(array_double_1d work, array_double_1d tables, int64_t k);
+static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, bool yawed);
 
 /* normal/strip_patches.py */
-static inline int64_t strip_patches__run_end(array_double_1d work, int64_t count, int64_t first);
-static inline double strip_patches__run_edge(array_double_1d work, int64_t count, int64_t last, int64_t first, int64_t outward);
 static inline int64_t strip_patches__slant_region(array_double_1d work, int64_t region, int64_t index, double station, double x);
 static inline int64_t strip_patches__load_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t index);
-static inline int64_t strip_patches__end_like_ellipse(array_double_1d work, int64_t edge, int64_t inner);
-static inline int64_t strip_patches__keep_strip(array_double_1d work, int64_t strip, int64_t to);
-static inline double strip_patches__divided_bend(array_double_1d work, int64_t i, double before, double value, double after);
-static inline double strip_patches__square_bend(array_double_1d work, int64_t i);
-static inline double strip_patches__cell_bend(array_double_1d work, int64_t i, int64_t first, int64_t last);
-static inline double strip_patches__cell_area(double low, double high, double bend, double width);
-static inline double strip_patches__run_area(array_double_1d work, int64_t first, int64_t last, double start, double stop);
-static inline double strip_patches__summit(array_double_1d work, int64_t i, double before, double value, double after);
-static inline double strip_patches__largest_pressure(array_double_1d work, int64_t first, int64_t last);
-static inline double strip_patches__largest_square(array_double_1d work, int64_t first, int64_t last);
-static inline int64_t strip_patches__fill_run(array_double_1d work, int64_t side, int64_t first, int64_t last);
+static inline double strip_patches__roughness(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t g);
+static inline int64_t strip_patches__fill_fine_strips(array_double_1d work, array_double_1d tables, int64_t k);
+static inline double strip_patches__largest_square(array_double_1d work, int64_t first, int64_t last, bool pressures);
+static inline int64_t strip_patches__fill_run(array_double_1d work, array_double_1d tables, int64_t side, int64_t k);
 static inline int64_t strip_patches__fill_from_strips(array_double_1d work, array_double_1d tables, int64_t side, int64_t count);
 static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_double_1d tables, int64_t count);
 
@@ -148,32 +119,45 @@ static inline double strip_pressures__apartness(double x, double half_length);
 static inline int64_t strip_pressures__cell_at(double place, int64_t count);
 static inline double strip_pressures__influence_at(array_double_1d tables, int64_t table, int64_t first, double u, double v);
 static inline double strip_pressures__middle_influence(array_double_1d tables, int64_t table, int64_t first, double u);
-static inline double strip_pressures__mean_at(array_double_1d tables, array_double_1d work, int64_t table, int64_t strip, double distance, double v);
-static inline int64_t strip_pressures__begin_influences(array_double_1d work);
-static inline int64_t strip_pressures__fill_column(array_double_1d tables, array_double_1d work, int64_t table, int64_t j, bool yawed);
-static inline int64_t strip_pressures__know_influences(array_double_1d tables, array_double_1d work, int64_t table, bool yawed);
-static inline double strip_pressures__far_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double x, int64_t first, int64_t last);
-static inline double strip_pressures__end_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double away);
-static inline int64_t strip_pressures__list_loaded(array_double_1d work);
-static inline int64_t strip_pressures__write_equations(array_double_1d work, int64_t size);
-static inline double strip_pressures__equilibrium_penetration(array_double_1d work, array_double_1d tables, int64_t size, double force);
-static inline int64_t strip_pressures__read_solution(array_double_1d work, int64_t size, double penetration);
-static inline int64_t strip_pressures__exchange_strips(array_double_1d work, double penetration, bool single);
-static inline int64_t strip_pressures__solve_pressures(double* result_0, bool* result_1_0001, array_double_1d work, array_double_1d tables, double force, bool by_penetration, bool yawed);
+static inline double strip_pressures__spacing_at(array_double_1d tables, int64_t table, int64_t first, double slender);
+static inline double strip_pressures__own_influence(array_double_1d work, array_double_1d tables, int64_t i, bool tested);
+static inline int64_t strip_pressures__write_equations(array_double_1d work, array_double_1d tables, bool yawed);
+static inline double strip_pressures__tested_displacement(array_double_1d work, array_double_1d tables, int64_t i, double away);
+static inline double strip_pressures__equilibrium_penetration(array_double_1d work, array_double_1d tables, double force);
+static inline double strip_pressures__solve_pressures(array_double_1d work, array_double_1d tables, double force, bool by_penetration, bool yawed);
+
+/* normal/strip_runs.py */
+static inline double strip_runs__level_end(array_double_1d work, int64_t inside, int64_t outside, int64_t low, int64_t high);
+static inline int64_t strip_runs__add_run(array_double_1d work, int64_t low, int64_t high, double start, double stop);
+static inline int64_t strip_runs__begin_curve(array_double_1d work, int64_t low, int64_t high);
+static inline int64_t strip_runs__adopt_runs(array_double_1d work);
+static inline double strip_runs__run_station(array_double_1d work, int64_t run, double cosine);
+static inline double strip_runs__level_length(array_double_1d work, int64_t j, double station);
+static inline int64_t strip_runs__raise_axes(array_double_1d work, int64_t first, int64_t count);
+static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_double_1d work, int64_t waves);
+static inline double strip_runs__gap_beside(array_double_1d work, int64_t strip, double x);
+static inline int64_t strip_runs__lay_strip(array_double_1d work, int64_t strip, int64_t low, int64_t high, double u);
+static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_double_1d work, int64_t waves);
+static inline double strip_runs__pressed_end(array_double_1d tables, array_double_1d work, int64_t waves, int64_t k, int64_t i, int64_t outward);
+static inline int64_t strip_runs__part_run(array_double_1d tables, array_double_1d work, int64_t waves, int64_t k, double largest);
+static inline int64_t strip_runs__sample_strips(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t waves, int64_t low, double station);
+static inline int64_t strip_runs__renew_runs(array_double_1d tables, array_double_1d work, int64_t waves);
 
 /* normal/strip_surfaces.py */
-static inline int64_t strip_surfaces__trace_strip(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t strip);
-static inline int64_t strip_surfaces__trace_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count);
-static inline int64_t strip_surfaces__place_on_middle(array_double_1d work, int64_t count);
-static inline int64_t strip_surfaces__incline_strips(array_double_1d work, array_double_1d tables);
-static inline double strip_surfaces__profile_within(array_double_1d tables, int64_t pair, double y);
-static inline int64_t strip_surfaces__measure_ridge(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t strip, double away);
 static inline double strip_surfaces__zone_curvature(double depth, double width, double A);
-static inline double strip_surfaces__ridge_slant(array_double_1d work, int64_t index);
-static inline int64_t strip_surfaces__first_length(array_double_1d work, int64_t strip, double depth, double one_alpha, double one_beta);
-static inline int64_t strip_surfaces__first_lengths(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count);
-static inline int64_t strip_surfaces__lengths_before(array_double_1d tables, array_double_1d work, int64_t pair);
-static inline int64_t strip_surfaces__set_gaps(array_double_1d work);
+static inline int64_t strip_surfaces__weigh_zone(array_double_1d work, array_double_1d tables, int64_t zone, double A);
+static inline int64_t strip_surfaces__measure_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, double deepest);
+static inline int64_t strip_surfaces__find_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double deepest);
+static inline double strip_surfaces__profile_within(array_double_1d tables, int64_t pair, double y);
+static inline int64_t strip_surfaces__measure_ridge(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t at, double away);
+static inline int64_t strip_surfaces__trace_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, int64_t at);
+static inline int64_t strip_surfaces__place_on_middle(array_double_1d work);
+static inline int64_t strip_surfaces__incline_station(array_double_1d work, array_double_1d tables, int64_t at);
+static inline int64_t strip_surfaces__trace_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count);
+static inline int64_t strip_surfaces__interval(array_double_1d work, int64_t first, int64_t high, double station);
+static inline double strip_surfaces__way_through(array_double_1d work, int64_t j, double station);
+static inline double strip_surfaces__between(double low, double high, double u);
+static inline double strip_surfaces__rest_gap(array_double_1d work, int64_t j, double station);
 
 
 /* ---- From normal/analyn.py; change that one.
@@ -2270,162 +2254,19 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
  * (docs/method.md, section 9).
  *
  * Each strip has a place s_j along the rail, a middle x_j and a half-length a_j along the track, and the
- * pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  One round of
+ * pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  Wheel and rail are traced once
+ * (strip_surfaces); the strips lie in runs from edge to edge, which begin like ANALYN's patches (strip_runs).  One
+ * round of
  *
- * 1. solve sum_j F_ij y_j = c_i penetration - g_i with y = h p / (pi E*) >= 0 and the given force, eq. (S5)
- *    (strip_pressures); F_ij is how strip j displaces the middle of strip i, eqs. (S2) and (S4)
+ * 1. solve sum_j F_ij y_j = c_i penetration - g_i with y = p / (pi E*) and the given force, eq. (S5)
  *    (strip_pressures),
  * 2. correct every half-length by how much less the surface is displaced towards the ends of the strip than the
- *    gap rises, and let the middle move to where both ends are alike, eqs. (S6) and (S7) (strip_lengths)
+ *    gap rises, and let the middle move to where both ends are alike, eqs. (S6) and (S7); let the edges move to
+ *    where the pressure falls like a square root, eq. (S14) (strip_lengths),
+ * 3. cut runs where they pull, and join those that have met (strip_runs)
  *
- * is a sweep.  Strips are laid twice (strip_layout): evenly over the overlap, and by the pressures that were
- * found.
- *
- * The first strips lie where wheel and rail overlap as they are laid.
+ * is a sweep.  There are always as many, so that results follow the pose smoothly.
  */
-
-/* The zones of ``count`` regions, of which the deepest overlaps by ``deepest`` [m]. */
-static inline int64_t strip_contact__find_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double deepest)
-{
-    int64_t index;
-    int64_t region;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
-    {
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        frame__enter_plane(work, region, index);
-        strip_contact__measure_zone(tables, work, pair, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest);
-        frame__leave_plane(work, region);
-    }
-    return INT64_C(0);
-}
-
-/* The zone of a region whose frame is open; without width where nothing overlaps. */
-static inline int64_t strip_contact__measure_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, double deepest)
-{
-    double depth;
-    double shallow;
-    double level;
-    double bend;
-    double estimate;
-    double high;
-    double low;
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
-    depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
-    shallow = double_min(2, strip_contact__SHALLOW * deepest, strip_contact__OWN_SHALLOW * depth);
-    level = depth - shallow;
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
-    if (level > 0.0)
-    {
-        (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = level;
-        bend = double_max(2, (*cspan_at(&work, region + layout__REGION_BEND)), (*cspan_at(&work, region + layout__REGION_CURVATURE)));
-        estimate = sqrt(2.0 * level / bend);
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-        high = widths__zone_width(tables, work, pair, region, 1.0, level, estimate);
-        low = widths__zone_width(tables, work, pair, region, -1.0, level, high);
-        (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + high;
-        (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) -= low;
-    }
-    return INT64_C(0);
-}
-
-/* Divide the cells into about ``wanted`` strips, with the surfaces at each. */
-static inline int64_t strip_contact__lay_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, int64_t wanted)
-{
-    strip_layout__divide_cells(work, count, wanted);
-    strip_surfaces__trace_strips(tables, work, pair, count);
-    strip_surfaces__place_on_middle(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
-    strip_surfaces__incline_strips(work, tables);
-    return INT64_C(0);
-}
-
-/* Strips that lie evenly over the zones of ``count`` regions, as the cells of the second layout; their
- * penetration [m] under ``force`` [N], or the problem's where ``by_penetration``, and whether found.
- */
-static inline int64_t strip_contact__first_layout(double* result_0, bool* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, bool by_penetration)
-{
-    double penetration;
-    bool found;
-    int64_t sweep;
-    strip_layout__zone_cells(work, count);
-    strip_contact__lay_strips(tables, work, pair, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
-    strip_surfaces__first_lengths(tables, work, pair, count);
-    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    found = 0;
-    for (sweep = INT64_C(0); sweep < strip_contact__FIRST_SWEEPS; sweep += INT64_C(1))
-    {
-        strip_contact__solve_strips(&penetration, &found, work, tables, force, by_penetration);
-        if (!found)
-        {
-            (*result_0) = penetration;
-            (*result_1) = found;
-            return 0;
-        }
-        strip_lengths__correct_lengths(work, tables, penetration, strip_lengths__FIRST_POWER, frame__is_yawed(work));
-        strip_lengths__adopt_lengths(work);
-    }
-    strip_layout__strip_cells(work);
-    (*result_0) = penetration;
-    (*result_1) = found;
-    return 0;
-}
-
-/* Strips that are laid by the pressures of the first layout, solved; results as there.
- *
- * Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries
- * that, the strips are those of a wheel that is pressed so deep.  The last correction is for the patches
- * alone.
- */
-static inline int64_t strip_contact__second_layout(double* result_0, bool* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double force, bool by_penetration)
-{
-    double penetration;
-    bool found;
-    int64_t sweep_end;
-    int64_t sweep;
-    bool last;
-    bool given;
-    strip_contact__lay_strips(tables, work, pair, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
-    strip_surfaces__lengths_before(tables, work, pair);
-    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    found = 0;
-    sweep_end = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
-    for (sweep = INT64_C(0); sweep < sweep_end; sweep += INT64_C(1))
-    {
-        last = sweep == (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))) - INT64_C(1);
-        given = 1;
-        if (last || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0))
-        {
-            given = by_penetration;
-        }
-        strip_contact__solve_strips(&penetration, &found, work, tables, force, given);
-        if (!found)
-        {
-            (*result_0) = penetration;
-            (*result_1) = found;
-            return 0;
-        }
-        if ((!last) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
-        {
-            strip_lengths__correct_lengths(work, tables, penetration, strip_lengths__POWER, frame__is_yawed(work));
-        }
-        if (!last)
-        {
-            strip_lengths__adopt_lengths(work);
-        }
-    }
-    (*result_0) = penetration;
-    (*result_1) = found;
-    return 0;
-}
-
-/* Pressures of the strips as they lie; penetration [m], and whether found. */
-static inline int64_t strip_contact__solve_strips(double* result_0, bool* result_1, array_double_1d work, array_double_1d tables, double force, bool by_penetration)
-{
-    strip_surfaces__set_gaps(work);
-    strip_pressures__begin_influences(work);
-    strip_pressures__solve_pressures(result_0, result_1, work, tables, force, by_penetration, frame__is_yawed(work));
-    return 0;
-}
 
 /* Fill the patches of a side by strips if they are wanted; penetration [m], number of regions, and
  * whether the force is satisfied.
@@ -2436,28 +2277,27 @@ static inline int64_t strip_contact__solve_strips(double* result_0, bool* result
 static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
 {
     bool by_penetration;
+    int64_t sweeps;
     int64_t count;
     double penetration;
-    bool satisfied;
-    double estimate;
     int64_t repeat;
+    double estimate;
+    bool satisfied;
     by_penetration = isfinite(prescribed);
+    sweeps = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        /* where it is, it has its penetration */
-        count = strip_contact__open_zones(tables, work, pair);
-        strip_contact__first_layout(&penetration, &satisfied, tables, work, pair, count, force, 1);
+        count = strip_contact__open_runs(tables, work, pair);
+        penetration = strip_contact__sweep_strips(tables, work, pair, INT64_C(0), sweeps, force, by_penetration);
     }
     else
     {
-        estimate = prescribed;
+        penetration = prescribed;
         if (!by_penetration)
         {
-            estimate = estimate__first_penetration(tables, work, pair, force);
+            penetration = estimate__first_penetration(tables, work, pair, force);
         }
-        penetration = estimate;
         count = INT64_C(0);
-        satisfied = 0;
         for (repeat = INT64_C(0); repeat < strip_contact__SINKINGS; repeat += INT64_C(1))
         {
             estimate = penetration;
@@ -2469,31 +2309,24 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
                 (*result_2) = 0;
                 return 0;
             }
-            count = strip_contact__open_zones(tables, work, pair);
-            strip_contact__first_layout(&penetration, &satisfied, tables, work, pair, count, force, by_penetration);
-            if ((!satisfied) || (penetration < strip_contact__SUNK_DEEPER * estimate))
+            count = strip_contact__open_runs(tables, work, pair);
+            penetration = strip_contact__sweep_strips(tables, work, pair, INT64_C(0), strip_contact__FIRST_SWEEPS, force, by_penetration);
+            if (fabs(penetration - estimate) < strip_contact__SUNK_WRONG * estimate)
             {
                 break;
             }
         }
-        if (satisfied && (!by_penetration))
-        {
-            pressed_regions__sink_deeper(work, count, penetration);
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = penetration;
-        }
+        penetration = strip_contact__sweep_strips(tables, work, pair, strip_contact__FIRST_SWEEPS, sweeps, force, by_penetration);
     }
-    if (satisfied)
-    {
-        strip_contact__second_layout(&penetration, &satisfied, tables, work, pair, count, force, by_penetration);
-    }
+    satisfied = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
     if (satisfied)
     {
         strip_patches__add_stiffness(work, tables, count);
-    }
-    if (satisfied && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
-    {
-        frame__locate_along_track(tables, work, pair, count);
-        strip_patches__fill_from_strips(work, tables, side, count);
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
+        {
+            frame__locate_along_track(tables, work, pair, count);
+            strip_patches__fill_from_strips(work, tables, side, count);
+        }
     }
     (*result_0_0001) = penetration;
     (*result_1) = count;
@@ -2501,13 +2334,14 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
     return 0;
 }
 
-/* As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first layout alone
+/* As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first sweeps alone
  * and without patches: about a per cent off.
  */
 static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double force)
 {
-    (*count) = strip_contact__open_zones(tables, work, pair);
-    strip_contact__first_layout(penetration, satisfied, tables, work, pair, (*count), force, 0);
+    (*count) = strip_contact__open_runs(tables, work, pair);
+    (*penetration) = strip_contact__sweep_strips(tables, work, pair, INT64_C(0), strip_contact__FIRST_SWEEPS, force, 0);
+    (*satisfied) = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
     if ((*satisfied))
     {
         strip_patches__add_stiffness(work, tables, (*count));
@@ -2515,374 +2349,59 @@ static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t
     return 0;
 }
 
-/* Open the regions where the wheel overlaps its rail, and their zones; how many. */
-static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair)
+/* Open the regions where the wheel overlaps its rail, trace both there, and begin the runs; how many
+ * regions.
+ */
+static inline int64_t strip_contact__open_runs(array_double_1d tables, array_double_1d work, int64_t pair)
 {
     int64_t deepest;
     int64_t count;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     count = pressed_regions__gather_overlaps(tables, work, pair);
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    strip_contact__find_zones(tables, work, pair, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)));
+    strip_surfaces__find_zones(tables, work, pair, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)));
+    strip_surfaces__trace_zones(tables, work, pair, count);
+    strip_runs__begin_runs(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
     return count;
 }
 
-
-/* ---- From normal/strip_layout.py; change that one.
+/* Make the sweeps ``first`` ... ``last`` - 1; penetration [m].
  *
- * How the rail is divided into strips: evenly over the zones first, then by the pressure that was found.
- *
- * Pieces of the rail have weights.  Each run of pieces that touch gets as many strips as its weight is worth,
- * all of one weight, and no fewer than FEWEST: with less a patch has no shape.
+ * Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries
+ * that, the strips are those of a wheel that is pressed so deep.
  */
-
-/* The zones of ``count`` regions as cells, weighted by how wide and how deep they are. */
-static inline int64_t strip_layout__zone_cells(array_double_1d work, int64_t count)
+static inline double strip_contact__sweep_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t first, int64_t last, double force, bool by_penetration)
 {
-    double width;
-    double depth;
-    int64_t index;
-    int64_t cells;
-    int64_t zone;
-    int64_t cell;
-    width = 0.0;
-    depth = 0.0;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    bool yawed;
+    int64_t sweep;
+    bool given;
+    double penetration;
+    yawed = frame__is_yawed(work);
+    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    for (sweep = first; sweep < last; sweep += INT64_C(1))
     {
-        width += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_START));
-        depth += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_LEVEL));
-    }
-    cells = INT64_C(0);
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
-    {
-        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index;
-        if ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) > (*cspan_at(&work, zone + layout__STRIP_ZONE_START)))
+        if (sweep > INT64_C(0))
         {
-            cell = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * cells;
-            (*cspan_at(&work, cell + layout__STRIP_CELL_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
-            (*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP));
-            (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) = (1.0 - strip_layout__DEEP) * ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START))) / width + strip_layout__DEEP * (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) / depth;
-            cells += INT64_C(1);
+            strip_runs__renew_runs(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
         }
-    }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)) = (double)(cells);
-    return INT64_C(0);
-}
-
-/* Note which strips touch the next one. */
-static inline int64_t strip_layout__touch(array_double_1d work, int64_t count)
-{
-    int64_t i;
-    bool joined;
-    double reach;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        joined = 0;
-        if (i < count - INT64_C(1))
+        given = by_penetration;
+        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)) && (sweep < last - INT64_C(1)))
         {
-            reach = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_WIDTH)));
-            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) < reach + strip_layout__TOUCHING)
-            {
-                joined = 1;
-            }
+            given = 1;
         }
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) = (double)(joined);
+        strip_runs__lay_strips(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+        penetration = strip_pressures__solve_pressures(work, tables, force, given, yawed);
+        strip_lengths__correct_lengths(work, tables, penetration, yawed);
     }
-    return INT64_C(0);
-}
-
-/* The solved strips as cells, weighted by their pressures. */
-static inline int64_t strip_layout__strip_cells(array_double_1d work)
-{
-    int64_t count;
-    double largest;
-    int64_t i;
-    double width;
-    double change;
-    int64_t strip;
-    int64_t cell;
-    double weight;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    largest = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        largest = double_max(2, largest, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)));
-    }
-    width = 0.0;
-    change = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        width += strip_layout__loaded_share(work, count, i, largest) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
-        if ((i < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) == 1.0))
-        {
-            change += fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)));
-        }
-    }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        cell = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * i;
-        (*cspan_at(&work, cell + layout__STRIP_CELL_START)) = (*cspan_at(&work, strip + layout__STRIP_STATION)) - 0.5 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        (*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) = (*cspan_at(&work, strip + layout__STRIP_STATION)) + 0.5 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        (*cspan_at(&work, cell + layout__STRIP_CELL_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-        (*cspan_at(&work, cell + layout__STRIP_CELL_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
-        (*cspan_at(&work, cell + layout__STRIP_CELL_LOADED)) = (double)((*cspan_at(&work, strip + layout__STRIP_PRESSURE)) > 0.0);
-        weight = strip_layout__EVEN * strip_layout__loaded_share(work, count, i, largest) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) / width;
-        if (change > 0.0)
-        {
-            weight += (1.0 - strip_layout__EVEN) * 0.5 * strip_layout__pressure_changes(work, count, i) / change;
-        }
-        (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) = weight;
-    }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)) = (double)(count);
-    return INT64_C(0);
-}
-
-/* How far strip ``i`` counts as loaded, where the ``largest`` pressure is given [Pa]. */
-static inline double strip_layout__loaded_share(array_double_1d work, int64_t count, int64_t i, double largest)
-{
-    double pressure;
-    double share;
-    pressure = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
-    if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_JOINED)) == 1.0))
-    {
-        pressure = double_max(2, pressure, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE)));
-    }
-    if ((i < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) == 1.0))
-    {
-        pressure = double_max(2, pressure, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)));
-    }
-    share = double_min(2, pressure / (strip_layout__LOADED * largest), 1.0);
-    return share;
-}
-
-/* Changes of the pressure from strip ``i`` to those that touch it [Pa]. */
-static inline double strip_layout__pressure_changes(array_double_1d work, int64_t count, int64_t i)
-{
-    double change;
-    change = 0.0;
-    if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_JOINED)) == 1.0))
-    {
-        change += fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE)));
-    }
-    if ((i < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) == 1.0))
-    {
-        change += fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)));
-    }
-    return change;
-}
-
-/* Cut about ``wanted`` strips from the cells, from each run of cells that touch as many as its weight is
- * worth; more, where there are several runs.
- */
-static inline int64_t strip_layout__divide_cells(array_double_1d work, int64_t region_count, int64_t wanted)
-{
-    double total;
-    int64_t index_end;
-    int64_t index;
-    double squares;
-    int64_t first;
-    int64_t last;
-    double weight;
-    double several;
-    double each;
-    int64_t made;
-    int64_t number;
-    total = 0.0;
-    index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)));
-    for (index = INT64_C(0); index < index_end; index += INT64_C(1))
-    {
-        total += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
-    }
-    squares = 0.0;
-    first = INT64_C(0);
-    while(first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))))
-    {
-        strip_layout__run_of_cells(&last, &weight, work, first);
-        squares += weight * weight;
-        first = last + INT64_C(1);
-    }
-    several = total * total / squares - 1.0;
-    each = total / ((double)(wanted) * (1.0 + strip_layout__MORE * several));
-    made = INT64_C(0);
-    first = INT64_C(0);
-    while(first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))))
-    {
-        strip_layout__run_of_cells(&last, &weight, work, first);
-        if (weight > 0.0)
-        {
-            number = int64_t_min(2, int64_t_max(2, (int64_t)(weight / each + 0.5), strip_layout__FEWEST), layout__STRIP_LIMIT - made);
-            strip_layout__cut_run(work, first, made, number, weight);
-            made += number;
-        }
-        first = last + INT64_C(1);
-    }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = (double)(made);
-    strip_layout__touch(work, made);
-    strip_layout__place_in_regions(work, made, region_count);
-    return INT64_C(0);
-}
-
-/* The last cell of the run of cells that touch and begins with ``first``, and the weight of the run. */
-static inline int64_t strip_layout__run_of_cells(int64_t* last, double* weight, array_double_1d work, int64_t first)
-{
-    (*last) = first;
-    (*weight) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_WEIGHT));
-    while(((*last) < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1)) && ((*weight) > 0.0) && strip_layout__continued(work, (*last)))
-    {
-        (*last) += INT64_C(1);
-        (*weight) += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * (*last) + layout__STRIP_CELL_WEIGHT));
-    }
-    return 0;
-}
-
-/* Whether the cell after ``index`` touches it and has a weight. */
-static inline bool strip_layout__continued(array_double_1d work, int64_t index)
-{
-    int64_t following;
-    bool result;
-    following = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * (index + INT64_C(1));
-    result = ((*cspan_at(&work, following + layout__STRIP_CELL_WEIGHT)) > 0.0) && ((*cspan_at(&work, following + layout__STRIP_CELL_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_STOP)) < strip_layout__TOUCHING);
-    return result;
-}
-
-/* Cut ``number`` strips of equal weight from a run of cells that begins with ``first`` and has this
- * ``weight``; strips are numbered from ``made`` on.
- */
-static inline int64_t strip_layout__cut_run(array_double_1d work, int64_t first, int64_t made, int64_t number, double weight)
-{
-    double each;
-    int64_t index;
-    double done;
-    double edge;
-    int64_t cut;
-    double wanted;
-    int64_t cell;
-    double stop;
-    int64_t strip;
-    each = weight / (double)(number);
-    index = first;
-    done = 0.0;
-    edge = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_START));
-    for (cut = INT64_C(0); cut < number; cut += INT64_C(1))
-    {
-        wanted = each * (double)(cut + INT64_C(1));
-        while((cut < number - INT64_C(1)) && (done + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT)) < wanted))
-        {
-            done += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
-            index += INT64_C(1);
-        }
-        cell = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index;
-        stop = (*cspan_at(&work, cell + layout__STRIP_CELL_START)) + (wanted - done) / (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) * ((*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) - (*cspan_at(&work, cell + layout__STRIP_CELL_START)));
-        if (cut == number - INT64_C(1))
-        {
-            stop = strip_layout__run_stop(work, index);
-        }
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (made + cut);
-        (*cspan_at(&work, strip + layout__STRIP_STATION)) = 0.5 * (edge + stop);
-        (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = stop - edge;
-        edge = stop;
-    }
-    return INT64_C(0);
-}
-
-/* Station [m] of the end of the run of cells that ``index`` is in. */
-static inline double strip_layout__run_stop(array_double_1d work, int64_t index)
-{
-    double result;
-    while((index < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1)) && strip_layout__continued(work, index))
-    {
-        index += INT64_C(1);
-    }
-    result = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_STOP));
-    return result;
-}
-
-/* Give every strip the region that its middle lies in. */
-static inline int64_t strip_layout__place_in_regions(array_double_1d work, int64_t count, int64_t region_count)
-{
-    int64_t index;
-    int64_t i;
-    index = INT64_C(0);
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        while((index < region_count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_OFFSET)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_HIGH))))
-        {
-            index += INT64_C(1);
-        }
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION)) = (double)(index);
-    }
-    return INT64_C(0);
-}
-
-/* Half-length and lead of every strip from those of the cells, on straight lines between their
- * middles.
- */
-static inline int64_t strip_layout__length_before(array_double_1d work)
-{
-    int64_t last;
-    int64_t index;
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    int64_t after;
-    double share;
-    double reach;
-    double rest;
-    last = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1);
-    index = INT64_C(0);
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        while((index < last - INT64_C(1)) && ((*cspan_at(&work, strip + layout__STRIP_STATION)) > strip_layout__cell_middle(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * (index + INT64_C(1)))))
-        {
-            index += INT64_C(1);
-        }
-        after = index;
-        if (index < last)
-        {
-            after = index + INT64_C(1);
-        }
-        share = 0.0;
-        reach = strip_layout__cell_middle(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after) - strip_layout__cell_middle(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index);
-        if (reach > 0.0)
-        {
-            share = double_min(2, double_max(2, ((*cspan_at(&work, strip + layout__STRIP_STATION)) - strip_layout__cell_middle(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index)) / reach, 0.0), 1.0);
-        }
-        rest = 1.0 - share;
-        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = rest * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_HALF_LENGTH)) + share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_HALF_LENGTH));
-        (*cspan_at(&work, strip + layout__STRIP_LEAD)) = rest * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LEAD)) + share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LEAD));
-        (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LOADED)) == 1.0);
-        if (share > 0.5)
-        {
-            (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LOADED)) == 1.0);
-        }
-    }
-    return INT64_C(0);
-}
-
-/* Station [m] of the middle of a cell. */
-static inline double strip_layout__cell_middle(array_double_1d work, int64_t cell)
-{
-    double result;
-    result = 0.5 * ((*cspan_at(&work, cell + layout__STRIP_CELL_START)) + (*cspan_at(&work, cell + layout__STRIP_CELL_STOP)));
-    return result;
+    return penetration;
 }
 
 
 /* ---- From normal/strip_lengths.py; change that one.
  *
- * Half-lengths and middles of the strips from what they displace near their ends; eqs. (S6)-(S8).
+ * Half-lengths, middles and edges of the strips: from what they displace near their ends, eqs. (S6)-(S8), and
+ * from where their pressures end, eq. (S14).
  */
-
-/* Rise of the gap [m] at a distance ``x`` from the ridge. */
-static inline double strip_lengths__gap_beside(array_double_1d work, int64_t strip, double x)
-{
-    double result;
-    result = x * x * ((*cspan_at(&work, strip + layout__STRIP_A)) + (*cspan_at(&work, strip + layout__STRIP_SKEW)) * x);
-    return result;
-}
 
 /* ``ratio`` to a ``power`` near it, without ends: Pade's quotient, (1 + power) / (1 - power) at most. */
 static inline double strip_lengths__corrected(double ratio, double power)
@@ -2894,16 +2413,15 @@ static inline double strip_lengths__corrected(double ratio, double power)
     return (less + more * ratio) / (more + less * ratio);
 }
 
-/* Half-length [m] of the loaded strip ``i`` by how much less the surfaces are displaced towards its ends
- * than the gap rises; its middle moves to where both ends are alike.
+/* Shape of strip ``i`` by how much less the surfaces are displaced towards its ends than the gap rises;
+ * its middle moves to where both ends are alike.
  */
-static inline double strip_lengths__correct_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double penetration, double power, bool yawed)
+static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_double_1d tables, int64_t i, double penetration, bool yawed)
 {
     int64_t strip;
     double half;
     double away;
     double own;
-    double needed;
     double front;
     double back;
     double front_gap;
@@ -2913,145 +2431,161 @@ static inline double strip_lengths__correct_strip(array_double_1d tables, array_
     double ratio;
     strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
     half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-    away = strip_lengths__TESTED * half;
-    own = strip_lengths__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)));
-    needed = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP));
-    front = strip_pressures__end_displacement(tables, work, table, i, away);
+    away = strip_pressures__TESTED * half;
+    own = strip_runs__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)));
+    front = strip_pressures__tested_displacement(work, tables, i, away);
     back = front;
-    front_gap = strip_lengths__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away) - own;
+    front_gap = strip_runs__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away) - own;
     back_gap = front_gap;
+    (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
     if (yawed)
     {
-        back = strip_pressures__end_displacement(tables, work, table, i, -away);
-        back_gap = strip_lengths__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away) - own;
+        back = strip_pressures__tested_displacement(work, tables, i, -away);
+        back_gap = strip_runs__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away) - own;
         move = (-strip_lengths__MOVED) * (front + front_gap - back - back_gap) / (4.0 * (*cspan_at(&work, strip + layout__STRIP_A)) * away);
-        move = double_max(2, double_min(2, move, strip_lengths__FARTHEST_MOVE * half), (-strip_lengths__FARTHEST_MOVE) * half);
-        (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD)) + move;
+        (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) += pressed__limited(move, strip_lengths__FARTHEST_MOVE * half);
     }
     rise = double_max(2, 0.5 * (front_gap + back_gap), strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A)) * away * away);
-    ratio = double_max(2, 0.0, (needed - 0.5 * (front + back)) / rise);
-    return half * strip_lengths__corrected(ratio, power);
+    ratio = double_max(2, 0.0, ((*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP)) - 0.5 * (front + back)) / rise);
+    (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = (*cspan_at(&work, strip + layout__STRIP_AXIS)) * strip_lengths__corrected(ratio, strip_lengths__POWER);
+    return INT64_C(0);
 }
 
-/* Line load, square of the corrected half-length, pressure and lead of every strip.
+/* Shapes, leads and edges after this sweep, and the pressures that keep the loads. */
+static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, bool yawed)
+{
+    int64_t waves;
+    int64_t k_end;
+    int64_t k;
+    int64_t first;
+    int64_t last;
+    int64_t i;
+    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    {
+        first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+        last = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(1);
+        for (i = first + INT64_C(1); i < last; i += INT64_C(1))
+        {
+            strip_lengths__correct_strip(work, tables, i, penetration, yawed);
+        }
+        strip_lengths__end_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(2)));
+        strip_lengths__end_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(2)));
+        strip_lengths__move_edges(tables, work, waves, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k, first);
+        strip_lengths__finish_strips(work, tables, k);
+    }
+    return INT64_C(0);
+}
+
+/* Shape and lead of the outermost strip of a run from the next two. */
+static inline int64_t strip_lengths__end_axis(array_double_1d work, int64_t strip, int64_t inner, int64_t second)
+{
+    double axis;
+    axis = 1.5 * (*cspan_at(&work, inner + layout__STRIP_NEXT_AXIS)) - 0.5 * (*cspan_at(&work, second + layout__STRIP_NEXT_AXIS));
+    (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = double_min(2, double_max(2, axis, strip_lengths__LEAST_END * (*cspan_at(&work, inner + layout__STRIP_NEXT_AXIS))), strip_lengths__MOST_END * (*cspan_at(&work, inner + layout__STRIP_NEXT_AXIS)));
+    (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD)) + (*cspan_at(&work, inner + layout__STRIP_NEXT_LEAD)) - (*cspan_at(&work, inner + layout__STRIP_LEAD));
+    return INT64_C(0);
+}
+
+/* Move both edges of a run towards where its pressure ends like a square root, eq. (S14); ``first`` is
+ * its first strip.
  *
- * The line load stays, and the pressure follows from the corrected half-length.
+ * p sin t is the part that an edge at a wrong place leaves, with the values at both edges, and a rest.
  */
-static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, double power, bool yawed)
+static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first)
 {
     int64_t count;
-    double scale;
-    double largest;
+    double start;
+    double stop;
     int64_t i;
-    int64_t strip;
+    double product;
+    double largest;
+    double low;
+    double high;
+    double sine;
+    double wrong;
+    double root;
+    double least;
     double half;
-    double share;
-    double beside;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
+    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    start = 0.0;
+    stop = 0.0;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        product = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+        start += (*cspan_at(&tables, waves + layout__WAVES_START + i)) * product;
+        stop += (*cspan_at(&tables, waves + layout__WAVES_STOP + i)) * product;
+    }
     largest = 0.0;
+    low = 0.0;
+    high = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) = 0.0;
-        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = 0.0;
-        (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = 0.0;
-        (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
-        if ((*cspan_at(&work, strip + layout__STRIP_Y)) > 0.0)
+        sine = (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+        wrong = 0.5 * (start + stop + (start - stop) * (*cspan_at(&tables, waves + layout__WAVES_COS + i)));
+        root = ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * sine - wrong) / (sine * sine);
+        largest = double_max(2, largest, double_max(2, root, -root));
+        if (i == INT64_C(1))
         {
-            half = strip_lengths__correct_strip(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), i, penetration, power, yawed);
-            (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) = scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_Y)) / (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
-            (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = (*cspan_at(&work, strip + layout__STRIP_Y)) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-            largest = double_max(2, largest, (*cspan_at(&work, strip + layout__STRIP_PRESSURE)));
+            low = root;
+        }
+        if (i == count - INT64_C(2))
+        {
+            high = root;
         }
     }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        share = (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) / (strip_lengths__LIGHT * largest);
-        if (share < 1.0)
-        {
-            beside = strip_lengths__neighbouring_length(work, count, i);
-            half = share * sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE))) + (1.0 - share) * beside;
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
-        }
-    }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if ((*cspan_at(&work, strip + layout__STRIP_Y)) > 0.0)
-        {
-            (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = 2.0 / M_PI * (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) / ((*cspan_at(&work, strip + layout__STRIP_BREADTH)) * sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE))));
-        }
-    }
+    least = strip_lengths__LEAST_ROOT * largest;
+    half = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START)));
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = (*cspan_at(&work, run + layout__STRIP_RUN_START)) - strip_lengths__edge_move(half, start, double_max(2, low, least));
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) + strip_lengths__edge_move(half, stop, double_max(2, high, least));
+    /* no farther than wheel and rail are known */
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = double_max(2, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START)));
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = double_min(2, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_STOP)));
     return INT64_C(0);
 }
 
-/* Half-length [m] of the strips beside ``i``, weighted by their pressures; its own where they have
- * none.
- */
-static inline double strip_lengths__neighbouring_length(array_double_1d work, int64_t count, int64_t i)
+/* How far outwards [m] an edge of a run ``half`` as wide moves, no more than FARTHEST_EDGE of that. */
+static inline double strip_lengths__edge_move(double half, double wrong, double root)
 {
-    double total;
-    double weight;
-    int64_t before;
-    int64_t after;
-    double half;
-    total = 0.0;
-    weight = 0.0;
-    if (i > INT64_C(0))
-    {
-        before = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1));
-        weight += (*cspan_at(&work, before + layout__STRIP_PRESSURE));
-        total += (*cspan_at(&work, before + layout__STRIP_PRESSURE)) * sqrt((*cspan_at(&work, before + layout__STRIP_HALF_LENGTH_SQUARE)));
-    }
-    if (i < count - INT64_C(1))
-    {
-        after = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1));
-        weight += (*cspan_at(&work, after + layout__STRIP_PRESSURE));
-        total += (*cspan_at(&work, after + layout__STRIP_PRESSURE)) * sqrt((*cspan_at(&work, after + layout__STRIP_HALF_LENGTH_SQUARE)));
-    }
-    half = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
-    if (weight > 0.0)
-    {
-        half = total / weight;
-    }
-    return half;
+    double share;
+    share = strip_lengths__RELAXED * wrong / (strip_lengths__FARTHEST_EDGE * root);
+    return strip_lengths__FARTHEST_EDGE * half * share / sqrt(1.0 + share * share);
 }
 
-/* Give the strips their corrected half-lengths and leads, for the next sweep. */
-static inline int64_t strip_lengths__adopt_lengths(array_double_1d work)
+/* Half-lengths, stations and pressures after this sweep of the strips of run ``k``. */
+static inline int64_t strip_lengths__finish_strips(array_double_1d work, array_double_1d tables, int64_t k)
 {
+    int64_t waves;
+    int64_t run;
+    int64_t first;
+    double largest;
     int64_t i_end;
     int64_t i;
+    double grown;
+    double middle;
+    double half;
     int64_t strip;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
+    run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+    first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    largest = 0.0;
+    i_end = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    for (i = first; i < i_end; i += INT64_C(1))
+    {
+        largest = double_max(2, largest, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS)));
+    }
+    grown = ((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START))) / ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)));
+    middle = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)));
+    half = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)));
+    i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
-        (*cspan_at(&work, strip + layout__STRIP_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
-    }
-    strip_lengths__limit_lengths(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
-    return INT64_C(0);
-}
-
-/* Raise half-lengths to their smallest. */
-static inline int64_t strip_lengths__limit_lengths(array_double_1d work, int64_t count)
-{
-    double longest;
-    int64_t i;
-    int64_t strip;
-    longest = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        longest = double_max(2, longest, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH)));
-    }
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = double_max(2, double_max(2, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), strip_lengths__SHORTEST * longest), strip_lengths__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH)));
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
+        (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = double_max(2, (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)), strip_lengths__FLAT * largest);
+        (*cspan_at(&work, strip + layout__STRIP_NEXT_HALF)) = (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+        (*cspan_at(&work, strip + layout__STRIP_NEXT_STATION)) = middle - half * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
+        (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * (*cspan_at(&work, strip + layout__STRIP_Y)) * (*cspan_at(&work, strip + layout__STRIP_AXIS)) / (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) * grown;
     }
     return INT64_C(0);
 }
@@ -3059,161 +2593,216 @@ static inline int64_t strip_lengths__limit_lengths(array_double_1d work, int64_t
 
 /* ---- From normal/strip_patches.py; change that one.
  *
- * From corrected strips to patches: each run of loaded strips that touch each other is a patch.
+ * From corrected strips to patches: each run is a patch.
  *
- * Near the edge of a patch the line load falls to zero in proportion to the distance, so the edge is where the
- * straight line through the line loads of the last two strips ends.
+ * Half-length and pressure between the strips of a run follow the cosines through them, at its fine strips; to the
+ * pressure comes what the fine part of the gap adds, eq. (S13).
  */
 
-/* Last strip of the run of loaded strips that begins with strip ``first``. */
-static inline int64_t strip_patches__run_end(array_double_1d work, int64_t count, int64_t first)
-{
-    int64_t last;
-    last = first;
-    while((last < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last + INT64_C(1)) + layout__STRIP_LINE_LOAD)) > 0.0) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_JOINED)) == 1.0))
-    {
-        last += INT64_C(1);
-    }
-    return last;
-}
-
-/* Station [m] of the edge beyond strip ``last`` of a run that reaches to ``first`` on the other side. */
-static inline double strip_patches__run_edge(array_double_1d work, int64_t count, int64_t last, int64_t first, int64_t outward)
-{
-    double station;
-    double limit;
-    int64_t after;
-    int64_t pair;
-    int64_t inner;
-    double fall;
-    double reach;
-    double edge;
-    station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION));
-    edge = station + 0.5 * (double)(outward) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
-    if (last != first)
-    {
-        /* no farther than the middle of the next strip, which is not loaded */
-        limit = edge;
-        after = last + outward;
-        pair = last;
-        if (outward < INT64_C(0))
-        {
-            pair = last - INT64_C(1);
-        }
-        if ((after >= INT64_C(0)) && (after < count))
-        {
-            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * pair + layout__STRIP_JOINED)) == 1.0)
-            {
-                limit = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION));
-            }
-        }
-        inner = last - outward;
-        fall = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD));
-        edge = limit;
-        if (fall > 0.0)
-        {
-            reach = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)) / fall * (station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION)));
-            if (reach * (double)(outward) < (limit - station) * (double)(outward))
-            {
-                edge = station + reach;
-            }
-        }
-    }
-    return edge;
-}
-
-/* Fill the patches of a side from the runs of loaded strips, which lie in ``count`` regions. */
+/* Fill the patches of a side from the runs of strips, which lie in ``count`` regions. */
 static inline int64_t strip_patches__fill_from_strips(array_double_1d work, array_double_1d tables, int64_t side, int64_t count)
 {
     int64_t index;
-    int64_t first;
-    int64_t last;
+    int64_t k_end;
+    int64_t k;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         strip_patches__load_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index, index);
     }
     filling__clear_patches(work, side);
-    first = INT64_C(0);
-    while((first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))) && ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) < layout__SOLVED_PATCH_LIMIT))
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
     {
-        last = first;
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_LINE_LOAD)) > 0.0)
+        if ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) < layout__SOLVED_PATCH_LIMIT)
         {
-            last = strip_patches__run_end(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first);
-            strip_patches__fill_run(work, side, first, last);
+            strip_patches__fill_run(work, tables, side, k);
         }
-        first = last + INT64_C(1);
     }
     filling__finish_patches(work, side);
     return INT64_C(0);
 }
 
-/* Fill the next patch from the loaded strips ``first`` ... ``last``. */
-static inline int64_t strip_patches__fill_run(array_double_1d work, int64_t side, int64_t first, int64_t last)
+/* Fill the next patch from run ``k``. */
+static inline int64_t strip_patches__fill_run(array_double_1d work, array_double_1d tables, int64_t side, int64_t k)
 {
-    double start;
-    double stop;
+    int64_t waves;
+    int64_t run;
+    int64_t first;
+    int64_t deepest;
+    int64_t i_end;
+    int64_t i;
     int64_t region;
+    int64_t fine;
     int64_t index;
     int64_t patch;
-    int64_t i;
+    double scale;
+    double spread;
+    int64_t strip;
     double load;
-    double pressure;
-    if (last > first)
+    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
+    run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+    first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    deepest = first;
+    i_end = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    for (i = first; i < i_end; i += INT64_C(1))
     {
-        strip_patches__end_like_ellipse(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)));
-        strip_patches__end_like_ellipse(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)));
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * deepest + layout__STRIP_Y)))
+        {
+            deepest = i;
+        }
     }
-    start = strip_patches__run_edge(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first, last, -INT64_C(1));
-    stop = strip_patches__run_edge(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), last, first, INT64_C(1));
-    region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
-    index = filling__begin_patch(work, side, region, start, first, layout__RULE_STRAIGHT);
+    region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * deepest + layout__STRIP_REGION)));
+    fine = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    index = filling__begin_patch(work, side, region, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), k * fine, layout__RULE_STRAIGHT);
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-    for (i = first; i < last + INT64_C(1); i += INT64_C(1))
+    scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
+    spread = ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START))) * M_PI / (double)((int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
+    i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        strip_patches__keep_strip(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i);
-        load = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
-        filling__add_load(work, patch, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))), load, load * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)));
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
+        load = scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_Y));
+        filling__add_load(work, patch, (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))), load, load * (*cspan_at(&work, strip + layout__STRIP_STATION)));
+        (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) += spread * (*cspan_at(&work, strip + layout__STRIP_NEXT_HALF)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH));
     }
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = stop;
-    (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)(last);
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = strip_patches__run_area(work, first, last, start, stop);
-    pressure = strip_patches__largest_pressure(work, first, last);
-    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = strip_patches__largest_square(work, first, last);
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
+    (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)((k + INT64_C(1)) * fine - INT64_C(1));
+    strip_patches__fill_fine_strips(work, tables, k);
+    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = strip_patches__largest_square(work, (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))), (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 1);
+    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = strip_patches__largest_square(work, (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))), (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 0);
     filling__finish_patch(work, side);
     return INT64_C(0);
 }
 
-/* Shorten the strip ``edge`` at the end of a run as the strip ``inner`` beside it asks for; its load
- * stays.
- *
- * Where a patch ends like an ellipse, the squares of the half-lengths fall like the line loads.  A strip
- * that has just begun to carry has had the half-length of its neighbour, which is too long; eq. (S9).
- */
-static inline int64_t strip_patches__end_like_ellipse(array_double_1d work, int64_t edge, int64_t inner)
+/* The fine strips of run ``k``. */
+static inline int64_t strip_patches__fill_fine_strips(array_double_1d work, array_double_1d tables, int64_t k)
 {
-    double square;
-    square = (*cspan_at(&work, inner + layout__STRIP_HALF_LENGTH_SQUARE)) * (*cspan_at(&work, edge + layout__STRIP_LINE_LOAD)) / (*cspan_at(&work, inner + layout__STRIP_LINE_LOAD));
-    if (square < (*cspan_at(&work, edge + layout__STRIP_HALF_LENGTH_SQUARE)))
+    int64_t waves;
+    int64_t run;
+    int64_t first;
+    int64_t fine;
+    double middle;
+    double half;
+    double least;
+    double stretch;
+    int64_t i_end;
+    int64_t i;
+    double rigid;
+    int64_t g;
+    double axis;
+    double raised;
+    double x;
+    double A;
+    int64_t strip;
+    double weight;
+    double sine;
+    double length;
+    double pressure;
+    int64_t to;
+    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
+    run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+    first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    fine = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    middle = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)));
+    half = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)));
+    least = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_NEXT_AXIS));
+    stretch = 0.0;
+    i_end = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    for (i = first; i < i_end; i += INT64_C(1))
     {
-        (*cspan_at(&work, edge + layout__STRIP_PRESSURE)) *= sqrt((*cspan_at(&work, edge + layout__STRIP_HALF_LENGTH_SQUARE)) / square);
-        (*cspan_at(&work, edge + layout__STRIP_HALF_LENGTH_SQUARE)) = square;
+        least = double_min(2, least, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS)));
+        stretch += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STRETCH));
+    }
+    rigid = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * (double)((int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)))) / (((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START))) * stretch);
+    for (g = INT64_C(0); g < fine; g += INT64_C(1))
+    {
+        axis = 0.0;
+        raised = 0.0;
+        x = 0.0;
+        A = 0.0;
+        i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
+            weight = (*cspan_at(&tables, waves + layout__WAVES_REFINING + INT64_C(16) * g + i));
+            axis += weight * (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
+            raised += weight * (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            x += weight * ((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)));
+            A += weight * (*cspan_at(&work, strip + layout__STRIP_A));
+        }
+        sine = (*cspan_at(&tables, waves + layout__WAVES_FINE_SIN + g));
+        length = double_max(2, axis, strip_patches__NARROWED * least) * sine;
+        pressure = raised * sine;
+        if ((g >= strip_patches__SMOOTH_ENDS) && (g < fine - strip_patches__SMOOTH_ENDS))
+        {
+            pressure -= rigid * strip_patches__roughness(tables, work, waves, run, g) / sine;
+        }
+        pressure = double_max(2, pressure, 0.0);
+        to = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (k * fine + g);
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) = middle - half * (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + g));
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = half * sine * M_PI / (double)(fine);
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = x;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * A;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_LINE_LOAD)) = 0.5 * M_PI * length * pressure;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = length * length;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = pressure * pressure;
     }
     return INT64_C(0);
 }
 
-/* Keep a strip as the solved strip ``to``. */
-static inline int64_t strip_patches__keep_strip(array_double_1d work, int64_t strip, int64_t to)
+/* sum of m g_m cos(m t) of the gap's cosines above those of the strips, at fine strip ``g`` [m]. */
+static inline double strip_patches__roughness(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t g)
 {
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work, strip + layout__STRIP_STATION));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work, strip + layout__STRIP_A));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_LINE_LOAD)) = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE));
-    (*cspan_at(&work, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) * (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
-    return INT64_C(0);
+    int64_t m_end;
+    int64_t m;
+    double total;
+    total = 0.0;
+    m_end = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    for (m = INT64_C(0); m < m_end; m += INT64_C(1))
+    {
+        total += (*cspan_at(&tables, waves + layout__WAVES_ROUGHNESS + INT64_C(48) * g + m)) * (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + m));
+    }
+    return total;
+}
+
+/* Largest square of the pressure, or of the half-length, of a run of solved strips, on parabolas through
+ * three of them, half the way to either side.
+ */
+static inline double strip_patches__largest_square(array_double_1d work, int64_t first, int64_t last, bool pressures)
+{
+    int64_t i;
+    double low;
+    double here;
+    double high;
+    double bend;
+    double value;
+    double at;
+    double largest;
+    largest = 0.0;
+    for (i = first + INT64_C(1); i < last; i += INT64_C(1))
+    {
+        if (pressures)
+        {
+            low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - INT64_C(1)) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+            here = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+            high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + INT64_C(1)) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+        }
+        else
+        {
+            low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - INT64_C(1)) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            here = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + INT64_C(1)) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+        }
+        bend = low - 2.0 * here + high;
+        value = here;
+        if (bend < 0.0)
+        {
+            at = double_min(2, double_max(2, 0.5 * (low - high) / bend, -0.5), 0.5);
+            value += at * (0.5 * (high - low) + 0.5 * at * bend);
+        }
+        largest = double_max(2, largest, value);
+    }
+    return largest;
 }
 
 /* What the strips of the region with number ``index`` carry: load, moment, the mean direction of the
@@ -3230,6 +2819,7 @@ static inline int64_t strip_patches__load_region(array_double_1d work, array_dou
     int64_t i;
     int64_t strip;
     double own;
+    double scale;
     load = 0.0;
     moment = 0.0;
     cosines = 0.0;
@@ -3241,7 +2831,7 @@ static inline int64_t strip_patches__load_region(array_double_1d work, array_dou
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
         {
-            own = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            own = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_Y));
             load += own;
             moment += own * (*cspan_at(&work, strip + layout__STRIP_STATION));
             cosines += own * (*cspan_at(&work, strip + layout__STRIP_COS));
@@ -3249,8 +2839,9 @@ static inline int64_t strip_patches__load_region(array_double_1d work, array_dou
             x += own * ((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)));
         }
     }
-    (*cspan_at(&work, region + layout__REGION_CARRIED)) = load;
-    (*cspan_at(&work, region + layout__REGION_MOMENT)) = moment;
+    scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
+    (*cspan_at(&work, region + layout__REGION_CARRIED)) = scale * load;
+    (*cspan_at(&work, region + layout__REGION_MOMENT)) = scale * moment;
     (*cspan_at(&work, region + layout__REGION_SLANT)) = 0.0;
     if (load > 0.0)
     {
@@ -3272,6 +2863,7 @@ static inline int64_t strip_patches__slant_region(array_double_1d work, int64_t 
 {
     double along;
     double spread;
+    double carried;
     int64_t i_end;
     int64_t i;
     int64_t strip;
@@ -3279,19 +2871,21 @@ static inline int64_t strip_patches__slant_region(array_double_1d work, int64_t 
     double away;
     along = 0.0;
     spread = 0.0;
+    carried = 0.0;
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
         {
-            own = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            own = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_Y));
             away = (*cspan_at(&work, strip + layout__STRIP_STATION)) - station;
+            carried += own;
             along += own * away * ((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) - x);
             spread += own * away * away;
         }
     }
-    if (spread > strip_patches__CLOSE * strip_patches__CLOSE * (*cspan_at(&work, region + layout__REGION_CARRIED)))
+    if (spread > strip_patches__CLOSE * strip_patches__CLOSE * carried)
     {
         (*cspan_at(&work, region + layout__REGION_SLANT)) = along / spread;
     }
@@ -3305,10 +2899,8 @@ static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_d
 {
     int64_t index;
     double scale;
-    int64_t size;
     int64_t i_end;
     int64_t i;
-    int64_t rank;
     int64_t row;
     int64_t strip;
     int64_t region;
@@ -3317,177 +2909,26 @@ static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_d
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS)) = 0.0;
     }
     scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
-    size = INT64_C(0);
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
-        {
-            size += INT64_C(1);
-        }
-    }
-    for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
-    {
-        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
-        (*cspan_at(&work, region + layout__REGION_STIFFNESS)) += scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, row + size));
+        (*cspan_at(&work, region + layout__REGION_STIFFNESS)) += scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, row + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))));
     }
     return INT64_C(0);
-}
-
-/* Second divided difference of a quantity with these values at the strips ``i`` - 1, ``i``, ``i`` + 1. */
-static inline double strip_patches__divided_bend(array_double_1d work, int64_t i, double before, double value, double after)
-{
-    double left;
-    double right;
-    double upper;
-    double lower;
-    left = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
-    right = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION));
-    upper = (after - value) / right;
-    lower = (value - before) / left;
-    return (upper - lower) / (left + right);
-}
-
-/* Second divided difference of the square of the half-length at strip ``i`` [-]. */
-static inline double strip_patches__square_bend(array_double_1d work, int64_t i)
-{
-    double before;
-    double result;
-    before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE));
-    result = strip_patches__divided_bend(work, i, before, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)));
-    return result;
-}
-
-/* Second coefficient of the square of the half-length between strips ``i`` and ``i`` + 1 of the run first
- * ... last [-].
- */
-static inline double strip_patches__cell_bend(array_double_1d work, int64_t i, int64_t first, int64_t last)
-{
-    double found;
-    double bend;
-    bend = 0.0;
-    found = 0.0;
-    if ((i > first) && (i < last))
-    {
-        bend += strip_patches__square_bend(work, i);
-        found += 1.0;
-    }
-    if ((i + INT64_C(1) < last) && (i + INT64_C(1) > first))
-    {
-        bend += strip_patches__square_bend(work, i + INT64_C(1));
-        found += 1.0;
-    }
-    if (found > 0.0)
-    {
-        bend /= found;
-    }
-    return bend;
-}
-
-/* Integral over a cell of the root of the quadratic with end values ``low``, ``high`` [m^2] and second
- * coefficient ``bend``.
- */
-static inline double strip_patches__cell_area(double low, double high, double bend, double width)
-{
-    return width * quadrature__root_integral(2.0 * low - high + 2.0 * bend * width * width, low, high, 0.0, 1.0);
-}
-
-/* Area [m^2] of the run first ... last between its edges ``start`` and ``stop`` [m]. */
-static inline double strip_patches__run_area(array_double_1d work, int64_t first, int64_t last, double start, double stop)
-{
-    double bend;
-    double half;
-    int64_t i;
-    bend = strip_patches__cell_bend(work, first, first, last);
-    half = strip_patches__cell_area(0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_HALF_LENGTH_SQUARE)), bend, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION)) - start);
-    for (i = first; i < last; i += INT64_C(1))
-    {
-        bend = strip_patches__cell_bend(work, i, first, last);
-        half += strip_patches__cell_area((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)), bend, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)));
-    }
-    bend = strip_patches__cell_bend(work, last - INT64_C(1), first, last);
-    half += strip_patches__cell_area((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_HALF_LENGTH_SQUARE)), 0.0, bend, stop - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)));
-    return 2.0 * half;
-}
-
-/* Largest value of the parabola through a quantity at strip ``i``, where it is largest, and at both
- * neighbours.
- */
-static inline double strip_patches__summit(array_double_1d work, int64_t i, double before, double value, double after)
-{
-    double bend;
-    double left;
-    double slope;
-    bend = strip_patches__divided_bend(work, i, before, value, after);
-    if (bend < 0.0)
-    {
-        left = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
-        slope = (value - before) / left + bend * left;
-        value -= slope * slope / (4.0 * bend);
-    }
-    return value;
-}
-
-/* Largest pressure [Pa] on the middle lines of a run, also between strips. */
-static inline double strip_patches__largest_pressure(array_double_1d work, int64_t first, int64_t last)
-{
-    int64_t best;
-    int64_t i;
-    double before;
-    double pressure;
-    best = first;
-    for (i = first; i < last + INT64_C(1); i += INT64_C(1))
-    {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_PRESSURE)))
-        {
-            best = i;
-        }
-    }
-    pressure = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_PRESSURE));
-    if ((best > first) && (best < last))
-    {
-        before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_PRESSURE));
-        pressure = strip_patches__summit(work, best, before, pressure, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_PRESSURE)));
-    }
-    return pressure;
-}
-
-/* Square of the largest half-length [m^2] of a run, also between strips. */
-static inline double strip_patches__largest_square(array_double_1d work, int64_t first, int64_t last)
-{
-    int64_t best;
-    int64_t i;
-    double before;
-    double square;
-    best = first;
-    for (i = first; i < last + INT64_C(1); i += INT64_C(1))
-    {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_HALF_LENGTH_SQUARE)))
-        {
-            best = i;
-        }
-    }
-    square = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_HALF_LENGTH_SQUARE));
-    if ((best > first) && (best < last))
-    {
-        before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE));
-        square = strip_patches__summit(work, best, before, square, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)));
-    }
-    return square;
 }
 
 
 /* ---- From normal/strip_pressures.py; change that one.
  *
- * Pressures of the strips: no strip pulls, none without load penetrates, and together they carry the force;
- * eq. (S5).
+ * Pressures of the strips: together they carry the force and push every middle down as far as it must go; eq.
+ * (S5).
  *
- * A linear complementarity problem: elimination for the strips that are taken as loaded, then an exchange of
- * those that pull or penetrate, until none does.
- *
- * Strips displace each other by Phi of eq. (S2), with the mean over the width close by, eq. (S4).
+ * Strips displace each other by Phi of eq. (S2).  Close by that is a logarithm, which a rule of points cannot
+ * integrate: what it leaves out is known exactly for the cosines of a run, eq. (S11), and the rest depends on
+ * the distance of the strips alone, eq. (S12).
  */
 
 /* Solve ``size`` equations in place: the two right-hand sides, in the last two columns, become the
@@ -3518,8 +2959,8 @@ static inline int64_t strip_pressures__eliminate(array_double_1d work, int64_t s
     {
         /* two columns at a time, so that every row is read and written once for both */
         k = INT64_C(2) * pair;
-        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
-        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * (k + INT64_C(1));
+        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
+        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * (k + INT64_C(1));
         inverse = 1.0 / (*cspan_at(&work, first + k));
         factor = (*cspan_at(&work, second + k)) * inverse;
         for (j = k + INT64_C(1); j < width; j += INT64_C(1))
@@ -3529,7 +2970,7 @@ static inline int64_t strip_pressures__eliminate(array_double_1d work, int64_t s
         next_inverse = 1.0 / (*cspan_at(&work, second + (k + INT64_C(1))));
         for (i = k + INT64_C(2); i < size; i += INT64_C(1))
         {
-            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i;
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
             factor = (*cspan_at(&work, row + k)) * inverse;
             next_factor = ((*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))))) * next_inverse;
             for (j = k + INT64_C(2); j < width; j += INT64_C(1))
@@ -3541,12 +2982,12 @@ static inline int64_t strip_pressures__eliminate(array_double_1d work, int64_t s
     for (back = INT64_C(0); back < size; back += INT64_C(1))
     {
         k = size - INT64_C(1) - back;
-        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
+        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
         one = (*cspan_at(&work, pivot + size));
         other = (*cspan_at(&work, pivot + (size + INT64_C(1))));
         for (j = k + INT64_C(1); j < size; j += INT64_C(1))
         {
-            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j;
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * j;
             one -= (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + size));
             other -= (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1))));
         }
@@ -3624,500 +3065,870 @@ static inline double strip_pressures__middle_influence(array_double_1d tables, i
     return result;
 }
 
-/* The mean of Phi over the width of ``strip`` at a ``distance`` of more than half of that [m]. */
-static inline double strip_pressures__mean_at(array_double_1d tables, array_double_1d work, int64_t table, int64_t strip, double distance, double v)
+/* S of eq. (S12) at ln(width / half-length); the table begins at number ``first``. */
+static inline double strip_pressures__spacing_at(array_double_1d tables, int64_t table, int64_t first, double slender)
 {
-    double half;
-    double near;
-    double far;
-    double inner;
-    double outer;
+    double place;
+    int64_t cell;
+    double x;
+    int64_t at;
     double result;
-    half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-    near = double_max(2, distance - half, 0.0);
-    far = distance + half;
-    inner = strip_pressures__influence_at(tables, table, layout__INFLUENCE_MAP, strip_pressures__nearness(near, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH))), v);
-    outer = strip_pressures__influence_at(tables, table, layout__INFLUENCE_MAP, strip_pressures__nearness(far, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH))), v);
-    result = (far * outer - near * inner) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+    place = double_min(2, double_max(2, (slender - strip_pressures__FIRST_SPACING) * strip_pressures__SPACINGS_EACH, 0.0), (double)(layout__SPACING_CELLS));
+    cell = strip_pressures__cell_at(place, layout__SPACING_CELLS);
+    x = place - (double)(cell);
+    at = first + INT64_C(3) * cell;
+    result = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
     return result;
 }
 
-/* No influence is known yet of strips that lie as they do now. */
-static inline int64_t strip_pressures__begin_influences(array_double_1d work)
-{
-    int64_t j_end;
-    int64_t j;
-    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
-    {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_KNOWN)) = (double)(0);
-    }
-    return INT64_C(0);
-}
-
-/* Find the influences of all loaded strips of which they are not known yet. */
-static inline int64_t strip_pressures__know_influences(array_double_1d tables, array_double_1d work, int64_t table, bool yawed)
-{
-    int64_t j_end;
-    int64_t j;
-    int64_t strip;
-    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-        if (((*cspan_at(&work, strip + layout__STRIP_LOADED)) == 1.0) && (!((*cspan_at(&work, strip + layout__STRIP_KNOWN)) == 1.0)))
-        {
-            strip_pressures__fill_column(tables, work, table, j, yawed);
-            (*cspan_at(&work, strip + layout__STRIP_KNOWN)) = (double)(1);
-        }
-    }
-    return INT64_C(0);
-}
-
-/* F_ij of strip j for all i: displacement of the middle of i for y_j = 1, along the normal of i; eqs.
- * (S2), (S4).
+/* What strip ``i`` displaces in its own middle, or beside it where ``tested``, per y and width; eqs.
+ * (S11), (S12).
  */
-static inline int64_t strip_pressures__fill_column(array_double_1d tables, array_double_1d work, int64_t table, int64_t j, bool yawed)
+static inline double strip_pressures__own_influence(array_double_1d work, array_double_1d tables, int64_t i, bool tested)
 {
-    int64_t other;
-    double x;
-    double half;
-    int64_t i_end;
+    int64_t strip;
+    int64_t waves;
+    int64_t own;
+    double height;
+    double rest;
+    double result;
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
+    own = pyc_modulo(i, (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
+    height = 1.0;
+    rest = strip_pressures__MIDDLE_CONSTANT + strip_pressures__spacing_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), layout__INFLUENCE_MAP, (*cspan_at(&work, strip + layout__STRIP_SLENDER)));
+    if (tested)
+    {
+        height = strip_pressures__TESTED_HEIGHT;
+        rest = strip_pressures__TESTED_CONSTANT + strip_pressures__spacing_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), layout__INFLUENCE_MAP + INT64_C(3) * layout__SPACING_CELLS, (*cspan_at(&work, strip + layout__STRIP_SLENDER)));
+    }
+    result = rest - height * (2.0 * ((*cspan_at(&work, strip + layout__STRIP_SLENDER)) + (*cspan_at(&tables, waves + layout__WAVES_SPREAD + own))) + (*cspan_at(&tables, waves + layout__WAVES_SINGULAR + INT64_C(16) * own + own)));
+    return result;
+}
+
+/* sum_j F_ij y_j = right-hand side: once the displacement for a penetration of 1, once the gap. */
+static inline int64_t strip_pressures__write_equations(array_double_1d work, array_double_1d tables, bool yawed)
+{
+    int64_t count;
+    int64_t waves;
     int64_t i;
     int64_t strip;
+    int64_t row;
+    int64_t near;
+    int64_t facing;
+    double x;
+    int64_t j;
+    int64_t other;
     double u;
-    double influence;
-    other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-    x = (*cspan_at(&work, other + layout__STRIP_X)) + (*cspan_at(&work, other + layout__STRIP_LEAD));
-    half = (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    double face;
+    int64_t first;
+    int64_t singular;
+    int64_t j_end;
+    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if (i != j)
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
+        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
+        facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
+        x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD));
+        for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
-            u = strip_pressures__nearness(fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), half);
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u;
+            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+            u = strip_pressures__nearness(fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)));
+            (*cspan_at(&work, near + j)) = u;
+            face = ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN))) * (*cspan_at(&work, other + layout__STRIP_WIDTH));
+            (*cspan_at(&work, facing + j)) = face;
             if (yawed)
             {
-                influence = strip_pressures__influence_at(tables, table, INT64_C(0), u, strip_pressures__apartness((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, half));
+                (*cspan_at(&work, row + j)) = face * strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), INT64_C(0), u, strip_pressures__apartness(x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH))));
             }
             else
             {
                 /* all middles lie on one line */
-                influence = strip_pressures__middle_influence(tables, table, INT64_C(0), u);
+                (*cspan_at(&work, row + j)) = face * strip_pressures__middle_influence(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), INT64_C(0), u);
             }
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)));
         }
-    }
-    for (i = j - INT64_C(1); i < j + INT64_C(2); i += INT64_C(2))
-    {
-        if ((i >= INT64_C(0)) && (i < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))))
+        first = i - pyc_modulo(i, (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
+        singular = waves + layout__WAVES_SINGULAR + INT64_C(16) * (i - first);
+        j_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+        for (j = INT64_C(0); j < j_end; j += INT64_C(1))
         {
-            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-            influence = strip_pressures__mean_at(tables, work, table, other, fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), strip_pressures__apartness((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, half));
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)));
+            (*cspan_at(&work, row + (first + j))) -= (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j)));
         }
+        (*cspan_at(&work, row + i)) = strip_pressures__own_influence(work, tables, i, 0) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+        (*cspan_at(&work, row + count)) = (*cspan_at(&work, strip + layout__STRIP_SHARE));
+        (*cspan_at(&work, row + (count + INT64_C(1)))) = (*cspan_at(&work, strip + layout__STRIP_GAP));
     }
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)) = strip_pressures__nearness(0.5 * (*cspan_at(&work, other + layout__STRIP_BREADTH)), half);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * j + j)) = strip_pressures__middle_influence(tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)));
     return INT64_C(0);
 }
 
-/* What the loaded strips ``first`` ... ``last`` - 1 displace at the place of strip ``i`` and ``x`` [m],
- * along its normal.
+/* Displacement [m] at a distance ``away`` along x from the middle of strip ``i``, TESTED of its
+ * half-length, along its normal.
  */
-static inline double strip_pressures__far_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double x, int64_t first, int64_t last)
+static inline double strip_pressures__tested_displacement(array_double_1d work, array_double_1d tables, int64_t i, double away)
 {
+    int64_t strip;
     int64_t near;
-    double cosine;
-    double sine;
+    int64_t facing;
+    double x;
+    double total;
+    int64_t j_end;
     int64_t j;
     int64_t other;
     double v;
-    double total;
-    near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i;
-    cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
-    sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN));
-    total = 0.0;
-    for (j = first; j < last; j += INT64_C(1))
-    {
-        other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-        if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
-        {
-            v = strip_pressures__apartness(x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)));
-            total += strip_pressures__influence_at(tables, table, INT64_C(0), (*cspan_at(&work, near + j)), v) * (*cspan_at(&work, other + layout__STRIP_Y)) * (cosine * (*cspan_at(&work, other + layout__STRIP_COS)) + sine * (*cspan_at(&work, other + layout__STRIP_SIN)));
-        }
-    }
-    return total;
-}
-
-/* Displacement [m] at a distance ``away`` along x from the middle of strip ``i``, along its normal. */
-static inline double strip_pressures__end_displacement(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, double away)
-{
     int64_t count;
-    int64_t strip;
-    double x;
     int64_t first;
-    int64_t last;
-    int64_t j;
-    int64_t other;
-    double influence;
-    double total;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    int64_t singular;
+    double left;
     strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
+    facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
     x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
-    total = (*cspan_at(&work, strip + layout__STRIP_Y)) * strip_pressures__influence_at(tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), strip_pressures__apartness(away, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH))));
-    first = i;
-    last = i + INT64_C(1);
-    for (j = i - INT64_C(1); j < i + INT64_C(2); j += INT64_C(2))
+    total = strip_pressures__own_influence(work, tables, i, 1) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_Y));
+    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
     {
-        if ((j >= INT64_C(0)) && (j < count))
+        if (j != i)
         {
             other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            if (j < i)
-            {
-                first = j;
-            }
-            else
-            {
-                last = j + INT64_C(1);
-            }
-            if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
-            {
-                influence = strip_pressures__mean_at(tables, work, table, other, fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), strip_pressures__apartness(x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH))));
-                total += influence * (*cspan_at(&work, other + layout__STRIP_Y)) * ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)));
-            }
+            v = strip_pressures__apartness(x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)));
+            total += strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), INT64_C(0), (*cspan_at(&work, near + j)), v) * (*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
         }
     }
-    total += strip_pressures__far_displacement(tables, work, table, i, x, INT64_C(0), first);
-    total += strip_pressures__far_displacement(tables, work, table, i, x, last, count);
-    return total;
-}
-
-/* y of all strips, and which are loaded, under ``force`` [N], or at the problem's penetration where
- * ``by_penetration``; the penetration [m], and whether found.
- */
-static inline int64_t strip_pressures__solve_pressures(double* result_0, bool* result_1_0001, array_double_1d work, array_double_1d tables, double force, bool by_penetration, bool yawed)
-{
-    double penetration;
-    int64_t exchange;
-    int64_t size;
-    bool single;
-    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    for (exchange = INT64_C(0); exchange < strip_pressures__EXCHANGE_LIMIT; exchange += INT64_C(1))
+    count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_COUNT)));
+    first = i - pyc_modulo(i, count);
+    singular = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_SINGULAR + INT64_C(16) * (i - first);
+    left = 0.0;
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) += 1.0;
-        strip_pressures__know_influences(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), yawed);
-        size = strip_pressures__list_loaded(work);
-        strip_pressures__write_equations(work, size);
-        strip_pressures__eliminate(work, size);
-        if (!by_penetration)
+        if (first + j != i)
         {
-            penetration = strip_pressures__equilibrium_penetration(work, tables, size, force);
-        }
-        strip_pressures__read_solution(work, size, penetration);
-        single = exchange >= strip_pressures__EXCHANGES;
-        if (strip_pressures__exchange_strips(work, penetration, single) == INT64_C(0))
-        {
-            (*result_0) = penetration;
-            (*result_1_0001) = 1;
-            return 0;
+            left += (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y));
         }
     }
-    (*result_0) = penetration;
-    (*result_1_0001) = 0;
-    return 0;
+    return total - strip_pressures__TESTED_HEIGHT * left;
 }
 
-/* List the loaded strips; their number. */
-static inline int64_t strip_pressures__list_loaded(array_double_1d work)
+/* y of all strips under ``force`` [N], or at the problem's penetration where ``by_penetration``; the
+ * penetration [m].
+ */
+static inline double strip_pressures__solve_pressures(array_double_1d work, array_double_1d tables, double force, bool by_penetration, bool yawed)
 {
-    int64_t i_end;
+    int64_t size;
     int64_t i;
-    int64_t size;
-    size = INT64_C(0);
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
-        {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + size)) = (double)(i);
-            size += INT64_C(1);
-        }
-    }
-    return size;
-}
-
-/* sum_j F_ij y_j = right-hand side, for the loaded strips: once the displacement for a penetration of 1,
- * once the gap.
- */
-static inline int64_t strip_pressures__write_equations(array_double_1d work, int64_t size)
-{
-    int64_t rank;
     int64_t row;
-    int64_t i;
-    int64_t influences;
-    int64_t other;
-    for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
+    double penetration;
+    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    size = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) += 1.0;
+    strip_pressures__write_equations(work, tables, yawed);
+    strip_pressures__eliminate(work, size);
+    if (!by_penetration)
     {
-        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
-        i = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
-        influences = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
-        for (other = INT64_C(0); other < size; other += INT64_C(1))
-        {
-            (*cspan_at(&work, row + other)) = (*cspan_at(&work, influences + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + other)))));
-        }
-        (*cspan_at(&work, row + size)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
-        (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
+        penetration = strip_pressures__equilibrium_penetration(work, tables, force);
     }
-    return INT64_C(0);
+    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    {
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = penetration * (*cspan_at(&work, row + size)) - (*cspan_at(&work, row + (size + INT64_C(1))));
+    }
+    return penetration;
 }
 
-/* Penetration [m] at which the solved strips carry ``force`` [N]: (pi^2/2) E* sum_j a_j y_j, as far
+/* Penetration [m] at which the solved strips carry ``force`` [N]: (pi^2/2) E* sum_j a_j w_j y_j, as far
  * as it counts.
  */
-static inline double strip_pressures__equilibrium_penetration(array_double_1d work, array_double_1d tables, int64_t size, double force)
+static inline double strip_pressures__equilibrium_penetration(array_double_1d work, array_double_1d tables, double force)
 {
     double unit_load;
     double rest_load;
-    int64_t rank;
+    int64_t i_end;
+    int64_t i;
     int64_t row;
     int64_t strip;
     double half;
     double result;
     unit_load = 0.0;
     rest_load = 0.0;
-    for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
-        half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_COUNTED));
-        unit_load += half * (*cspan_at(&work, row + size));
-        rest_load += half * (*cspan_at(&work, row + (size + INT64_C(1))));
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_COUNTED));
+        unit_load += half * (*cspan_at(&work, row + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)))));
+        rest_load += half * (*cspan_at(&work, row + ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) + INT64_C(1))));
     }
     result = (force / (0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS))) + rest_load) / unit_load;
     return result;
 }
 
-/* y of every strip at the ``penetration`` [m]. */
-static inline int64_t strip_pressures__read_solution(array_double_1d work, int64_t size, double penetration)
+
+/* ---- From normal/strip_runs.py; change that one.
+ *
+ * Runs of loaded strips: where they begin, which strips they have, and how they part and join.
+ *
+ * A run lies between two edges on one curve of traced stations.  Its n strips lie at
+ *
+ *     s_i = middle - half cos t_i,    t_i = (i + 1/2) pi / n                                          (S10)
+ *
+ * closer together towards the edges, where half-length and pressure fall to zero like sin t.
+ */
+
+/* The first runs, where ANALYN's level is above zero. */
+static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_double_1d work, int64_t waves)
 {
+    int64_t low;
+    int64_t high;
+    int64_t k_end;
+    int64_t k;
+    int64_t run;
+    int64_t first;
+    int64_t j;
     int64_t i_end;
     int64_t i;
-    int64_t rank;
-    int64_t row;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    int64_t strip;
+    double station;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
+    low = INT64_C(0);
+    while(low < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))))
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = 0.0;
+        high = low;
+        while(((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * high + layout__TRACED_STATION_JOINED)) == 1.0) && (high < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)))
+        {
+            high += INT64_C(1);
+        }
+        strip_runs__begin_curve(work, low, high);
+        low = high + INT64_C(1);
     }
-    for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
+    strip_runs__adopt_runs(work);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT))) * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
     {
-        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank))) + layout__STRIP_Y)) = penetration * (*cspan_at(&work, row + size)) - (*cspan_at(&work, row + (size + INT64_C(1))));
+        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+        first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+        j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
+        i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
+            station = strip_runs__run_station(work, run, (*cspan_at(&tables, waves + layout__WAVES_COS + i)));
+            j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), station);
+            (*cspan_at(&work, strip + layout__STRIP_AXIS)) = strip_runs__level_length(work, j, station) / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            (*cspan_at(&work, strip + layout__STRIP_LEAD)) = 0.0;
+        }
+        strip_runs__raise_axes(work, first, (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
     }
     return INT64_C(0);
 }
 
-/* Unload strips that pull and load strips that penetrate, where ``single`` only the last one of all; how
- * many.
- */
-static inline int64_t strip_pressures__exchange_strips(array_double_1d work, double penetration, bool single)
+/* The first runs of the curve of stations ``low`` ... ``high``. */
+static inline int64_t strip_runs__begin_curve(array_double_1d work, int64_t low, int64_t high)
 {
-    int64_t count;
-    int64_t back;
+    int64_t i;
+    int64_t last;
+    double highest;
+    double start;
+    double stop;
+    int64_t zone;
+    i = low;
+    while(i <= high)
+    {
+        last = i;
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_LEVEL)) > 0.0)
+        {
+            highest = 0.0;
+            while((last <= high) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL)) > 0.0))
+            {
+                highest = double_max(2, highest, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL)));
+                last += INT64_C(1);
+            }
+            last -= INT64_C(1);
+            start = strip_runs__level_end(work, i, i - INT64_C(1), low, high);
+            stop = strip_runs__level_end(work, last, last + INT64_C(1), low, high);
+            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_REGION)));
+            if (highest > strip_runs__RAISED * (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)))
+            {
+                strip_runs__add_run(work, low, high, start, stop);
+            }
+        }
+        i = last + INT64_C(1);
+    }
+    return INT64_C(0);
+}
+
+/* Station [m] where the level falls to zero from a station to one beside it, or where the curve ends. */
+static inline double strip_runs__level_end(array_double_1d work, int64_t inside, int64_t outside, int64_t low, int64_t high)
+{
+    int64_t at;
+    int64_t beyond;
+    double station;
+    at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * inside;
+    station = (*cspan_at(&work, at + layout__TRACED_STATION_STATION));
+    if ((outside >= low) && (outside <= high))
+    {
+        beyond = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * outside;
+        station += ((*cspan_at(&work, beyond + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, at + layout__TRACED_STATION_STATION))) * (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) / ((*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) - (*cspan_at(&work, beyond + layout__TRACED_STATION_LEVEL)));
+    }
+    else if (outside < low)
+    {
+        station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START));
+    }
+    else
+    {
+        station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_STOP));
+    }
+    return station;
+}
+
+/* Half-length [m] of a strip at ``station`` [m] behind station ``j``, as ANALYN has it. */
+static inline double strip_runs__level_length(array_double_1d work, int64_t j, double station)
+{
+    int64_t low;
+    int64_t high;
+    double u;
+    double level;
+    double result;
+    low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j;
+    high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1));
+    u = strip_surfaces__way_through(work, j, station);
+    level = double_max(2, strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_LEVEL)), (*cspan_at(&work, high + layout__TRACED_STATION_LEVEL)), u), 0.0);
+    result = sqrt(level / ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, low + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_ONE_ALPHA)) * strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_A)), (*cspan_at(&work, high + layout__TRACED_STATION_A)), u)));
+    return result;
+}
+
+/* Raise the axes of a run that begins with strip ``first`` to their smallest. */
+static inline int64_t strip_runs__raise_axes(array_double_1d work, int64_t first, int64_t count)
+{
+    double largest;
     int64_t i;
     int64_t strip;
-    double pushed;
-    int64_t row;
-    int64_t j;
-    int64_t changed;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    changed = INT64_C(0);
-    for (back = INT64_C(0); back < count; back += INT64_C(1))
+    largest = 0.0;
+    for (i = first; i < first + count; i += INT64_C(1))
     {
-        i = count - INT64_C(1) - back;
+        largest = double_max(2, largest, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_AXIS)));
+    }
+    for (i = first; i < first + count; i += INT64_C(1))
+    {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if ((!single) || (changed == INT64_C(0)))
+        (*cspan_at(&work, strip + layout__STRIP_AXIS)) = double_max(2, (*cspan_at(&work, strip + layout__STRIP_AXIS)), strip_runs__FLAT_START * largest);
+    }
+    return INT64_C(0);
+}
+
+/* Add a run between two stations [m] of a curve to the next ones, if it is wide enough and there is room;
+ * joined to the last one where they overlap.
+ */
+static inline int64_t strip_runs__add_run(array_double_1d work, int64_t low, int64_t high, double start, double stop)
+{
+    int64_t at;
+    bool joins;
+    int64_t before;
+    int64_t run;
+    at = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
+    joins = 0;
+    if (at > INT64_C(0))
+    {
+        before = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (at - INT64_C(1));
+        if (((int64_t)((*cspan_at(&work, before + layout__STRIP_RUN_LOW))) == low) && ((*cspan_at(&work, before + layout__STRIP_RUN_NEXT_STOP)) >= start))
         {
-            if ((*cspan_at(&work, strip + layout__STRIP_LOADED)) == 1.0)
+            joins = 1;
+            (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_START)) = double_min(2, (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_START)), start);
+            (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_STOP)) = double_max(2, (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_STOP)), stop);
+            (*cspan_at(&work, before + layout__STRIP_RUN_ORIGIN)) = (double)(-INT64_C(1));
+        }
+    }
+    if ((!joins) && (stop - start > strip_runs__NARROW) && (at < layout__STRIP_RUN_LIMIT))
+    {
+        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * at;
+        (*cspan_at(&work, run + layout__STRIP_RUN_LOW)) = (double)(low);
+        (*cspan_at(&work, run + layout__STRIP_RUN_HIGH)) = (double)(high);
+        (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = start;
+        (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = stop;
+        (*cspan_at(&work, run + layout__STRIP_RUN_ORIGIN)) = (double)(-INT64_C(1));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = (double)(at + INT64_C(1));
+    }
+    return INT64_C(0);
+}
+
+/* Let the next runs be those of this sweep. */
+static inline int64_t strip_runs__adopt_runs(array_double_1d work)
+{
+    int64_t k_end;
+    int64_t k;
+    int64_t i_1;
+    int64_t run;
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    {
+        for (i_1 = INT64_C(0); i_1 < layout__STRIP_RUN_SIZE; i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1));
+        }
+        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+        (*cspan_at(&work, run + layout__STRIP_RUN_START)) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
+        (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
+    }
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))));
+    return INT64_C(0);
+}
+
+/* Station [m] of a run at the angle with this cosine, eq. (S10). */
+static inline double strip_runs__run_station(array_double_1d work, int64_t run, double cosine)
+{
+    double result;
+    result = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_START)) + (*cspan_at(&work, run + layout__STRIP_RUN_STOP))) - 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START))) * cosine;
+    return result;
+}
+
+/* Rise of the gap [m] at a distance ``x`` from the ridge. */
+static inline double strip_runs__gap_beside(array_double_1d work, int64_t strip, double x)
+{
+    double result;
+    result = x * x * ((*cspan_at(&work, strip + layout__STRIP_A)) + (*cspan_at(&work, strip + layout__STRIP_SKEW)) * x);
+    return result;
+}
+
+/* Wheel and rail under all strips, their half-lengths, widths and gaps. */
+static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_double_1d work, int64_t waves)
+{
+    int64_t count;
+    int64_t k_end;
+    int64_t k;
+    int64_t run;
+    int64_t j;
+    int64_t i;
+    double station;
+    double spread;
+    int64_t strip;
+    double gap;
+    int64_t m;
+    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    {
+        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+        j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
+        for (i = INT64_C(0); i < layout__FINE_WAVES * count; i += INT64_C(1))
+        {
+            station = strip_runs__run_station(work, run, (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + i)));
+            j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), station);
+            (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + i)) = strip_surfaces__rest_gap(work, j, station);
+        }
+        j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
+        spread = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START))) * M_PI / (double)(count);
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * count + i);
+            (*cspan_at(&work, strip + layout__STRIP_STATION)) = strip_runs__run_station(work, run, (*cspan_at(&tables, waves + layout__WAVES_COS + i)));
+            j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, strip + layout__STRIP_STATION)));
+            strip_runs__lay_strip(work, strip, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1)), strip_surfaces__way_through(work, j, (*cspan_at(&work, strip + layout__STRIP_STATION))));
+            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = spread * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH));
+            (*cspan_at(&work, strip + layout__STRIP_SLENDER)) = powers__log((*cspan_at(&work, strip + layout__STRIP_WIDTH)) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
+            gap = strip_runs__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)));
+            for (m = INT64_C(0); m < layout__FINE_WAVES * count; m += INT64_C(1))
             {
-                if ((*cspan_at(&work, strip + layout__STRIP_Y)) < 0.0)
-                {
-                    (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(0);
-                    changed += INT64_C(1);
-                }
+                gap += (*cspan_at(&tables, waves + layout__WAVES_SMOOTHING + INT64_C(48) * i + m)) * (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + m));
+            }
+            (*cspan_at(&work, strip + layout__STRIP_GAP)) = gap;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Wheel and rail under a strip that lies ``u`` of the way between two traced stations. */
+static inline int64_t strip_runs__lay_strip(array_double_1d work, int64_t strip, int64_t low, int64_t high, double u)
+{
+    (*cspan_at(&work, strip + layout__STRIP_REGION)) = (double)((int64_t)((*cspan_at(&work, low + layout__TRACED_STATION_REGION))));
+    if (u > 0.5)
+    {
+        (*cspan_at(&work, strip + layout__STRIP_REGION)) = (double)((int64_t)((*cspan_at(&work, high + layout__TRACED_STATION_REGION))));
+    }
+    (*cspan_at(&work, strip + layout__STRIP_PLACE)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_PLACE)), (*cspan_at(&work, high + layout__TRACED_STATION_PLACE)), u);
+    (*cspan_at(&work, strip + layout__STRIP_STRETCH)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_STRETCH)), (*cspan_at(&work, high + layout__TRACED_STATION_STRETCH)), u);
+    (*cspan_at(&work, strip + layout__STRIP_COS)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_COS)), (*cspan_at(&work, high + layout__TRACED_STATION_COS)), u);
+    (*cspan_at(&work, strip + layout__STRIP_SIN)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_SIN)), (*cspan_at(&work, high + layout__TRACED_STATION_SIN)), u);
+    (*cspan_at(&work, strip + layout__STRIP_X)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_X)), (*cspan_at(&work, high + layout__TRACED_STATION_X)), u);
+    (*cspan_at(&work, strip + layout__STRIP_A)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_A)), (*cspan_at(&work, high + layout__TRACED_STATION_A)), u);
+    (*cspan_at(&work, strip + layout__STRIP_SKEW)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_SKEW)), (*cspan_at(&work, high + layout__TRACED_STATION_SKEW)), u);
+    (*cspan_at(&work, strip + layout__STRIP_SHARE)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_SHARE)), (*cspan_at(&work, high + layout__TRACED_STATION_SHARE)), u);
+    (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_COUNTED)), (*cspan_at(&work, high + layout__TRACED_STATION_COUNTED)), u);
+    return INT64_C(0);
+}
+
+/* The runs of the next sweep: those that pull are cut or dropped, and those that have met are joined. */
+static inline int64_t strip_runs__renew_runs(array_double_1d tables, array_double_1d work, int64_t waves)
+{
+    int64_t count;
+    double largest;
+    int64_t i_end;
+    int64_t i;
+    int64_t k_end;
+    int64_t k;
+    int64_t after;
+    int64_t strip;
+    double middle;
+    double station;
+    double half;
+    double lead;
+    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    largest = 0.0;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        largest = double_max(2, largest, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)));
+    }
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    {
+        strip_runs__part_run(tables, work, waves, k, largest);
+    }
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    {
+        after = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k;
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * count + i);
+            if ((int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_ORIGIN))) >= INT64_C(0))
+            {
+                (*cspan_at(&work, strip + layout__STRIP_AXIS)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * ((int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_ORIGIN))) * count + i) + layout__STRIP_NEXT_AXIS));
+                (*cspan_at(&work, strip + layout__STRIP_LEAD)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * ((int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_ORIGIN))) * count + i) + layout__STRIP_NEXT_LEAD));
             }
             else
             {
-                pushed = ((*cspan_at(&work, strip + layout__STRIP_SHARE)) - strip_pressures__TOUCH) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP));
-                row = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
-                for (j = INT64_C(0); j < count; j += INT64_C(1))
+                middle = 0.5 * ((*cspan_at(&work, after + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work, after + layout__STRIP_RUN_NEXT_STOP)));
+                station = middle - 0.5 * ((*cspan_at(&work, after + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, after + layout__STRIP_RUN_NEXT_START))) * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
+                strip_runs__sample_strips(&half, &lead, tables, work, waves, (int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_LOW))), station);
+                (*cspan_at(&work, strip + layout__STRIP_AXIS)) = half / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+                (*cspan_at(&work, strip + layout__STRIP_LEAD)) = lead;
+            }
+        }
+        if ((int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_ORIGIN))) < INT64_C(0))
+        {
+            strip_runs__raise_axes(work, k * count, count);
+        }
+    }
+    strip_runs__adopt_runs(work);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT))) * count);
+    return INT64_C(0);
+}
+
+/* Add what is pressed of run ``k`` to the next runs; the largest y of all strips is given. */
+static inline int64_t strip_runs__part_run(array_double_1d tables, array_double_1d work, int64_t waves, int64_t k, double largest)
+{
+    int64_t run;
+    int64_t count;
+    int64_t first;
+    double limit;
+    int64_t pulling;
+    int64_t i;
+    int64_t before;
+    int64_t last;
+    run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    first = k * count;
+    limit = (-strip_runs__PULLING) * largest;
+    pulling = INT64_C(0);
+    for (i = INT64_C(2); i < count - INT64_C(2); i += INT64_C(1))
+    {
+        if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) < limit)
+        {
+            pulling += INT64_C(1);
+        }
+    }
+    if ((pulling == INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)) + layout__STRIP_Y)) >= limit) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + count - INT64_C(2)) + layout__STRIP_Y)) >= limit))
+    {
+        before = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
+        strip_runs__add_run(work, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))), (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)));
+        if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))) > before)
+        {
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before + layout__STRIP_RUN_ORIGIN)) = (double)(k);
+        }
+    }
+    else
+    {
+        i = INT64_C(0);
+        while(i < count)
+        {
+            last = i;
+            if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) >= limit)
+            {
+                while((last < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + last + INT64_C(1)) + layout__STRIP_Y)) >= limit))
                 {
-                    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)) != 0.0)
+                    last += INT64_C(1);
+                }
+                if ((last > i) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) > strip_runs__SINGLE * largest))
+                {
+                    strip_runs__add_run(work, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))), (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), strip_runs__pressed_end(tables, work, waves, k, i, -INT64_C(1)), strip_runs__pressed_end(tables, work, waves, k, last, INT64_C(1)));
+                }
+            }
+            i = last + INT64_C(1);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Station [m] where the pressure of run ``k`` falls to zero beyond its strip ``i``, or its edge. */
+static inline double strip_runs__pressed_end(array_double_1d tables, array_double_1d work, int64_t waves, int64_t k, int64_t i, int64_t outward)
+{
+    int64_t run;
+    int64_t beyond;
+    double inner;
+    double outer;
+    double way;
+    double station;
+    run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+    beyond = i + outward;
+    station = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
+    if (beyond >= (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))))
+    {
+        station = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
+    }
+    else if (beyond >= INT64_C(0))
+    {
+        inner = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + i) + layout__STRIP_Y));
+        outer = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + beyond) + layout__STRIP_Y));
+        station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + i) + layout__STRIP_NEXT_STATION));
+        way = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + beyond) + layout__STRIP_NEXT_STATION)) - station;
+        station += way * double_max(2, inner, 0.0) / (double_max(2, inner, 0.0) - outer);
+    }
+    return station;
+}
+
+/* Half-length and lead [m] at ``station`` [m] on the straight line between the strips to either side on
+ * the curve that begins with traced station ``low``.
+ */
+static inline int64_t strip_runs__sample_strips(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t waves, int64_t low, double station)
+{
+    int64_t before;
+    int64_t after;
+    int64_t k_end;
+    int64_t k;
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    int64_t lower;
+    int64_t upper;
+    double u;
+    before = -INT64_C(1);
+    after = -INT64_C(1);
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    {
+        if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k + layout__STRIP_RUN_LOW))) == low)
+        {
+            i_end = (k + INT64_C(1)) * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+            for (i = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))); i < i_end; i += INT64_C(1))
+            {
+                strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+                if ((*cspan_at(&work, strip + layout__STRIP_NEXT_STATION)) <= station)
+                {
+                    if ((before < INT64_C(0)) || ((*cspan_at(&work, strip + layout__STRIP_NEXT_STATION)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_NEXT_STATION))))
                     {
-                        pushed -= (*cspan_at(&work, row + j)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
+                        before = i;
                     }
                 }
-                if (pushed > 0.0)
+                else if ((after < INT64_C(0)) || ((*cspan_at(&work, strip + layout__STRIP_NEXT_STATION)) < (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_NEXT_STATION))))
                 {
-                    (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(1);
-                    changed += INT64_C(1);
+                    after = i;
                 }
             }
         }
     }
-    return changed;
+    if (before < INT64_C(0))
+    {
+        before = after;
+    }
+    if (after < INT64_C(0))
+    {
+        after = before;
+    }
+    lower = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before;
+    upper = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after;
+    u = 0.0;
+    if ((*cspan_at(&work, upper + layout__STRIP_NEXT_STATION)) > (*cspan_at(&work, lower + layout__STRIP_NEXT_STATION)))
+    {
+        u = (station - (*cspan_at(&work, lower + layout__STRIP_NEXT_STATION))) / ((*cspan_at(&work, upper + layout__STRIP_NEXT_STATION)) - (*cspan_at(&work, lower + layout__STRIP_NEXT_STATION)));
+    }
+    (*result_0) = strip_surfaces__between((*cspan_at(&work, lower + layout__STRIP_NEXT_HALF)), (*cspan_at(&work, upper + layout__STRIP_NEXT_HALF)), u);
+    (*result_1) = strip_surfaces__between((*cspan_at(&work, lower + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work, upper + layout__STRIP_NEXT_LEAD)), u);
+    return 0;
 }
 
 
 /* ---- From normal/strip_surfaces.py; change that one.
  *
- * What wheel and rail are at each strip: overlap, inclination, ridge, and the gap beside it.
+ * What wheel and rail are under the strips: traced once at even stations of every zone, where wheel and rail
+ * overlap, and read between them.
+ *
+ * The overlap follows cubics with its own slope at the stations, all else straight lines.
  */
 
-/* Overlap, its rise, inclination and ridge of all strips, which lie in ``count`` regions. */
-static inline int64_t strip_surfaces__trace_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count)
+/* The zones of ``count`` regions, of which the deepest overlaps by ``deepest`` [m]. */
+static inline int64_t strip_surfaces__find_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double deepest)
 {
     int64_t index;
     int64_t region;
-    bool started;
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         frame__enter_plane(work, region, index);
-        started = 0;
-        i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-        {
-            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-            if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
-            {
-                if (!started)
-                {
-                    traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
-                    curves__open_origin(tables, work, pair, region, 0.0);
-                    started = 1;
-                }
-                strip_surfaces__trace_strip(tables, work, pair, region, strip);
-            }
-        }
+        strip_surfaces__measure_zone(tables, work, pair, region, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index, deepest);
         frame__leave_plane(work, region);
     }
     return INT64_C(0);
 }
 
-/* The surfaces at a strip of ``region``, whose frame is open. */
-static inline int64_t strip_surfaces__trace_strip(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t strip)
+/* The zone of a region whose frame is open; without width where nothing overlaps. */
+static inline int64_t strip_surfaces__measure_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, double deepest)
+{
+    double level;
+    double bend;
+    double estimate;
+    double high;
+    double low;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE));
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE));
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    level = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - double_min(2, strip_surfaces__SHALLOW * deepest, strip_surfaces__OWN_SHALLOW * (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)));
+    if (level > 0.0)
+    {
+        bend = double_max(2, (*cspan_at(&work, region + layout__REGION_BEND)), (*cspan_at(&work, region + layout__REGION_CURVATURE)));
+        estimate = sqrt(2.0 * level / bend);
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+        high = widths__zone_width(tables, work, pair, region, 1.0, level, estimate);
+        low = widths__zone_width(tables, work, pair, region, -1.0, level, high);
+        (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) += high;
+        (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) -= low;
+        strip_surfaces__weigh_zone(work, tables, zone, 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE)));
+    }
+    return INT64_C(0);
+}
+
+/* ANALYN's coefficients of a zone, by how wide it is to either side: Hertz's for gap and curvature. */
+static inline int64_t strip_surfaces__weigh_zone(array_double_1d work, array_double_1d tables, int64_t zone, double A)
+{
+    double low;
+    double high;
+    double one_alpha;
+    double one_beta;
+    double nr;
+    low = strip_surfaces__zone_curvature((*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), A);
+    high = strip_surfaces__zone_curvature((*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)), A);
+    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, sqrt(low * high));
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) = one_alpha;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_LOW_BETA)) = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / low);
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_HIGH_BETA)) = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / high);
+    return INT64_C(0);
+}
+
+/* Lateral curvature [1/m] with which the gap rises by the ``depth`` [m] over the ``width`` of a zone to
+ * one side [m]; between FLATTEST_ZONE A and SHARPEST_ZONE A.
+ */
+static inline double strip_surfaces__zone_curvature(double depth, double width, double A)
+{
+    double B;
+    B = strip_surfaces__SHARPEST_ZONE * A;
+    if (depth < B * width * width)
+    {
+        B = depth / (width * width);
+    }
+    B = double_max(2, B, strip_surfaces__FLATTEST_ZONE * A);
+    return B;
+}
+
+/* Wheel and rail at the stations of the zones of ``count`` regions. */
+static inline int64_t strip_surfaces__trace_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count)
+{
+    int64_t index;
+    int64_t zone;
+    int64_t region;
+    int64_t first;
+    double spacing;
+    int64_t i;
+    int64_t at;
+    int64_t i_end;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = 0.0;
+    for (index = INT64_C(0); index < count; index += INT64_C(1))
+    {
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index;
+        if ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) > (*cspan_at(&work, zone + layout__STRIP_ZONE_START)))
+        {
+            region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
+            first = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
+            if ((index > INT64_C(0)) && (first > INT64_C(0)))
+            {
+                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - INT64_C(1)) + layout__TRACED_STATION_JOINED)) = (double)((*cspan_at(&work, zone + layout__STRIP_ZONE_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (index - INT64_C(1)) + layout__STRIP_ZONE_STOP)) < strip_surfaces__TOUCHING);
+            }
+            frame__enter_plane(work, region, index);
+            traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
+            curves__open_origin(tables, work, pair, region, 0.0);
+            spacing = ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START))) / ((double)(strip_surfaces__ZONE_STATIONS - INT64_C(1)) + 2.0 * strip_surfaces__INSET);
+            for (i = INT64_C(0); i < strip_surfaces__ZONE_STATIONS; i += INT64_C(1))
+            {
+                at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first + i);
+                (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + ((double)(i) + strip_surfaces__INSET) * spacing;
+                (*cspan_at(&work, at + layout__TRACED_STATION_REGION)) = (double)(index);
+                (*cspan_at(&work, at + layout__TRACED_STATION_JOINED)) = (double)(i < strip_surfaces__ZONE_STATIONS - INT64_C(1));
+                strip_surfaces__trace_station(tables, work, pair, region, zone, at);
+            }
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = (double)(first + strip_surfaces__ZONE_STATIONS);
+            frame__leave_plane(work, region);
+        }
+    }
+    strip_surfaces__place_on_middle(work);
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        strip_surfaces__incline_station(work, tables, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i);
+    }
+    return INT64_C(0);
+}
+
+/* Wheel and rail at a station of ``region``, whose frame is open. */
+static inline int64_t strip_surfaces__trace_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, int64_t at)
 {
     double gap;
     double rate;
     double bend;
     double curvature;
+    double beta;
     double height;
     double slope;
-    separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE);
-    (*cspan_at(&work, strip + layout__STRIP_RISE)) = 0.0;
-    (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = -frame__NO_GAP;
+    double level;
+    separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE);
+    (*cspan_at(&work, at + layout__TRACED_STATION_RISE)) = 0.0;
+    (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) = 0.0;
     if (gap < frame__NO_GAP)
     {
-        (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap;
-        (*cspan_at(&work, strip + layout__STRIP_RISE)) = -rate;
+        (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap;
+        (*cspan_at(&work, at + layout__TRACED_STATION_RISE)) = -rate;
     }
+    beta = (*cspan_at(&work, zone + layout__STRIP_ZONE_LOW_BETA));
+    if ((*cspan_at(&work, at + layout__TRACED_STATION_STATION)) > (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)))
+    {
+        beta = (*cspan_at(&work, zone + layout__STRIP_ZONE_HIGH_BETA));
+    }
+    (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - beta * ((*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)));
     tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-    (*cspan_at(&work, strip + layout__STRIP_COS)) = 1.0 / sqrt(1.0 + slope * slope);
-    (*cspan_at(&work, strip + layout__STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__STRIP_COS));
-    (*cspan_at(&work, strip + layout__STRIP_X)) = 0.0;
-    (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * curvature;
-    (*cspan_at(&work, strip + layout__STRIP_SKEW)) = 0.0;
-    (*cspan_at(&work, strip + layout__STRIP_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    (*cspan_at(&work, at + layout__TRACED_STATION_COS)) = 1.0 / sqrt(1.0 + slope * slope);
+    (*cspan_at(&work, at + layout__TRACED_STATION_SIN)) = slope * (*cspan_at(&work, at + layout__TRACED_STATION_COS));
+    (*cspan_at(&work, at + layout__TRACED_STATION_X)) = 0.0;
+    (*cspan_at(&work, at + layout__TRACED_STATION_A)) = 0.5 * curvature;
+    (*cspan_at(&work, at + layout__TRACED_STATION_SKEW)) = 0.0;
+    (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     if (frame__is_yawed(work))
     {
-        (*cspan_at(&work, strip + layout__STRIP_X)) = locus__outline_x(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)));
-    }
-    return INT64_C(0);
-}
-
-/* Places and breadths of the strips on the curve between wheel and rail, in the middle of the overlap.
- *
- * Where the rail bulges, that is shorter than the rail by half the overlap times its curvature; and it is
- * inclined by half of what the overlap rises.
- */
-static inline int64_t strip_surfaces__place_on_middle(array_double_1d work, int64_t count)
-{
-    double stretch;
-    int64_t i;
-    int64_t strip;
-    int64_t before;
-    int64_t after;
-    double turned;
-    double reach;
-    double last;
-    double way;
-    stretch = 1.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        before = i;
-        after = i;
-        if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_JOINED)) == 1.0))
-        {
-            before = i - INT64_C(1);
-        }
-        if ((i < count - INT64_C(1)) && ((*cspan_at(&work, strip + layout__STRIP_JOINED)) == 1.0))
-        {
-            after = i + INT64_C(1);
-        }
-        turned = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_SIN));
-        reach = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_STATION));
-        last = stretch;
-        stretch = 1.0;
-        if ((reach > 0.0) && ((*cspan_at(&work, strip + layout__STRIP_OVERLAP)) > 0.0))
-        {
-            stretch = 1.0 - 0.5 * (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) * turned / reach;
-        }
-        (*cspan_at(&work, strip + layout__STRIP_BREADTH)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * stretch;
-        (*cspan_at(&work, strip + layout__STRIP_PLACE)) = (*cspan_at(&work, strip + layout__STRIP_STATION));
-        if (i > INT64_C(0))
-        {
-            way = (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
-            (*cspan_at(&work, strip + layout__STRIP_PLACE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PLACE)) + 0.5 * (last + stretch) * way;
-        }
-    }
-    return INT64_C(0);
-}
-
-/* Turn the strips to the mean of the normals of wheel and rail; what of penetration and load counts, and
- * the gap where nothing penetrates, for strips laid at the problem's penetration.
- */
-static inline int64_t strip_surfaces__incline_strips(array_double_1d work, array_double_1d tables)
-{
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    double half;
-    double scale;
-    double cosine;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_RISE));
-        scale = 1.0 / sqrt(1.0 + half * half);
-        (*cspan_at(&work, strip + layout__STRIP_SHARE)) = (*cspan_at(&work, strip + layout__STRIP_COS)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        cosine = ((*cspan_at(&work, strip + layout__STRIP_COS)) - half * (*cspan_at(&work, strip + layout__STRIP_SIN))) * scale;
-        (*cspan_at(&work, strip + layout__STRIP_SIN)) = ((*cspan_at(&work, strip + layout__STRIP_SIN)) + half * (*cspan_at(&work, strip + layout__STRIP_COS))) * scale;
-        (*cspan_at(&work, strip + layout__STRIP_COS)) = cosine;
-        (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = 1.0;
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
-        {
-            (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, (*cspan_at(&work, strip + layout__STRIP_SIN)));
-        }
+        (*cspan_at(&work, at + layout__TRACED_STATION_X)) = locus__outline_x(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)));
+        level = double_max(2, (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)), strip_surfaces__LEAST_LEVEL * (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)));
+        strip_surfaces__measure_ridge(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), at, strip_pressures__TESTED * sqrt(level / ((*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work, at + layout__TRACED_STATION_A)))));
     }
     return INT64_C(0);
 }
@@ -4139,7 +3950,7 @@ static inline double strip_surfaces__profile_within(array_double_1d tables, int6
  *
  * Along x a yawed wheel shows other parts of its profile, to either side of the ridge's.
  */
-static inline int64_t strip_surfaces__measure_ridge(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t strip, double away)
+static inline int64_t strip_surfaces__measure_ridge(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t at, double away)
 {
     double across;
     double z;
@@ -4153,192 +3964,132 @@ static inline int64_t strip_surfaces__measure_ridge(array_double_1d tables, arra
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) != layout__LONGITUDINAL_BASIC)
     {
         across = away * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-        tables__height_slope_bend(&z, &slope, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)));
-        before = strip_surfaces__profile_within(tables, pair, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) - across);
-        after = strip_surfaces__profile_within(tables, pair, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) + across);
+        tables__height_slope_bend(&z, &slope, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)));
+        before = strip_surfaces__profile_within(tables, pair, (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)) - across);
+        after = strip_surfaces__profile_within(tables, pair, (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)) + across);
         mean = bend;
         square = across * across;
         if (square > 0.0)
         {
             mean = (before + after - 2.0 * z) / square;
         }
-        (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * curvature__longitudinal_curvature(work, tables, place, z, slope, mean);
+        (*cspan_at(&work, at + layout__TRACED_STATION_A)) = 0.5 * curvature__longitudinal_curvature(work, tables, place, z, slope, mean);
         odd = 0.5 * (after - before) - slope * across;
-        (*cspan_at(&work, strip + layout__STRIP_SKEW)) = odd / (sqrt(1.0 + slope * slope) * away * away * away);
+        (*cspan_at(&work, at + layout__TRACED_STATION_SKEW)) = odd / (sqrt(1.0 + slope * slope) * away * away * away);
     }
     return INT64_C(0);
 }
 
-/* Half-lengths of the strips, which lie in ``count`` regions, from how wide their zones are:
- * those of Hertz's ellipse for gap and curvature at each strip.
+/* Stations on the curve between wheel and rail, in the middle of the overlap.
+ *
+ * Where the rail bulges, that is shorter than the rail by half the overlap times its curvature; and it is
+ * inclined by half of what the overlap rises.
  */
-static inline int64_t strip_surfaces__first_lengths(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count)
+static inline int64_t strip_surfaces__place_on_middle(array_double_1d work)
 {
-    int64_t index;
-    int64_t region;
-    int64_t zone;
-    double depth;
-    double middle;
-    double A;
-    double low;
-    double high;
-    double B;
-    double one_alpha;
-    double one_beta;
-    double nr;
-    double lean;
-    double low_beta;
-    double high_beta;
-    double slant;
-    double alpha;
-    double beta;
     int64_t i_end;
     int64_t i;
-    int64_t strip;
+    int64_t at;
+    int64_t before;
+    int64_t after;
+    double turned;
+    double way;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        before = i;
+        after = i;
+        if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_JOINED)) == 1.0))
+        {
+            before = i - INT64_C(1);
+        }
+        if (((*cspan_at(&work, at + layout__TRACED_STATION_JOINED)) == 1.0) && (i < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)))
+        {
+            after = i + INT64_C(1);
+        }
+        turned = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN));
+        (*cspan_at(&work, at + layout__TRACED_STATION_STRETCH)) = 1.0;
+        if ((*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) > 0.0)
+        {
+            (*cspan_at(&work, at + layout__TRACED_STATION_STRETCH)) -= 0.5 * (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) * turned / ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_STATION)));
+        }
+        (*cspan_at(&work, at + layout__TRACED_STATION_PLACE)) = (*cspan_at(&work, at + layout__TRACED_STATION_STATION));
+        if (i > INT64_C(0))
+        {
+            way = (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_STATION));
+            (*cspan_at(&work, at + layout__TRACED_STATION_PLACE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_PLACE)) + 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_STRETCH)) + (*cspan_at(&work, at + layout__TRACED_STATION_STRETCH))) * way;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Turn a station to the mean of the normals of wheel and rail; what of penetration and load counts
+ * there.
+ */
+static inline int64_t strip_surfaces__incline_station(array_double_1d work, array_double_1d tables, int64_t at)
+{
+    double half;
+    double scale;
+    double cosine;
+    half = 0.5 * (*cspan_at(&work, at + layout__TRACED_STATION_RISE));
+    scale = 1.0 / sqrt(1.0 + half * half);
+    (*cspan_at(&work, at + layout__TRACED_STATION_SHARE)) = (*cspan_at(&work, at + layout__TRACED_STATION_COS)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    cosine = ((*cspan_at(&work, at + layout__TRACED_STATION_COS)) - half * (*cspan_at(&work, at + layout__TRACED_STATION_SIN))) * scale;
+    (*cspan_at(&work, at + layout__TRACED_STATION_SIN)) = ((*cspan_at(&work, at + layout__TRACED_STATION_SIN)) + half * (*cspan_at(&work, at + layout__TRACED_STATION_COS))) * scale;
+    (*cspan_at(&work, at + layout__TRACED_STATION_COS)) = cosine;
+    (*cspan_at(&work, at + layout__TRACED_STATION_COUNTED)) = 1.0;
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
+    {
+        (*cspan_at(&work, at + layout__TRACED_STATION_COUNTED)) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, (*cspan_at(&work, at + layout__TRACED_STATION_SIN)));
+    }
+    return INT64_C(0);
+}
+
+/* The station of a curve after which ``station`` [m] lies, from number ``first`` on, no later than the
+ * last but one.
+ */
+static inline int64_t strip_surfaces__interval(array_double_1d work, int64_t first, int64_t high, double station)
+{
+    while((first < high - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first + INT64_C(1)) + layout__TRACED_STATION_STATION)) < station))
+    {
+        first += INT64_C(1);
+    }
+    return first;
+}
+
+/* How far ``station`` [m] lies on the way from station ``j`` to the next one, 0 ... 1. */
+static inline double strip_surfaces__way_through(array_double_1d work, int64_t j, double station)
+{
+    double start;
+    double result;
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_STATION));
+    result = (station - start) / ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1)) + layout__TRACED_STATION_STATION)) - start);
+    return result;
+}
+
+/* A value on the straight line between two others, at 0 <= ``u`` <= 1. */
+static inline double strip_surfaces__between(double low, double high, double u)
+{
+    return low + u * (high - low);
+}
+
+/* Gap [m] at ``station`` [m] behind traced station ``j``, on the ridge, where nothing penetrates. */
+static inline double strip_surfaces__rest_gap(array_double_1d work, int64_t j, double station)
+{
+    int64_t low;
+    int64_t high;
+    double way;
+    double u;
+    double v;
     double overlap;
-    double farthest;
-    for (index = INT64_C(0); index < count; index += INT64_C(1))
-    {
-        region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index;
-        depth = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, region + layout__REGION_GAP));
-        middle = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-        A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-        low = strip_surfaces__zone_curvature(depth, middle - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), A);
-        high = strip_surfaces__zone_curvature(depth, (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - middle, A);
-        B = sqrt(low * high);
-        coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
-        lean = 0.0;
-        low_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / low);
-        high_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / high);
-        if (frame__is_yawed(work))
-        {
-            slant = strip_surfaces__ridge_slant(work, index);
-            coefficients__skewed_coefficients(&alpha, &beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, slant);
-            lean = coefficients__middle_slant(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, slant) - slant;
-            low_beta *= beta / one_beta;
-            high_beta *= beta / one_beta;
-            one_alpha = alpha;
-        }
-        i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-        {
-            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-            if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
-            {
-                if (frame__is_yawed(work))
-                {
-                    overlap = double_max(2, (*cspan_at(&work, strip + layout__STRIP_OVERLAP)), strip_surfaces__LEAST_OVERLAP * depth);
-                    strip_surfaces__measure_ridge(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * sqrt(overlap * (*cspan_at(&tables, pair + layout__PAIR_RADIUS))));
-                }
-                beta = low_beta;
-                if ((*cspan_at(&work, strip + layout__STRIP_STATION)) > middle)
-                {
-                    beta = high_beta;
-                }
-                strip_surfaces__first_length(work, strip, depth, one_alpha, beta);
-                farthest = strip_surfaces__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-                (*cspan_at(&work, strip + layout__STRIP_LEAD)) = pressed__limited(lean * ((*cspan_at(&work, strip + layout__STRIP_STATION)) - middle), farthest);
-            }
-        }
-    }
-    strip_lengths__limit_lengths(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
-    return INT64_C(0);
-}
-
-/* Mean slope dx/ds of the ridge over the strips of the region with number ``index`` [-]; 0 where it has
- * fewer than two.
- */
-static inline double strip_surfaces__ridge_slant(array_double_1d work, int64_t index)
-{
-    int64_t first;
-    int64_t last;
-    int64_t i_end;
-    int64_t i;
-    double slant;
-    first = -INT64_C(1);
-    last = -INT64_C(1);
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))) == index)
-        {
-            if (first < INT64_C(0))
-            {
-                first = i;
-            }
-            last = i;
-        }
-    }
-    slant = 0.0;
-    if (last > first)
-    {
-        slant = ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_X)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_X))) / ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION)));
-    }
-    return slant;
-}
-
-/* Lateral curvature [1/m] with which the gap rises by most of the ``depth`` [m] over the ``width`` of a
- * zone to one side [m]; between FLATTEST_ZONE A and SHARPEST_ZONE A.
- */
-static inline double strip_surfaces__zone_curvature(double depth, double width, double A)
-{
-    double most;
-    double B;
-    most = strip_surfaces__SHARPEST_ZONE * A;
-    B = most;
-    if (depth < most * width * width)
-    {
-        B = depth / (width * width);
-    }
-    B = double_max(2, B, strip_surfaces__FLATTEST_ZONE * A);
-    return B;
-}
-
-/* Half-length of a strip in a region of this ``depth`` [m], by ANALYN's coefficients of its zone. */
-static inline int64_t strip_surfaces__first_length(array_double_1d work, int64_t strip, double depth, double one_alpha, double one_beta)
-{
-    double level;
-    double least;
-    level = depth - one_beta * (depth - (*cspan_at(&work, strip + layout__STRIP_OVERLAP)));
-    (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(level > 0.0);
-    least = double_max(2, strip_surfaces__INSIDE * (*cspan_at(&work, strip + layout__STRIP_OVERLAP)), strip_surfaces__LEAST_OVERLAP * depth);
-    level = double_max(2, level, least);
-    (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = sqrt(level / (one_alpha * (*cspan_at(&work, strip + layout__STRIP_A))));
-    return INT64_C(0);
-}
-
-/* Half-lengths and leads of the strips from the layout before. */
-static inline int64_t strip_surfaces__lengths_before(array_double_1d tables, array_double_1d work, int64_t pair)
-{
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    strip_layout__length_before(work);
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        if (frame__is_yawed(work))
-        {
-            strip_surfaces__measure_ridge(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
-        }
-    }
-    strip_lengths__limit_lengths(work, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
-    return INT64_C(0);
-}
-
-/* The gap in the middle of every strip where nothing penetrates. */
-static inline int64_t strip_surfaces__set_gaps(array_double_1d work)
-{
-    int64_t i_end;
-    int64_t i;
-    int64_t strip;
-    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
-    {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        (*cspan_at(&work, strip + layout__STRIP_GAP)) = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) + strip_lengths__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)));
-    }
-    return INT64_C(0);
+    double result;
+    low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j;
+    high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1));
+    way = (*cspan_at(&work, high + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, low + layout__TRACED_STATION_STATION));
+    u = (station - (*cspan_at(&work, low + layout__TRACED_STATION_STATION))) / way;
+    v = 1.0 - u;
+    overlap = (1.0 + 2.0 * u) * v * v * (*cspan_at(&work, low + layout__TRACED_STATION_OVERLAP)) + u * u * (3.0 - 2.0 * u) * (*cspan_at(&work, high + layout__TRACED_STATION_OVERLAP)) + u * v * way * (v * (*cspan_at(&work, low + layout__TRACED_STATION_RISE)) - u * (*cspan_at(&work, high + layout__TRACED_STATION_RISE)));
+    result = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_SHARE)), (*cspan_at(&work, high + layout__TRACED_STATION_SHARE)), u) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - overlap;
+    return result;
 }

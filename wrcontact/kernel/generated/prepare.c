@@ -46,6 +46,7 @@ static inline int64_t prepare_scan__write_scan(array_double_1d setup, array_doub
 /* prepare/tables.py */
 static inline int64_t prepare_tables__fixed_table(array_double_1d fixed, int64_t index);
 static inline int64_t prepare_tables__append_fixed(array_double_1d tables, int64_t at, array_double_1d fixed, int64_t index);
+static inline int64_t prepare_tables__append_waves(array_double_1d tables, int64_t at, int64_t count);
 static inline int64_t prepare_tables__parabola_weights(double* result_0, double* result_1, double* result_2, double low, double middle, double high, double x);
 static inline int64_t prepare_tables__write_shapes(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio);
 static inline int64_t prepare_tables__write_reaches(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio);
@@ -67,6 +68,11 @@ static inline double prepare_tables__start_shift(array_double_1d tables, int64_t
 static inline int64_t prepare_tables__note_start(array_double_1d work, array_double_1d tables, int64_t row, int64_t status);
 static inline int64_t prepare_tables__mirror_starts(array_double_1d tables);
 static inline int64_t prepare_tables__open_starts(array_double_1d tables);
+
+/* prepare/waves.py */
+static inline double prepare_waves__wave(int64_t m, int64_t i, int64_t count);
+static inline int64_t prepare_waves__write_strip(array_double_1d tables, int64_t waves, int64_t i, int64_t count);
+static inline int64_t prepare_waves__write_waves(array_double_1d tables, int64_t waves, int64_t count);
 
 /* prepare/zones.py */
 static inline int64_t prepare_zones__polynomial_jet(double* z, double* slope, double* bend, array_double_1d zones, int64_t row, double t);
@@ -1335,6 +1341,19 @@ static inline int64_t prepare_tables__append_fixed(array_double_1d tables, int64
     return at + size;
 }
 
+/* The table for runs of ``count`` strips at ``at``, which ``tables`` already point to; the offset after
+ * it, or FULL.
+ */
+static inline int64_t prepare_tables__append_waves(array_double_1d tables, int64_t at, int64_t count)
+{
+    if (at + layout__WAVES_SIZE > (int64_t)tables.shape[INT64_C(0)])
+    {
+        return prepare_pieces__FULL;
+    }
+    prepare_waves__write_waves(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))), count);
+    return at + layout__WAVES_SIZE;
+}
+
 /* Weights of the values at three nodes in the parabola through them at ``x``. */
 static inline int64_t prepare_tables__parabola_weights(double* result_0, double* result_1, double* result_2, double low, double middle, double high, double x)
 {
@@ -1459,7 +1478,6 @@ static inline int64_t prepare_tables__write_settings(array_double_1d setup, arra
     (*cspan_at(&tables, layout__TABLES_YAW_LIMIT)) = layout__YAW_LIMIT;
     (*cspan_at(&tables, layout__TABLES_NODES)) = (double)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_NODES)));
     (*cspan_at(&tables, layout__TABLES_STRIDE)) = (double)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_STRIDE)));
-    (*cspan_at(&tables, layout__TABLES_STRIPS)) = (double)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_STRIPS)));
     (*cspan_at(&tables, layout__TABLES_SWEEPS)) = (double)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_SWEEPS)));
     (*cspan_at(&tables, layout__TABLES_PENETRATION + INT64_C(0))) = (*cspan_at(&setup, layout__SETUP_ABSENT));
     (*cspan_at(&tables, layout__TABLES_PENETRATION + INT64_C(1))) = (*cspan_at(&setup, layout__SETUP_ABSENT));
@@ -1600,6 +1618,11 @@ static inline int64_t prepare_tables__write_common(array_double_1d setup, array_
     {
         (*cspan_at(&tables, layout__TABLES_INFLUENCE)) = (double)(at);
         at = prepare_tables__append_fixed(tables, at, fixed, prepare_tables__FIXED_INFLUENCE);
+    }
+    if ((at != prepare_pieces__FULL) && ((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NORMAL_MODEL)) == layout__MODEL_ANALYN_STRIP))
+    {
+        (*cspan_at(&tables, layout__TABLES_WAVES)) = (double)(at);
+        at = prepare_tables__append_waves(tables, at, (int64_t)((*cspan_at(&setup, layout__SETUP_RESOLUTION + layout__RESOLUTION_STRIPS))));
     }
     if ((at != prepare_pieces__FULL) && ((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_TANGENTIAL_MODEL)) != layout__TANGENTIAL_NONE))
     {
@@ -1786,6 +1809,112 @@ static inline int64_t prepare_tables__mirror_starts(array_double_1d tables)
     }
     (*cspan_at(&tables, rows + layout__START_SIZE * (py_floor_div_int64_t(layout__START_COUNT, INT64_C(2))) + layout__START_ROLL)) = 0.0;
     (*cspan_at(&tables, rows + layout__START_SIZE * (py_floor_div_int64_t(layout__START_COUNT, INT64_C(2))) + layout__START_LEFT)) = (*cspan_at(&tables, rows + layout__START_SIZE * (py_floor_div_int64_t(layout__START_COUNT, INT64_C(2))) + layout__START_RIGHT));
+    return INT64_C(0);
+}
+
+
+/* ---- From prepare/waves.py; change that one.
+ *
+ * What the strips of a run have from their number n alone; eqs. (S10) ... (S13) of docs/method.md.
+ *
+ * Strip i lies at the angle t_i = (i + 1/2) pi / n along the run, s = middle - half cos t.  A smooth function of
+ * the run is a sum of the cosines cos(m t), m < n, through its values at the strips.
+ */
+
+/* cos(m t) at the angle t = (i + 1/2) pi / ``count``. */
+static inline double prepare_waves__wave(int64_t m, int64_t i, int64_t count)
+{
+    double sine;
+    double cosine;
+    circle__sine_cosine(&sine, &cosine, (double)(pyc_modulo(m * (INT64_C(2) * i + INT64_C(1)), (INT64_C(4) * count))) * 0.5 * M_PI / (double)(count));
+    return cosine;
+}
+
+/* All of the table for runs of ``count`` strips. */
+static inline int64_t prepare_waves__write_waves(array_double_1d tables, int64_t waves, int64_t count)
+{
+    int64_t fine;
+    int64_t i;
+    int64_t k;
+    double sine;
+    double cosine;
+    double smooth;
+    int64_t m;
+    int64_t j;
+    double rough;
+    (*cspan_at(&tables, waves + layout__WAVES_COUNT)) = (double)(count);
+    fine = layout__FINE_WAVES * count;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        prepare_waves__write_strip(tables, waves, i, count);
+    }
+    for (k = INT64_C(0); k < fine; k += INT64_C(1))
+    {
+        circle__sine_cosine(&sine, &cosine, ((double)(k) + 0.5) * M_PI / (double)(fine));
+        (*cspan_at(&tables, waves + layout__WAVES_FINE_SIN + k)) = sine;
+        (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + k)) = cosine;
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            smooth = 0.5;
+            for (m = INT64_C(1); m < count; m += INT64_C(1))
+            {
+                smooth += prepare_waves__wave(m, i, count) * prepare_waves__wave(m, k, fine);
+            }
+            (*cspan_at(&tables, waves + layout__WAVES_SMOOTHING + INT64_C(48) * i + k)) = 2.0 * smooth / (double)(fine);
+            (*cspan_at(&tables, waves + layout__WAVES_REFINING + INT64_C(16) * k + i)) = 2.0 * smooth / (double)(count);
+        }
+        for (j = INT64_C(0); j < fine; j += INT64_C(1))
+        {
+            rough = 0.0;
+            for (m = count; m < fine; m += INT64_C(1))
+            {
+                rough += (double)(m) * prepare_waves__wave(m, k, fine) * prepare_waves__wave(m, j, fine);
+            }
+            (*cspan_at(&tables, waves + layout__WAVES_ROUGHNESS + INT64_C(48) * k + j)) = 2.0 * rough / (double)(fine);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Angle, weights and the row of eq. (S11) of strip ``i``. */
+static inline int64_t prepare_waves__write_strip(array_double_1d tables, int64_t waves, int64_t i, int64_t count)
+{
+    double sine;
+    double cosine;
+    double start;
+    double stop;
+    double sign;
+    int64_t m;
+    int64_t j;
+    double left;
+    circle__sine_cosine(&sine, &cosine, ((double)(i) + 0.5) * M_PI / (double)(count));
+    (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) = sine;
+    (*cspan_at(&tables, waves + layout__WAVES_COS + i)) = cosine;
+    (*cspan_at(&tables, waves + layout__WAVES_SPREAD + i)) = powers__log((double)(count) / (M_PI * sine));
+    start = 0.5;
+    stop = 0.5;
+    sign = 1.0;
+    for (m = INT64_C(1); m < count; m += INT64_C(1))
+    {
+        sign = -sign;
+        start += prepare_waves__wave(m, i, count);
+        stop += sign * prepare_waves__wave(m, i, count);
+    }
+    (*cspan_at(&tables, waves + layout__WAVES_START + i)) = 2.0 * start / (double)(count);
+    (*cspan_at(&tables, waves + layout__WAVES_STOP + i)) = 2.0 * stop / (double)(count);
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        left = -powers__log(2.0);
+        for (m = INT64_C(1); m < count; m += INT64_C(1))
+        {
+            left -= 2.0 * prepare_waves__wave(m, i, count) * prepare_waves__wave(m, j, count) / (double)(m);
+        }
+        if (j != i)
+        {
+            left -= powers__log(fabs(prepare_waves__wave(INT64_C(1), i, count) - prepare_waves__wave(INT64_C(1), j, count)));
+        }
+        (*cspan_at(&tables, waves + layout__WAVES_SINGULAR + INT64_C(16) * i + j)) = 2.0 * left;
+    }
     return INT64_C(0);
 }
 

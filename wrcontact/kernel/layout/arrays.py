@@ -15,7 +15,7 @@ from .contact import (CubicTable, CurvatureTable, DeepPoints, Frame, KeptFrames,
 from .creep import Rolling, RollingTable
 from .interface import Inputs, Outputs, Parameters, PatchOutputs, Resolution, SideOutputs
 from .patch import (Equations, Forces, HertzTable, InfluenceTable, NodesOfRegions, Outline, Patch,
-                    SolvedStrips, StripProblem)
+                    SolvedStrips, StripProblem, Waves)
 from .record import WIDTH, Float, To, record, size
 from .search import RollTrials, Scan, Sides, Starts
 
@@ -138,9 +138,9 @@ class Tables:
     penetration: Float * 2          # prescribed, left and right [m]; not a number: the force is prescribed
     nodes: int                      # nodes per half-width of the interpenetration, a multiple of five
     stride: int                     # every so many of them are traced on the profiles
-    strips: int                     # strips of the strip model that are asked for
-    sweeps: int                     # and how often it is made
-    influence: To(InfluenceTable)   # how its strips displace the half-space beside them
+    waves: To(Waves)                # what the strips of a run have from their number alone
+    sweeps: int                     # how often their half-lengths and edges are corrected
+    influence: To(InfluenceTable)   # how they displace the half-space beside them
     starts: To(Starts)
     sides: int                      # which sides are wanted, one of SIDES_...
     depth: int                      # what is wanted of them, one of DEPTH_...
@@ -203,6 +203,7 @@ STATE_SIZE: Final[int] = size(State)
 SETTING_COUNT: Final[int] = size(Tables)
 SETUP_SIZE: Final[int] = size(Setup)
 ROLLING_TABLE_SIZE: Final[int] = size(RollingTable)
+WAVES_SIZE: Final[int] = size(Waves)
 SIDE_SIZE, PATCH_OUTPUTS_SIZE = size(SideOutputs), size(PatchOutputs)
 OUT_RIGHT = Outputs.left.offset // WIDTH + SIDE_SIZE
 

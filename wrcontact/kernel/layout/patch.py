@@ -24,7 +24,6 @@ RULE_QUADRATIC: Final[int] = 1       # quadratics through the squares at evenly 
 RULE_STRAIGHT: Final[int] = 2        # straight lines through the squares, to zero at the patch's edges
 NODE_LIMIT: Final[int] = 256         # nodes of a region
 NODE_MIDDLE: Final[int] = 128        # place of node 0 in them
-STRIP_LIMIT: Final[int] = 104        # strips of one wheel: 64, and 12 at least in each region
 
 #: Numbers at the nodes of a region; node 0 is at its minimum.
 NodeRun = centred(NODE_LIMIT, NODE_MIDDLE)
@@ -171,61 +170,116 @@ class Nodes:
 NodesOfRegions = Nodes * REGION_LIMIT
 
 
+WAVE_LIMIT: Final[int] = 16          # strips of a run, at most,
+FINE_WAVES: Final[int] = 3           # as many fine ones for each of them,
+FINE_LIMIT: Final[int] = 48          # so many for all
+STRIP_RUN_LIMIT: Final[int] = 6      # runs of loaded strips of one wheel
+STRIP_LIMIT: Final[int] = 96         # their strips
+TRACED_LIMIT: Final[int] = 48        # stations at which the surfaces under strips are traced, all zones
+
+WaveRow = run(WAVE_LIMIT)
+FineRow = run(FINE_LIMIT)
+
+
+@record
+class Waves:
+    """What the strips of a run have from their number alone: strip i lies at angle t_i = (i + 1/2) pi / n,
+    fine strip k at (k + 1/2) pi / (3 n); eqs. (S10) ... (S13)."""
+
+    count: int                      # n
+    cos: WaveRow
+    sin: WaveRow
+    spread: WaveRow                 # ln(n / (pi sin t))
+    start: WaveRow                  # weights of a smooth function's value at the start of the run
+    stop: WaveRow                   # and at its end
+    singular: WaveRow * WAVE_LIMIT  # 2 (n / pi) D_ij: what the rule of points leaves out of the logarithm
+    fine_cos: FineRow
+    fine_sin: FineRow
+    smoothing: FineRow * WAVE_LIMIT     # values at strips of the first n cosines through fine strips
+    refining: WaveRow * FINE_LIMIT      # values at fine strips of the cosines through strips
+    roughness: FineRow * FINE_LIMIT     # sum of m g_m cos(m t) over the cosines from n on
+
+
 @record
 class StripZone:
     """Where the wheel overlaps the rail around the deepest point of a region."""
 
     start: float                    # stations of its ends [m]
     stop: float
-    level: float                    # how deep it is, over the overlap at its ends [m]
+    middle: float                   # and of its deepest point
+    depth: float                    # how deep that is [m]
+    one_alpha: float                # ANALYN's coefficients there: 1 + alpha,
+    low_beta: float                 # 1 + beta before the middle
+    high_beta: float                # and behind it
 
 
 @record
-class StripCell:
-    """A piece of the rail that is divided into strips."""
+class TracedStation:
+    """Wheel and rail at a station; between stations they follow by interpolation."""
 
-    start: float                    # stations of its ends [m]
+    station: float                  # s [m]
+    region: int                     # the region that it belongs to
+    joined: bool                    # the next one lies on the same curve
+    overlap: float                  # of wheel and rail, on the ridge [m]
+    rise: float                     # how fast that rises along the rail [-]
+    wheel: float                    # wheel abscissa [m]
+    level: float                    # a^2 (1 + alpha) A of a strip as ANALYN has it [m]
+    place: float                    # the station on the curve between wheel and rail [m]
+    stretch: float                  # length there over that along the rail [-]
+    cos: float                      # of the inclination of that curve
+    sin: float
+    x: float                        # track coordinate x of the ridge [m]
+    A: float                        # the gap beside the ridge, at a distance x: A x^2 + skew x^3 [1/m]
+    skew: float                     # [1/m^2]
+    share: float                    # of the penetration that comes along its normal [-]
+    counted: float                  # share of its load that counts for the prescribed force [-]
+
+
+@record
+class StripRun:
+    """A run of loaded strips."""
+
+    low: int                        # first and last traced station of its curve
+    high: int
+    start: float                    # stations of its edges [m]
     stop: float
-    weight: float                   # its share of the strips, over that of all cells
-    half_length: float              # of the strip that was there before [m], and how far
-    lead: float                     # the middle of that was before the ridge [m]
-    loaded: bool                    # whether it was
+    next_start: float               # and after this sweep
+    next_stop: float
+    origin: int                     # the run of the sweep before whose strips it has; -1: it has new ones
+    gaps: FineRow                   # share times sunk depth, less the overlap, at its fine strips [m]
 
 
 @record
 class Strip:
-    station: float                  # s of its middle [m]
-    width: float                    # along the rail [m]
+    station: float                  # s [m]
     region: int                     # the region that it belongs to
-    joined: bool                    # it touches the next strip
-    place: float                    # its middle on the curve between wheel and rail [m],
-    breadth: float                  # and its width there [m]
+    place: float                    # its place on the curve between wheel and rail [m]
+    stretch: float                  # length there over that along the rail [-]
     cos: float                      # of the inclination of that curve
     sin: float
-    overlap: float                  # of wheel and rail where they were laid, on the ridge [m]
-    rise: float                     # how fast that rises along the rail [-]
-    wheel: float                    # wheel abscissa there [m]
     x: float                        # track coordinate x of the ridge [m]
     A: float                        # the gap beside the ridge, at a distance x: A x^2 + skew x^3 [1/m]
     skew: float                     # [1/m^2]
     share: float                    # of the penetration that comes along its normal [-]
     counted: float                  # share of its load that counts for the prescribed force [-]
     gap: float                      # on its middle, where nothing penetrates [m]
-    loaded: bool
-    known: bool                     # how it displaces all strips
+    width: float                    # what it stands for on the curve [m]
+    axis: float                     # its half-length over sin t [m]
     half_length: float              # a of this sweep [m]
+    slender: float                  # ln(width / half-length)
     lead: float                     # of its middle before the ridge, along x [m]
-    y: float                        # h p / (pi E*), eq. (S5) [m]; 0 where the strip is not loaded
-    line_load: float                # q [N/m]
-    half_length_square: float       # a^2 after this sweep [m^2]
-    pressure: float                 # p on its middle [Pa]
-    next_lead: float                # its lead after this sweep [m]
+    y: float                        # p / (pi E*) on its middle [-], of this sweep
+    next_axis: float                # axis, lead, half-length and station after this sweep [m]
+    next_lead: float
+    next_half: float
+    next_station: float
+    pressure: float                 # and the pressure on its middle, of the same load [Pa]
 
 
 Strips = Strip * STRIP_LIMIT
 #: Numbers of pairs of strips: row i, column j.
-InfluenceRow = run(STRIP_LIMIT)
-Influences = InfluenceRow * STRIP_LIMIT
+PairRow = run(STRIP_LIMIT)
+PairNumbers = PairRow * STRIP_LIMIT
 #: Linear equations: coefficients of the unknowns, then two right-hand sides, which become the two solutions.
 EquationRow = run(STRIP_LIMIT + 2)
 Equations = EquationRow * STRIP_LIMIT
@@ -233,28 +287,33 @@ Equations = EquationRow * STRIP_LIMIT
 
 @record
 class StripProblem:
-    penetration: float              # for which the strips are laid [m]
-    count: int                      # strips of all regions, in the order of stations
-    cell_count: int
+    penetration: float              # for which the surfaces are traced [m]
+    traced_count: int
+    run_count: int
+    count: int                      # strips of all runs, in the order of stations
     strip_count: float              # systems solved
     zones: StripZone * REGION_LIMIT
-    cells: StripCell * STRIP_LIMIT
+    traced: TracedStation * TRACED_LIMIT
+    runs: StripRun * STRIP_RUN_LIMIT
+    next_count: int                 # runs of the next sweep
+    next_runs: StripRun * STRIP_RUN_LIMIT
     strips: Strips
-    loaded: run(STRIP_LIMIT)        # the numbers of the loaded strips, in order
-    near: Influences                # sqrt(t / (1 + t)) of strips i and j, t = distance / half-length of j
-    influences: Influences          # F_ij, displacement of the middle of i for y_j = 1; eq. (S2)
+    near: PairNumbers               # sqrt(t / (1 + t)) of strips i and j, t = distance / half-length of j
+    facing: PairNumbers             # cosine of the angle between i and j, times the width of j [m]
 
 
 INFLUENCE_CELLS: Final[int] = 96     # of the table of influences along sqrt(t / (1 + t)),
 INFLUENCE_COLUMNS: Final[int] = 48   # and along e^2 / (1 + e^2)
-#: Numbers of a column, the parabola of each cell, and of a map.
+#: Numbers of a column, the parabola of each cell, and of the map.
 INFLUENCE_COLUMN: Final[int] = 3 * INFLUENCE_CELLS
 INFLUENCE_MAP: Final[int] = INFLUENCE_COLUMN * (INFLUENCE_COLUMNS + 1)
+SPACING_CELLS: Final[int] = 192      # of the two tables of spacing, behind the map
 
 
 @record
 class InfluenceTable:
-    numbers: Float * OPEN           # map of Phi, eq. (S2), then of its means (binding/fixed_tables.py)
+    numbers: Float * OPEN           # map of Phi, eq. (S2), then the tables of spacing, eq. (S12), in the
+                                    # middle of a strip and beside it (binding/fixed_tables.py)
 
 
 HERTZ_ROW: Final[int] = 12           # numbers of a cell of Hertz's table

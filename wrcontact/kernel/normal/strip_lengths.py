@@ -1,32 +1,31 @@
-"""Half-lengths and middles of the strips from what they displace near their ends; eqs. (S6)-(S8)."""
+"""Half-lengths, middles and edges of the strips: from what they displace near their ends, eqs. (S6)-(S8), and
+from where their pressures end, eq. (S14)."""
 
 from math import pi, sqrt
 from typing import Final
 
-from ..layout import InfluenceTable, Strip, StripProblem, Strips, Tables
-from .strip_pressures import end_displacement
+from ..contact.pressed import limited
+from ..layout import Strip, StripProblem, StripRun, Tables, Waves
+from .strip_pressures import TESTED, tested_displacement
+from .strip_runs import gap_beside
 
-#: Displacement and gap are compared in the middle of a strip and at this share of its half-length.
-TESTED: Final[float] = 0.9
-#: Power of their ratio by which a half-length is corrected: first, and then.
-FIRST_POWER: Final[float] = 0.6
-POWER: Final[float] = 0.53
+#: Power of the ratio of displacement and gap by which a half-length is corrected.
+POWER: Final[float] = 0.45
 #: Share of the move of the middle that is taken, and the longest one, as a share of the half-length.
 MOVED: Final[float] = 0.6
 FARTHEST_MOVE: Final[float] = 0.3
 #: Smallest rise of the gap towards the ends, as a share of that of a parabola.
 FLATTEST: Final[float] = 0.1
-#: A strip with less than this share of the largest pressure follows its neighbours more the less it has.
-LIGHT: Final[float] = 0.02
-#: Smallest half-length as a share of the longest one, and of the width of the strip: below that the strip's
-#: own pressure grows without limit.
-SHORTEST: Final[float] = 0.1
-SQUARE: Final[float] = 0.5
-
-
-def gap_beside(strip: Strip, x: float):
-    """Rise of the gap [m] at a distance ``x`` from the ridge."""
-    return x * x * (strip.A + strip.skew * x)
+#: The outermost axes of a run, which follow from the next two, over the next one.
+LEAST_END: Final[float] = 0.6
+MOST_END: Final[float] = 1.6
+#: Smallest axis over the largest one of its run.
+FLAT: Final[float] = 0.15
+#: Share of the move of an edge that is taken, and the farthest one, of half the run.
+RELAXED: Final[float] = 0.5
+FARTHEST_EDGE: Final[float] = 0.25
+#: The regular part of a pressure beside an edge is no less than this share of its largest value.
+LEAST_ROOT: Final[float] = 0.05
 
 
 def corrected(ratio: float, power: float):
@@ -36,99 +35,103 @@ def corrected(ratio: float, power: float):
     return (less + more * ratio) / (more + less * ratio)
 
 
-def correct_strip(table: InfluenceTable, problem: StripProblem, i: int, penetration: float, power: float,
-                  yawed: bool):
-    """Half-length [m] of the loaded strip ``i`` by how much less the surfaces are displaced towards its ends
-    than the gap rises; its middle moves to where both ends are alike."""
+def correct_strip(tables: Tables, problem: StripProblem, i: int, penetration: float, yawed: bool):
+    """Shape of strip ``i`` by how much less the surfaces are displaced towards its ends than the gap rises;
+    its middle moves to where both ends are alike."""
     strip = problem.strips[i]
     half = strip.half_length
     away = TESTED * half
     own = gap_beside(strip, strip.lead)
-    needed = strip.share * penetration - strip.gap
-    front = end_displacement(table, problem, i, away)
+    front = tested_displacement(tables, problem, i, away)
     back = front
     front_gap = gap_beside(strip, strip.lead + away) - own
     back_gap = front_gap
+    strip.next_lead = strip.lead
     if yawed:
-        back = end_displacement(table, problem, i, -away)
+        back = tested_displacement(tables, problem, i, -away)
         back_gap = gap_beside(strip, strip.lead - away) - own
         move = -MOVED * (front + front_gap - back - back_gap) / (4.0 * strip.A * away)
-        move = max(min(move, FARTHEST_MOVE * half), -FARTHEST_MOVE * half)
-        strip.next_lead = strip.lead + move
+        strip.next_lead += limited(move, FARTHEST_MOVE * half)
     rise = max(0.5 * (front_gap + back_gap), FLATTEST * strip.A * away * away)
-    ratio = max(0.0, (needed - 0.5 * (front + back)) / rise)
-    return half * corrected(ratio, power)
+    ratio = max(0.0, (strip.share * penetration - strip.gap - 0.5 * (front + back)) / rise)
+    strip.next_axis = strip.axis * corrected(ratio, POWER)
 
 
-def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, power: float, yawed: bool):
-    """Line load, square of the corrected half-length, pressure and lead of every strip.
+def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, yawed: bool):
+    """Shapes, leads and edges after this sweep, and the pressures that keep the loads."""
+    waves = tables.waves
+    for k in range(problem.run_count):
+        first = k * waves.count
+        last = first + waves.count - 1
+        for i in range(first + 1, last):
+            correct_strip(tables, problem, i, penetration, yawed)
+        end_axis(problem.strips[first], problem.strips[first + 1], problem.strips[first + 2])
+        end_axis(problem.strips[last], problem.strips[last - 1], problem.strips[last - 2])
+        move_edges(problem, waves, problem.runs[k], first)
+        finish_strips(tables, problem, k)
 
-    The line load stays, and the pressure follows from the corrected half-length.
+
+def end_axis(strip: Strip, inner: Strip, second: Strip):
+    """Shape and lead of the outermost strip of a run from the next two."""
+    axis = 1.5 * inner.next_axis - 0.5 * second.next_axis
+    strip.next_axis = min(max(axis, LEAST_END * inner.next_axis), MOST_END * inner.next_axis)
+    strip.next_lead = strip.lead + inner.next_lead - inner.lead
+
+
+def move_edges(problem: StripProblem, waves: Waves, run: StripRun, first: int):
+    """Move both edges of a run towards where its pressure ends like a square root, eq. (S14); ``first`` is
+    its first strip.
+
+    p sin t is the part that an edge at a wrong place leaves, with the values at both edges, and a rest.
     """
-    strips = problem.strips
-    count = problem.count
-    scale = 0.5 * pi * pi * tables.contact_modulus
+    count = waves.count
+    start = 0.0
+    stop = 0.0
+    for i in range(count):
+        product = problem.strips[first + i].y * waves.sin[i]
+        start += waves.start[i] * product
+        stop += waves.stop[i] * product
     largest = 0.0
+    low = 0.0
+    high = 0.0
     for i in range(count):
-        strip = strips[i]
-        strip.line_load = 0.0
-        strip.half_length_square = 0.0
-        strip.pressure = 0.0
-        strip.next_lead = strip.lead
-        if strip.y > 0.0:
-            half = correct_strip(tables.influence, problem, i, penetration, power, yawed)
-            strip.line_load = scale * strip.half_length * strip.y / strip.width
-            strip.half_length_square = half * half
-            strip.pressure = strip.y / strip.breadth
-            largest = max(largest, strip.pressure)
-    for i in range(count):
-        strip = strips[i]
-        share = strip.pressure / (LIGHT * largest)
-        if share < 1.0:
-            beside = neighbouring_length(strips, count, i)
-            half = share * sqrt(strip.half_length_square) + (1.0 - share) * beside
-            strip.half_length_square = half * half
-    for i in range(count):
-        strip = strips[i]
-        if strip.y > 0.0:
-            strip.pressure = 2.0 / pi * strip.line_load * strip.width / (strip.breadth
-                                                                         * sqrt(strip.half_length_square))
+        sine = waves.sin[i]
+        wrong = 0.5 * (start + stop + (start - stop) * waves.cos[i])
+        root = (problem.strips[first + i].y * sine - wrong) / (sine * sine)
+        largest = max(largest, max(root, -root))
+        if i == 1:
+            low = root
+        if i == count - 2:
+            high = root
+    least = LEAST_ROOT * largest
+    half = 0.5 * (run.stop - run.start)
+    run.next_start = run.start - edge_move(half, start, max(low, least))
+    run.next_stop = run.stop + edge_move(half, stop, max(high, least))
+    # no farther than wheel and rail are known
+    run.next_start = max(run.next_start, problem.zones[problem.traced[run.low].region].start)
+    run.next_stop = min(run.next_stop, problem.zones[problem.traced[run.high].region].stop)
 
 
-def neighbouring_length(strips: Strips, count: int, i: int):
-    """Half-length [m] of the strips beside ``i``, weighted by their pressures; its own where they have
-    none."""
-    total = 0.0
-    weight = 0.0
-    if i > 0:
-        before = strips[i - 1]
-        weight += before.pressure
-        total += before.pressure * sqrt(before.half_length_square)
-    if i < count - 1:
-        after = strips[i + 1]
-        weight += after.pressure
-        total += after.pressure * sqrt(after.half_length_square)
-    half = strips[i].half_length
-    if weight > 0.0:
-        half = total / weight
-    return half
+def edge_move(half: float, wrong: float, root: float):
+    """How far outwards [m] an edge of a run ``half`` as wide moves, no more than FARTHEST_EDGE of that."""
+    share = RELAXED * wrong / (FARTHEST_EDGE * root)
+    return FARTHEST_EDGE * half * share / sqrt(1.0 + share * share)
 
 
-def adopt_lengths(problem: StripProblem):
-    """Give the strips their corrected half-lengths and leads, for the next sweep."""
-    strips = problem.strips
-    for i in range(problem.count):
-        strip = strips[i]
-        strip.half_length = sqrt(strip.half_length_square)
-        strip.lead = strip.next_lead
-    limit_lengths(strips, problem.count)
-
-
-def limit_lengths(strips: Strips, count: int):
-    """Raise half-lengths to their smallest."""
-    longest = 0.0
-    for i in range(count):
-        longest = max(longest, strips[i].half_length)
-    for i in range(count):
-        strip = strips[i]
-        strip.half_length = max(max(strip.half_length, SHORTEST * longest), SQUARE * strip.width)
+def finish_strips(tables: Tables, problem: StripProblem, k: int):
+    """Half-lengths, stations and pressures after this sweep of the strips of run ``k``."""
+    waves = tables.waves
+    run = problem.runs[k]
+    first = k * waves.count
+    largest = 0.0
+    for i in range(first, first + waves.count):
+        largest = max(largest, problem.strips[i].next_axis)
+    grown = (run.stop - run.start) / (run.next_stop - run.next_start)
+    middle = 0.5 * (run.next_start + run.next_stop)
+    half = 0.5 * (run.next_stop - run.next_start)
+    for i in range(waves.count):
+        strip = problem.strips[first + i]
+        strip.next_axis = max(strip.next_axis, FLAT * largest)
+        strip.next_half = strip.next_axis * waves.sin[i]
+        strip.next_station = middle - half * waves.cos[i]
+        strip.pressure = pi * tables.contact_modulus * strip.y * strip.axis / strip.next_axis * grown

@@ -15,13 +15,14 @@ from typing import Final
 
 from ..elementary.circle import atan
 from ..layout import (CORRECTION_RADII, CORRECTION_SCALES, CORRECTION_SIZE, DEPTH_ALL, LATERAL_LIMIT,
-                      POINT_LIMIT, REACH_CELLS, REACH_COLUMNS, REACH_ROW, ROLLING_TABLE_SIZE, SETTING_COUNT,
+                      MODEL_ANALYN_STRIP, POINT_LIMIT, REACH_CELLS, REACH_COLUMNS, REACH_ROW, ROLLING_TABLE_SIZE, SETTING_COUNT,
                       SHAPE_CELLS, SHAPE_ROW, SIDES_BOTH, STARTS_SIZE, START_COUNT, STATION_COUNT,
-                      TANGENTIAL_NONE, UNLOADED, YAW_LIMIT, CubicTable, CurvatureTable, Outputs, Pair,
+                      TANGENTIAL_NONE, UNLOADED, WAVES_SIZE, YAW_LIMIT, CubicTable, CurvatureTable, Outputs, Pair,
                       Profile, RollingTable, Setup, Tables, clear, copy, offset)
 from .curvatures import write_abscissae, write_arcs, write_curvatures
 from .pieces import FULL, MM, write_profile
 from .scan import write_scan
+from .waves import write_waves
 from .zones import (DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, highest_point, inner_face,
                     keep_around_top, turn_zones)
 
@@ -63,6 +64,15 @@ def append_fixed(tables: 'float[:]', at: int, fixed: 'float[:]', index: int):
     for i in range(size):
         tables[at + i] = fixed[first + i]
     return at + size
+
+
+def append_waves(tables: Tables, at: int, count: int):
+    """The table for runs of ``count`` strips at ``at``, which ``tables`` already point to; the offset after
+    it, or FULL."""
+    if at + WAVES_SIZE > tables.raw.shape[0]:
+        return FULL
+    write_waves(tables.waves, count)
+    return at + WAVES_SIZE
 
 
 def parabola_weights(low: float, middle: float, high: float, x: float):
@@ -143,7 +153,6 @@ def write_settings(setup: Setup, tables: Tables):
     tables.yaw_limit = YAW_LIMIT
     tables.nodes = setup.resolution.nodes
     tables.stride = setup.resolution.stride
-    tables.strips = setup.resolution.strips
     tables.sweeps = setup.resolution.sweeps
     tables.penetration[0] = setup.absent
     tables.penetration[1] = setup.absent
@@ -238,6 +247,9 @@ def write_common(setup: Setup, tables: Tables, fixed: 'float[:]'):
     if at != FULL:
         tables.influence = at
         at = append_fixed(tables.raw, at, fixed, FIXED_INFLUENCE)
+    if at != FULL and setup.parameters.normal_model == MODEL_ANALYN_STRIP:
+        tables.waves = at
+        at = append_waves(tables, at, int(setup.resolution.strips))
     if at != FULL and setup.parameters.tangential_model != TANGENTIAL_NONE:
         tables.rolling = at
         at = append_rolling(tables, at, fixed, setup.parameters.poisson_ratio)

@@ -1,0 +1,285 @@
+"""Runs of loaded strips: where they begin, which strips they have, and how they part and join.
+
+A run lies between two edges on one curve of traced stations.  Its n strips lie at
+
+    s_i = middle - half cos t_i,    t_i = (i + 1/2) pi / n                                          (S10)
+
+closer together towards the edges, where half-length and pressure fall to zero like sin t.
+"""
+
+from math import pi, sqrt
+from typing import Final
+
+from ..elementary.powers import log
+from ..layout import (FINE_WAVES, STRIP_RUN_LIMIT, Strip, StripProblem, StripRun, TracedStation, Waves, copy)
+from .strip_surfaces import between, interval, rest_gap, way_through
+
+#: A first run is where ANALYN's level is above zero, and reaches this share of its zone's depth.
+RAISED: Final[float] = 0.02
+#: Shapes of a new run are no less than this share of its largest.
+FLAT_START: Final[float] = 0.25
+#: Runs that are narrower than this are none [m].
+NARROW: Final[float] = 2e-5
+#: A strip pulls where its pressure is below this share of the largest one, with the other sign.
+PULLING: Final[float] = 1e-3
+#: A part of a run that is a single strip counts from this share of the largest pressure on.
+SINGLE: Final[float] = 0.1
+
+
+def begin_runs(problem: StripProblem, waves: Waves):
+    """The first runs, where ANALYN's level is above zero."""
+    problem.next_count = 0
+    low = 0
+    while low < problem.traced_count:
+        high = low
+        while problem.traced[high].joined and high < problem.traced_count - 1:
+            high += 1
+        begin_curve(problem, low, high)
+        low = high + 1
+    adopt_runs(problem)
+    problem.count = problem.run_count * waves.count
+    for k in range(problem.run_count):
+        run = problem.runs[k]
+        first = k * waves.count
+        j = run.low
+        for i in range(waves.count):
+            strip = problem.strips[first + i]
+            station = run_station(run, waves.cos[i])
+            j = interval(problem, j, run.high, station)
+            strip.axis = level_length(problem, j, station) / waves.sin[i]
+            strip.lead = 0.0
+        raise_axes(problem, first, waves.count)
+
+
+def begin_curve(problem: StripProblem, low: int, high: int):
+    """The first runs of the curve of stations ``low`` ... ``high``."""
+    i = low
+    while i <= high:
+        last = i
+        if problem.traced[i].level > 0.0:
+            highest = 0.0
+            while last <= high and problem.traced[last].level > 0.0:
+                highest = max(highest, problem.traced[last].level)
+                last += 1
+            last -= 1
+            start = level_end(problem, i, i - 1, low, high)
+            stop = level_end(problem, last, last + 1, low, high)
+            zone = problem.zones[problem.traced[i].region]
+            if highest > RAISED * zone.depth:
+                add_run(problem, low, high, start, stop)
+        i = last + 1
+
+
+def level_end(problem: StripProblem, inside: int, outside: int, low: int, high: int):
+    """Station [m] where the level falls to zero from a station to one beside it, or where the curve ends."""
+    at = problem.traced[inside]
+    station = at.station
+    if outside >= low and outside <= high:
+        beyond = problem.traced[outside]
+        station += (beyond.station - at.station) * at.level / (at.level - beyond.level)
+    elif outside < low:
+        station = problem.zones[at.region].start
+    else:
+        station = problem.zones[at.region].stop
+    return station
+
+
+def level_length(problem: StripProblem, j: int, station: float):
+    """Half-length [m] of a strip at ``station`` [m] behind station ``j``, as ANALYN has it."""
+    low = problem.traced[j]
+    high = problem.traced[j + 1]
+    u = way_through(problem, j, station)
+    level = max(between(low.level, high.level, u), 0.0)
+    return sqrt(level / (problem.zones[low.region].one_alpha * between(low.A, high.A, u)))
+
+
+def raise_axes(problem: StripProblem, first: int, count: int):
+    """Raise the axes of a run that begins with strip ``first`` to their smallest."""
+    largest = 0.0
+    for i in range(first, first + count):
+        largest = max(largest, problem.strips[i].axis)
+    for i in range(first, first + count):
+        strip = problem.strips[i]
+        strip.axis = max(strip.axis, FLAT_START * largest)
+
+
+def add_run(problem: StripProblem, low: int, high: int, start: float, stop: float):
+    """Add a run between two stations [m] of a curve to the next ones, if it is wide enough and there is room;
+    joined to the last one where they overlap."""
+    at = problem.next_count
+    joins = False
+    if at > 0:
+        before = problem.next_runs[at - 1]
+        if before.low == low and before.next_stop >= start:
+            joins = True
+            before.next_start = min(before.next_start, start)
+            before.next_stop = max(before.next_stop, stop)
+            before.origin = -1
+    if not joins and stop - start > NARROW and at < STRIP_RUN_LIMIT:
+        run = problem.next_runs[at]
+        run.low = low
+        run.high = high
+        run.next_start = start
+        run.next_stop = stop
+        run.origin = -1
+        problem.next_count = at + 1
+
+
+def adopt_runs(problem: StripProblem):
+    """Let the next runs be those of this sweep."""
+    for k in range(problem.next_count):
+        copy(problem.next_runs[k], problem.runs[k])
+        run = problem.runs[k]
+        run.start = run.next_start
+        run.stop = run.next_stop
+    problem.run_count = problem.next_count
+
+
+def run_station(run: StripRun, cosine: float):
+    """Station [m] of a run at the angle with this cosine, eq. (S10)."""
+    return 0.5 * (run.start + run.stop) - 0.5 * (run.stop - run.start) * cosine
+
+
+def gap_beside(strip: Strip, x: float):
+    """Rise of the gap [m] at a distance ``x`` from the ridge."""
+    return x * x * (strip.A + strip.skew * x)
+
+
+def lay_strips(problem: StripProblem, waves: Waves):
+    """Wheel and rail under all strips, their half-lengths, widths and gaps."""
+    count = waves.count
+    for k in range(problem.run_count):
+        run = problem.runs[k]
+        j = run.low
+        for i in range(FINE_WAVES * count):
+            station = run_station(run, waves.fine_cos[i])
+            j = interval(problem, j, run.high, station)
+            run.gaps[i] = rest_gap(problem, j, station)
+        j = run.low
+        spread = 0.5 * (run.stop - run.start) * pi / float(count)
+        for i in range(count):
+            strip = problem.strips[k * count + i]
+            strip.station = run_station(run, waves.cos[i])
+            j = interval(problem, j, run.high, strip.station)
+            lay_strip(strip, problem.traced[j], problem.traced[j + 1], way_through(problem, j, strip.station))
+            strip.half_length = strip.axis * waves.sin[i]
+            strip.width = spread * waves.sin[i] * strip.stretch
+            strip.slender = log(strip.width / strip.half_length)
+            gap = gap_beside(strip, strip.lead)
+            for m in range(FINE_WAVES * count):
+                gap += waves.smoothing[i][m] * run.gaps[m]
+            strip.gap = gap
+
+
+def lay_strip(strip: Strip, low: TracedStation, high: TracedStation, u: float):
+    """Wheel and rail under a strip that lies ``u`` of the way between two traced stations."""
+    strip.region = low.region
+    if u > 0.5:
+        strip.region = high.region
+    strip.place = between(low.place, high.place, u)
+    strip.stretch = between(low.stretch, high.stretch, u)
+    strip.cos = between(low.cos, high.cos, u)
+    strip.sin = between(low.sin, high.sin, u)
+    strip.x = between(low.x, high.x, u)
+    strip.A = between(low.A, high.A, u)
+    strip.skew = between(low.skew, high.skew, u)
+    strip.share = between(low.share, high.share, u)
+    strip.counted = between(low.counted, high.counted, u)
+
+
+def renew_runs(problem: StripProblem, waves: Waves):
+    """The runs of the next sweep: those that pull are cut or dropped, and those that have met are joined."""
+    count = waves.count
+    largest = 0.0
+    for i in range(problem.count):
+        largest = max(largest, problem.strips[i].y)
+    problem.next_count = 0
+    for k in range(problem.run_count):
+        part_run(problem, waves, k, largest)
+    for k in range(problem.next_count):
+        after = problem.next_runs[k]
+        for i in range(count):
+            strip = problem.strips[k * count + i]
+            if after.origin >= 0:
+                strip.axis = problem.strips[after.origin * count + i].next_axis
+                strip.lead = problem.strips[after.origin * count + i].next_lead
+            else:
+                middle = 0.5 * (after.next_start + after.next_stop)
+                station = middle - 0.5 * (after.next_stop - after.next_start) * waves.cos[i]
+                half, lead = sample_strips(problem, waves, after.low, station)
+                strip.axis = half / waves.sin[i]
+                strip.lead = lead
+        if after.origin < 0:
+            raise_axes(problem, k * count, count)
+    adopt_runs(problem)
+    problem.count = problem.run_count * count
+
+
+def part_run(problem: StripProblem, waves: Waves, k: int, largest: float):
+    """Add what is pressed of run ``k`` to the next runs; the largest y of all strips is given."""
+    run = problem.runs[k]
+    count = waves.count
+    first = k * count
+    limit = -PULLING * largest
+    pulling = 0
+    for i in range(2, count - 2):
+        if problem.strips[first + i].y < limit:
+            pulling += 1
+    if pulling == 0 and problem.strips[first + 1].y >= limit and problem.strips[first + count - 2].y >= limit:
+        before = problem.next_count
+        add_run(problem, run.low, run.high, run.next_start, run.next_stop)
+        if problem.next_count > before:
+            problem.next_runs[before].origin = k
+    else:
+        i = 0
+        while i < count:
+            last = i
+            if problem.strips[first + i].y >= limit:
+                while last < count - 1 and problem.strips[first + last + 1].y >= limit:
+                    last += 1
+                if last > i or problem.strips[first + i].y > SINGLE * largest:
+                    add_run(problem, run.low, run.high, pressed_end(problem, waves, k, i, -1),
+                            pressed_end(problem, waves, k, last, 1))
+            i = last + 1
+
+
+def pressed_end(problem: StripProblem, waves: Waves, k: int, i: int, outward: int):
+    """Station [m] where the pressure of run ``k`` falls to zero beyond its strip ``i``, or its edge."""
+    run = problem.runs[k]
+    beyond = i + outward
+    station = run.next_start
+    if beyond >= waves.count:
+        station = run.next_stop
+    elif beyond >= 0:
+        inner = problem.strips[k * waves.count + i].y
+        outer = problem.strips[k * waves.count + beyond].y
+        station = problem.strips[k * waves.count + i].next_station
+        way = problem.strips[k * waves.count + beyond].next_station - station
+        station += way * max(inner, 0.0) / (max(inner, 0.0) - outer)
+    return station
+
+
+def sample_strips(problem: StripProblem, waves: Waves, low: int, station: float):
+    """Half-length and lead [m] at ``station`` [m] on the straight line between the strips to either side on
+    the curve that begins with traced station ``low``."""
+    before = -1
+    after = -1
+    for k in range(problem.run_count):
+        if problem.runs[k].low == low:
+            for i in range(k * waves.count, (k + 1) * waves.count):
+                strip = problem.strips[i]
+                if strip.next_station <= station:
+                    if before < 0 or strip.next_station > problem.strips[before].next_station:
+                        before = i
+                elif after < 0 or strip.next_station < problem.strips[after].next_station:
+                    after = i
+    if before < 0:
+        before = after
+    if after < 0:
+        after = before
+    lower = problem.strips[before]
+    upper = problem.strips[after]
+    u = 0.0
+    if upper.next_station > lower.next_station:
+        u = (station - lower.next_station) / (upper.next_station - lower.next_station)
+    return between(lower.next_half, upper.next_half, u), between(lower.next_lead, upper.next_lead, u)
