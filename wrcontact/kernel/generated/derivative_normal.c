@@ -2998,8 +2998,9 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
     sweeps = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        n1 = derivative_strip_contact__open_runs_t(tables, work, work_t, pair);
+        n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
         count = n1;
+        derivative_strip_runs__begin_runs_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
         derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, INT64_C(0), sweeps, force, force_t, by_penetration);
         penetration_t = v2_t;
         penetration = v2;
@@ -3028,17 +3029,22 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
                 (*result_3) = 0;
                 return 0;
             }
-            n5 = derivative_strip_contact__open_runs_t(tables, work, work_t, pair);
+            n5 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
             count = n5;
-            derivative_strip_contact__sweep_strips_t(&v6, &v6_t, tables, work, work_t, pair, INT64_C(0), strip_contact__FIRST_SWEEPS, force, force_t, by_penetration);
-            penetration_t = v6_t;
-            penetration = v6;
+            if (by_penetration)
+            {
+                break;
+            }
+            derivative_strip_runs__deepen_levels_t(&v6, &v6_t, work, work_t, force, force_t);
+            penetration_t = estimate_t + v6_t;
+            penetration = estimate + v6;
             if (fabs(penetration - estimate) < strip_contact__SUNK_WRONG * estimate)
             {
                 break;
             }
         }
-        derivative_strip_contact__sweep_strips_t(&v7, &v7_t, tables, work, work_t, pair, strip_contact__FIRST_SWEEPS, sweeps, force, force_t, by_penetration);
+        derivative_strip_runs__begin_runs_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+        derivative_strip_contact__sweep_strips_t(&v7, &v7_t, tables, work, work_t, pair, INT64_C(0), sweeps, force, force_t, by_penetration);
         penetration_t = v7_t;
         penetration = v7;
     }
@@ -3065,8 +3071,9 @@ static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetra
     int64_t n1;
     double v2;
     double v2_t;
-    n1 = derivative_strip_contact__open_runs_t(tables, work, work_t, pair);
+    n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
     (*count) = n1;
+    derivative_strip_runs__begin_runs_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
     derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, INT64_C(0), strip_contact__FIRST_SWEEPS, force, force_t, 0);
     (*penetration_t) = v2_t;
     (*penetration) = v2;
@@ -3078,8 +3085,8 @@ static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetra
     return 0;
 }
 
-/* Derivative of ``open_runs``. */
-static inline int64_t derivative_strip_contact__open_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
+/* Derivative of ``open_zones``. */
+static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
 {
     int64_t n1;
     int64_t deepest;
@@ -3091,7 +3098,6 @@ static inline int64_t derivative_strip_contact__open_runs_t(array_double_1d tabl
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
     derivative_strip_surfaces__find_zones_t(tables, work, work_t, pair, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
     derivative_strip_surfaces__trace_zones_t(tables, work, work_t, pair, count);
-    derivative_strip_runs__begin_runs_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
     return count;
 }
 
@@ -4765,6 +4771,69 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
     return INT64_C(0);
 }
 
+/* Derivative of ``deepen_levels``. */
+static inline int64_t derivative_strip_runs__deepen_levels_t(double* rise, double* rise_t, array_double_1d work, array_double_1d work_t, double force, double force_t)
+{
+    int64_t repeat;
+    double load_t;
+    double load;
+    double stiffness_t;
+    double stiffness;
+    int64_t i_end;
+    int64_t i;
+    int64_t at;
+    int64_t zone;
+    double v1;
+    double line_t;
+    double line;
+    double level_t;
+    double level;
+    double v2;
+    double v3;
+    (*rise_t) = 0.0;
+    (*rise) = 0.0;
+    for (repeat = INT64_C(0); repeat < strip_runs__LEVEL_ITERATIONS; repeat += INT64_C(1))
+    {
+        load_t = 0.0;
+        load = 0.0;
+        stiffness_t = 0.0;
+        stiffness = 0.0;
+        i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
+        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+        {
+            at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION)));
+            v1 = (*cspan_at(&work, zone + layout__STRIP_ZONE_LINE)) * (*cspan_at(&work, at + layout__TRACED_STATION_COUNTED));
+            line_t = ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_LINE)) * (*cspan_at(&work, at + layout__TRACED_STATION_COUNTED)) + (*cspan_at(&work, zone + layout__STRIP_ZONE_LINE)) * (*cspan_at(&work_t, at + layout__TRACED_STATION_COUNTED))) * (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING)) + v1 * (*cspan_at(&work_t, zone + layout__STRIP_ZONE_SPACING));
+            line = v1 * (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING));
+            level_t = (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL)) + (*rise_t);
+            level = (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) + (*rise);
+            if (level > 0.0)
+            {
+                load_t = load_t + (line_t * level + line * level_t);
+                load = load + line * level;
+                stiffness_t = stiffness_t + line_t;
+                stiffness = stiffness + line;
+            }
+        }
+        if (stiffness > 0.0)
+        {
+            v2 = force - load;
+            v3 = v2 / stiffness;
+            (*rise_t) = (*rise_t) + (force_t - load_t - v3 * stiffness_t) / stiffness;
+            (*rise) = (*rise) + v3;
+        }
+    }
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL)) + (*rise_t);
+        (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) + (*rise);
+    }
+    return 0;
+}
+
 /* Derivative of ``begin_curve``. */
 static inline int64_t derivative_strip_runs__begin_curve_t(array_double_1d work, array_double_1d work_t, int64_t low, int64_t high)
 {
@@ -5619,12 +5688,13 @@ static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d wo
     double one_beta_t;
     double nr;
     double nr_t;
-    double v6;
     double v5;
-    double v5_t;
-    double v8;
     double v7;
-    double v7_t;
+    double v6;
+    double v6_t;
+    double v9;
+    double v8;
+    double v8_t;
     derivative_strip_surfaces__zone_curvature_t(&v1, &v1_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE)) - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)), A, A_t);
     low_t = v1_t;
     low = v1;
@@ -5636,14 +5706,17 @@ static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d wo
     derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, v4, derivative_rates__root_rate(v4, low_t * high + low * high_t));
     (*cspan_at(&work_t, zone + layout__STRIP_ZONE_ONE_ALPHA)) = one_alpha_t;
     (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) = one_alpha;
-    v6 = A / low;
-    derivative_coefficients__table_value_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v6, (A_t - v6 * low_t) / low);
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LOW_BETA)) = v5_t;
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_LOW_BETA)) = v5;
-    v8 = A / high;
-    derivative_coefficients__table_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v8, (A_t - v8 * high_t) / high);
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_HIGH_BETA)) = v7_t;
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_HIGH_BETA)) = v7;
+    v5 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LINE)) = (-v5) * nr_t / nr;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_LINE)) = v5;
+    v7 = A / low;
+    derivative_coefficients__table_value_t(&v6, &v6_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v7, (A_t - v7 * low_t) / low);
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LOW_BETA)) = v6_t;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_LOW_BETA)) = v6;
+    v9 = A / high;
+    derivative_coefficients__table_value_t(&v8, &v8_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v9, (A_t - v9 * high_t) / high);
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_HIGH_BETA)) = v8_t;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_HIGH_BETA)) = v8;
     return INT64_C(0);
 }
 
@@ -5686,8 +5759,6 @@ static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d t
     int64_t first;
     double v1;
     double v2;
-    double spacing_t;
-    double spacing;
     int64_t i;
     int64_t at;
     double v3;
@@ -5711,14 +5782,14 @@ static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d t
             derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, 0.0);
             v1 = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
             v2 = (double)(strip_surfaces__ZONE_STATIONS - INT64_C(1)) + 2.0 * strip_surfaces__INSET;
-            spacing_t = ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START))) / v2;
-            spacing = v1 / v2;
+            (*cspan_at(&work_t, zone + layout__STRIP_ZONE_SPACING)) = ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START))) / v2;
+            (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING)) = v1 / v2;
             for (i = INT64_C(0); i < strip_surfaces__ZONE_STATIONS; i += INT64_C(1))
             {
                 at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first + i);
                 v3 = (double)(i) + strip_surfaces__INSET;
-                (*cspan_at(&work_t, at + layout__TRACED_STATION_STATION)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) + v3 * spacing_t;
-                (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + v3 * spacing;
+                (*cspan_at(&work_t, at + layout__TRACED_STATION_STATION)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) + v3 * (*cspan_at(&work_t, zone + layout__STRIP_ZONE_SPACING));
+                (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + v3 * (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING));
                 (*cspan_at(&work_t, at + layout__TRACED_STATION_REGION)) = 0.0;
                 (*cspan_at(&work, at + layout__TRACED_STATION_REGION)) = (double)(index);
                 (*cspan_at(&work_t, at + layout__TRACED_STATION_JOINED)) = 0.0;

@@ -399,7 +399,7 @@ static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d w
 static inline int64_t derivative_stiffness__stiffnesses_at_t(double* along, double* along_t, double* across, double* across_t, double* turning, double* turning_t, array_double_1d work, array_double_1d work_t, int64_t index, double station, double station_t);
 
 /* derivative_strip_contact.py */
-static inline int64_t derivative_strip_contact__open_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
+static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
 static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetration, double* penetration_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t first, int64_t last, double force, double force_t, bool by_penetration);
 static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t);
@@ -445,6 +445,7 @@ static inline int64_t derivative_strip_runs__run_station_t(double* result_0, dou
 static inline int64_t derivative_strip_runs__level_length_t(double* v8, double* result_1, array_double_1d work, array_double_1d work_t, int64_t j, double station, double station_t);
 static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, array_double_1d work_t, int64_t first, int64_t count);
 static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves);
+static inline int64_t derivative_strip_runs__deepen_levels_t(double* rise, double* rise_t, array_double_1d work, array_double_1d work_t, double force, double force_t);
 static inline int64_t derivative_strip_runs__gap_beside_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t strip, double x, double x_t);
 static inline int64_t derivative_strip_runs__lay_strip_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t low, int64_t high, double u, double u_t);
 static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves);

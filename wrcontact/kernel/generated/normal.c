@@ -88,7 +88,7 @@ static inline int64_t patch_places__place_patches(array_double_1d tables, array_
 static inline int64_t patch_places__place_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch);
 
 /* normal/strip_contact.py */
-static inline int64_t strip_contact__open_runs(array_double_1d tables, array_double_1d work, int64_t pair);
+static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline double strip_contact__sweep_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t first, int64_t last, double force, bool by_penetration);
 static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double force);
@@ -135,6 +135,7 @@ static inline double strip_runs__run_station(array_double_1d work, int64_t run, 
 static inline double strip_runs__level_length(array_double_1d work, int64_t j, double station);
 static inline int64_t strip_runs__raise_axes(array_double_1d work, int64_t first, int64_t count);
 static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_double_1d work, int64_t waves);
+static inline double strip_runs__deepen_levels(array_double_1d work, double force);
 static inline double strip_runs__gap_beside(array_double_1d work, int64_t strip, double x);
 static inline int64_t strip_runs__lay_strip(array_double_1d work, int64_t strip, int64_t low, int64_t high, double u);
 static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_double_1d work, int64_t waves);
@@ -2287,7 +2288,8 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
     sweeps = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        count = strip_contact__open_runs(tables, work, pair);
+        count = strip_contact__open_zones(tables, work, pair);
+        strip_runs__begin_runs(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
         penetration = strip_contact__sweep_strips(tables, work, pair, INT64_C(0), sweeps, force, by_penetration);
     }
     else
@@ -2309,14 +2311,19 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
                 (*result_2) = 0;
                 return 0;
             }
-            count = strip_contact__open_runs(tables, work, pair);
-            penetration = strip_contact__sweep_strips(tables, work, pair, INT64_C(0), strip_contact__FIRST_SWEEPS, force, by_penetration);
+            count = strip_contact__open_zones(tables, work, pair);
+            if (by_penetration)
+            {
+                break;
+            }
+            penetration = estimate + strip_runs__deepen_levels(work, force);
             if (fabs(penetration - estimate) < strip_contact__SUNK_WRONG * estimate)
             {
                 break;
             }
         }
-        penetration = strip_contact__sweep_strips(tables, work, pair, strip_contact__FIRST_SWEEPS, sweeps, force, by_penetration);
+        strip_runs__begin_runs(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+        penetration = strip_contact__sweep_strips(tables, work, pair, INT64_C(0), sweeps, force, by_penetration);
     }
     satisfied = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
     if (satisfied)
@@ -2339,7 +2346,8 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
  */
 static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double force)
 {
-    (*count) = strip_contact__open_runs(tables, work, pair);
+    (*count) = strip_contact__open_zones(tables, work, pair);
+    strip_runs__begin_runs(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
     (*penetration) = strip_contact__sweep_strips(tables, work, pair, INT64_C(0), strip_contact__FIRST_SWEEPS, force, 0);
     (*satisfied) = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
     if ((*satisfied))
@@ -2352,7 +2360,7 @@ static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t
 /* Open the regions where the wheel overlaps its rail, trace both there, and begin the runs; how many
  * regions.
  */
-static inline int64_t strip_contact__open_runs(array_double_1d tables, array_double_1d work, int64_t pair)
+static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair)
 {
     int64_t deepest;
     int64_t count;
@@ -2361,7 +2369,6 @@ static inline int64_t strip_contact__open_runs(array_double_1d tables, array_dou
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
     strip_surfaces__find_zones(tables, work, pair, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)));
     strip_surfaces__trace_zones(tables, work, pair, count);
-    strip_runs__begin_runs(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
     return count;
 }
 
@@ -3325,6 +3332,54 @@ static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_doubl
     return INT64_C(0);
 }
 
+/* Raise the levels until they carry ``force`` [N] as ANALYN has it, and how far [m].
+ *
+ * The load is convex over the rise, so that Newton's method comes from one side.
+ */
+static inline double strip_runs__deepen_levels(array_double_1d work, double force)
+{
+    int64_t repeat;
+    double load;
+    double stiffness;
+    int64_t i_end;
+    int64_t i;
+    int64_t at;
+    int64_t zone;
+    double line;
+    double level;
+    double rise;
+    rise = 0.0;
+    for (repeat = INT64_C(0); repeat < strip_runs__LEVEL_ITERATIONS; repeat += INT64_C(1))
+    {
+        load = 0.0;
+        stiffness = 0.0;
+        i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
+        for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+        {
+            at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION)));
+            line = (*cspan_at(&work, zone + layout__STRIP_ZONE_LINE)) * (*cspan_at(&work, at + layout__TRACED_STATION_COUNTED)) * (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING));
+            level = (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) + rise;
+            if (level > 0.0)
+            {
+                load += line * level;
+                stiffness += line;
+            }
+        }
+        if (stiffness > 0.0)
+        {
+            rise += (force - load) / stiffness;
+        }
+    }
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) += rise;
+    }
+    return rise;
+}
+
 /* The first runs of the curve of stations ``low`` ... ``high``. */
 static inline int64_t strip_runs__begin_curve(array_double_1d work, int64_t low, int64_t high)
 {
@@ -3824,6 +3879,7 @@ static inline int64_t strip_surfaces__weigh_zone(array_double_1d work, array_dou
     high = strip_surfaces__zone_curvature((*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)), A);
     coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, sqrt(low * high));
     (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) = one_alpha;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_LINE)) = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
     (*cspan_at(&work, zone + layout__STRIP_ZONE_LOW_BETA)) = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / low);
     (*cspan_at(&work, zone + layout__STRIP_ZONE_HIGH_BETA)) = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / high);
     return INT64_C(0);
@@ -3851,7 +3907,6 @@ static inline int64_t strip_surfaces__trace_zones(array_double_1d tables, array_
     int64_t zone;
     int64_t region;
     int64_t first;
-    double spacing;
     int64_t i;
     int64_t at;
     int64_t i_end;
@@ -3870,11 +3925,11 @@ static inline int64_t strip_surfaces__trace_zones(array_double_1d tables, array_
             frame__enter_plane(work, region, index);
             traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));
             curves__open_origin(tables, work, pair, region, 0.0);
-            spacing = ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START))) / ((double)(strip_surfaces__ZONE_STATIONS - INT64_C(1)) + 2.0 * strip_surfaces__INSET);
+            (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING)) = ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START))) / ((double)(strip_surfaces__ZONE_STATIONS - INT64_C(1)) + 2.0 * strip_surfaces__INSET);
             for (i = INT64_C(0); i < strip_surfaces__ZONE_STATIONS; i += INT64_C(1))
             {
                 at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first + i);
-                (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + ((double)(i) + strip_surfaces__INSET) * spacing;
+                (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + ((double)(i) + strip_surfaces__INSET) * (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING));
                 (*cspan_at(&work, at + layout__TRACED_STATION_REGION)) = (double)(index);
                 (*cspan_at(&work, at + layout__TRACED_STATION_JOINED)) = (double)(i < strip_surfaces__ZONE_STATIONS - INT64_C(1));
                 strip_surfaces__trace_station(tables, work, pair, region, zone, at);

@@ -208,9 +208,11 @@ class StripZone:
     stop: float
     middle: float                   # and of its deepest point
     depth: float                    # how deep that is [m]
+    spacing: float                  # of its traced stations [m]
     one_alpha: float                # ANALYN's coefficients there: 1 + alpha,
     low_beta: float                 # 1 + beta before the middle
-    high_beta: float                # and behind it
+    high_beta: float                # and behind it,
+    line: float                     # and E* / (n r): line load per penetration [N/m^2]
 
 
 @record

@@ -27,7 +27,7 @@ from .estimate import first_penetration
 from .strip_lengths import correct_lengths
 from .strip_patches import add_stiffness, fill_from_strips
 from .strip_pressures import solve_pressures
-from .strip_runs import begin_runs, lay_strips, renew_runs
+from .strip_runs import begin_runs, deepen_levels, lay_strips, renew_runs
 from .strip_surfaces import find_zones, trace_zones
 
 #: Sweeps after which a wheel that just touched is sunk anew, and of the form for first trials.
@@ -48,7 +48,8 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
     by_penetration = isfinite(prescribed)
     sweeps = pair.tables.sweeps
     if contact.frame.pressed:
-        count = open_runs(pair, contact)
+        count = open_zones(pair, contact)
+        begin_runs(contact.strip_problem, pair.tables.waves)
         penetration = sweep_strips(pair, contact, 0, sweeps, force, by_penetration)
     else:
         penetration = prescribed
@@ -60,11 +61,14 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
             if sink_wheel(pair, contact.frame, contact.overlap, side, estimate) == 0:
                 # it overlaps most at the end of a profile
                 return estimate, 0, False
-            count = open_runs(pair, contact)
-            penetration = sweep_strips(pair, contact, 0, FIRST_SWEEPS, force, by_penetration)
+            count = open_zones(pair, contact)
+            if by_penetration:
+                break
+            penetration = estimate + deepen_levels(contact.strip_problem, force)
             if fabs(penetration - estimate) < SUNK_WRONG * estimate:
                 break
-        penetration = sweep_strips(pair, contact, FIRST_SWEEPS, sweeps, force, by_penetration)
+        begin_runs(contact.strip_problem, pair.tables.waves)
+        penetration = sweep_strips(pair, contact, 0, sweeps, force, by_penetration)
     satisfied = contact.strip_problem.count > 0
     if satisfied:
         add_stiffness(pair.tables, contact.regions, contact.strip_problem, contact.equations, count)
@@ -77,7 +81,8 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
 def coarse_contact(pair: Pair, contact: Contact, force: float):
     """As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first sweeps alone
     and without patches: about a per cent off."""
-    count = open_runs(pair, contact)
+    count = open_zones(pair, contact)
+    begin_runs(contact.strip_problem, pair.tables.waves)
     penetration = sweep_strips(pair, contact, 0, FIRST_SWEEPS, force, False)
     satisfied = contact.strip_problem.count > 0
     if satisfied:
@@ -85,7 +90,7 @@ def coarse_contact(pair: Pair, contact: Contact, force: float):
     return penetration, count, satisfied
 
 
-def open_runs(pair: Pair, contact: Contact):
+def open_zones(pair: Pair, contact: Contact):
     """Open the regions where the wheel overlaps its rail, trace both there, and begin the runs; how many
     regions."""
     problem = contact.strip_problem
@@ -94,7 +99,6 @@ def open_runs(pair: Pair, contact: Contact):
     deepest = contact.overlap.points[deepest_entry(contact.overlap)]
     find_zones(pair, contact, count, deepest.depth)
     trace_zones(pair, contact, count)
-    begin_runs(problem, pair.tables.waves)
     return count
 
 

@@ -18,6 +18,8 @@ from .strip_surfaces import between, interval, rest_gap, way_through
 RAISED: Final[float] = 0.02
 #: Shapes of a new run are no less than this share of its largest.
 FLAT_START: Final[float] = 0.25
+#: Steps of Newton's method to the levels that carry the force.
+LEVEL_ITERATIONS: Final[int] = 6
 #: Runs that are narrower than this are none [m].
 NARROW: Final[float] = 2e-5
 #: A strip pulls where its pressure is below this share of the largest one, with the other sign.
@@ -49,6 +51,31 @@ def begin_runs(problem: StripProblem, waves: Waves):
             strip.axis = level_length(problem, j, station) / waves.sin[i]
             strip.lead = 0.0
         raise_axes(problem, first, waves.count)
+
+
+def deepen_levels(problem: StripProblem, force: float):
+    """Raise the levels until they carry ``force`` [N] as ANALYN has it, and how far [m].
+
+    The load is convex over the rise, so that Newton's method comes from one side.
+    """
+    rise = 0.0
+    for repeat in range(LEVEL_ITERATIONS):
+        load = 0.0
+        stiffness = 0.0
+        for i in range(problem.traced_count):
+            at = problem.traced[i]
+            zone = problem.zones[at.region]
+            line = zone.line * at.counted * zone.spacing
+            level = at.level + rise
+            if level > 0.0:
+                load += line * level
+                stiffness += line
+        if stiffness > 0.0:
+            rise += (force - load) / stiffness
+    for i in range(problem.traced_count):
+        at = problem.traced[i]
+        at.level += rise
+    return rise
 
 
 def begin_curve(problem: StripProblem, low: int, high: int):

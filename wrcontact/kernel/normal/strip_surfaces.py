@@ -72,6 +72,7 @@ def weigh_zone(tables: Tables, zone: StripZone, A: float):
     high = zone_curvature(zone.depth, zone.stop - zone.middle, A)
     one_alpha, one_beta, nr = hertz_coefficients(tables.hertz, A, sqrt(low * high))
     zone.one_alpha = one_alpha
+    zone.line = tables.contact_modulus / nr
     zone.low_beta = table_value(tables.hertz, 0, A / low)
     zone.high_beta = table_value(tables.hertz, 0, A / high)
 
@@ -100,10 +101,10 @@ def trace_zones(pair: Pair, contact: Contact, count: int):
             enter_plane(contact.frame, contact.frames, region, index)
             start_traces(contact.frame, region.station, region.rail, region.wheel)
             open_origin(pair, contact.frame, contact.origin, region, 0.0)
-            spacing = (zone.stop - zone.start) / (float(ZONE_STATIONS - 1) + 2.0 * INSET)
+            zone.spacing = (zone.stop - zone.start) / (float(ZONE_STATIONS - 1) + 2.0 * INSET)
             for i in range(ZONE_STATIONS):
                 at = problem.traced[first + i]
-                at.station = zone.start + (float(i) + INSET) * spacing
+                at.station = zone.start + (float(i) + INSET) * zone.spacing
                 at.region = index
                 at.joined = i < ZONE_STATIONS - 1
                 trace_station(pair, contact, region, zone, at)
