@@ -3038,7 +3038,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
             derivative_strip_runs__deepen_levels_t(&v6, &v6_t, work, work_t, force, force_t);
             penetration_t = estimate_t + v6_t;
             penetration = estimate + v6;
-            if (fabs(penetration - estimate) < strip_contact__SUNK_WRONG * estimate)
+            if (penetration < strip_contact__SUNK_DEEPER * estimate)
             {
                 break;
             }

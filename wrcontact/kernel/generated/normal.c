@@ -2317,7 +2317,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
                 break;
             }
             penetration = estimate + strip_runs__deepen_levels(work, force);
-            if (fabs(penetration - estimate) < strip_contact__SUNK_WRONG * estimate)
+            if (penetration < strip_contact__SUNK_DEEPER * estimate)
             {
                 break;
             }

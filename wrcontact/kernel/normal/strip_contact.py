@@ -16,7 +16,7 @@ round of
 is a sweep.  There are always as many, so that results follow the pose smoothly.
 """
 
-from math import fabs, isfinite
+from math import isfinite
 from typing import Final
 
 from ..contact.deep_points import deepest_entry
@@ -30,11 +30,11 @@ from .strip_pressures import solve_pressures
 from .strip_runs import begin_runs, deepen_levels, lay_strips, renew_runs
 from .strip_surfaces import find_zones, trace_zones
 
-#: Sweeps after which a wheel that just touched is sunk anew, and of the form for first trials.
+#: Sweeps of the form for first trials.
 FIRST_SWEEPS: Final[int] = 2
-#: Where they show that it stands deeper or less deep than its estimate by more than this, relative, it is sunk
-#: anew, at most so often.
-SUNK_WRONG: Final[float] = 0.15
+#: A wheel that just touched is sunk anew where it stands deeper than this many times its estimate, at most so
+#: often: the patch may reach farther than its strips do.
+SUNK_DEEPER: Final[float] = 1.15
 SINKINGS: Final[int] = 4
 
 
@@ -65,7 +65,7 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
             if by_penetration:
                 break
             penetration = estimate + deepen_levels(contact.strip_problem, force)
-            if fabs(penetration - estimate) < SUNK_WRONG * estimate:
+            if penetration < SUNK_DEEPER * estimate:
                 break
         begin_runs(contact.strip_problem, pair.tables.waves)
         penetration = sweep_strips(pair, contact, 0, sweeps, force, by_penetration)
