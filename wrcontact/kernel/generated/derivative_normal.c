@@ -3658,8 +3658,9 @@ static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work,
     int64_t i;
     int64_t region;
     int64_t fine;
-    int64_t n1;
     int64_t index;
+    bool meets;
+    int64_t n1;
     int64_t patch;
     double scale;
     double v2;
@@ -3678,6 +3679,10 @@ static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work,
     double v9_t;
     double v10;
     double v10_t;
+    double v11;
+    double v11_t;
+    double v12;
+    double v12_t;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
@@ -3692,8 +3697,17 @@ static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work,
     }
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * deepest + layout__STRIP_REGION)));
     fine = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    n1 = derivative_filling__begin_patch_t(work, work_t, side, region, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)), k * fine, layout__RULE_STRAIGHT);
-    index = n1;
+    index = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) - INT64_C(1);
+    meets = 0;
+    if (k > INT64_C(0))
+    {
+        meets = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * (k - INT64_C(1)) + layout__STRIP_RUN_NEXT_STOP)) < strip_surfaces__TOUCHING;
+    }
+    if (!meets)
+    {
+        n1 = derivative_filling__begin_patch_t(work, work_t, side, region, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)), k * fine, layout__RULE_STRAIGHT);
+        index = n1;
+    }
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
     scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
     v2 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
@@ -3720,12 +3734,26 @@ static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work,
     (*cspan_at(&work_t, patch + layout__PATCH_LAST)) = 0.0;
     (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)((k + INT64_C(1)) * fine - INT64_C(1));
     derivative_strip_patches__fill_fine_strips_t(work, work_t, tables, k);
-    derivative_strip_patches__largest_square_t(&v9, &v9_t, work, work_t, (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))), (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 1);
-    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = v9_t;
-    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = v9;
-    derivative_strip_patches__largest_square_t(&v10, &v10_t, work, work_t, (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))), (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 0);
-    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v10_t;
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v10;
+    derivative_strip_patches__largest_square_t(&v9, &v9_t, work, work_t, k * fine, (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 1);
+    v10 = (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE));
+    v10_t = (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE));
+    if (v9 > v10)
+    {
+        v10 = v9;
+        v10_t = v9_t;
+    }
+    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = v10_t;
+    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = v10;
+    derivative_strip_patches__largest_square_t(&v11, &v11_t, work, work_t, k * fine, (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 0);
+    v12 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE));
+    v12_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE));
+    if (v11 > v12)
+    {
+        v12 = v11;
+        v12_t = v11_t;
+    }
+    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v12_t;
+    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v12;
     derivative_filling__finish_patch_t(work, work_t, side);
     return INT64_C(0);
 }
@@ -4736,7 +4764,7 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
     while(low < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))))
     {
         high = low;
-        while(((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * high + layout__TRACED_STATION_JOINED)) == 1.0) && (high < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)))
+        while((high < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (high + INT64_C(1)) + layout__TRACED_STATION_REGION))) == (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION)))))
         {
             high = high + INT64_C(1);
         }

@@ -2641,6 +2641,7 @@ static inline int64_t strip_patches__fill_run(array_double_1d work, array_double
     int64_t region;
     int64_t fine;
     int64_t index;
+    bool meets;
     int64_t patch;
     double scale;
     double spread;
@@ -2660,7 +2661,16 @@ static inline int64_t strip_patches__fill_run(array_double_1d work, array_double
     }
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * deepest + layout__STRIP_REGION)));
     fine = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    index = filling__begin_patch(work, side, region, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), k * fine, layout__RULE_STRAIGHT);
+    index = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) - INT64_C(1);
+    meets = 0;
+    if (k > INT64_C(0))
+    {
+        meets = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * (k - INT64_C(1)) + layout__STRIP_RUN_NEXT_STOP)) < strip_surfaces__TOUCHING;
+    }
+    if (!meets)
+    {
+        index = filling__begin_patch(work, side, region, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), k * fine, layout__RULE_STRAIGHT);
+    }
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
     scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
     spread = ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START))) * M_PI / (double)((int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
@@ -2675,8 +2685,8 @@ static inline int64_t strip_patches__fill_run(array_double_1d work, array_double
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
     (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)((k + INT64_C(1)) * fine - INT64_C(1));
     strip_patches__fill_fine_strips(work, tables, k);
-    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = strip_patches__largest_square(work, (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))), (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 1);
-    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = strip_patches__largest_square(work, (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))), (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 0);
+    (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = double_max(2, (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)), strip_patches__largest_square(work, k * fine, (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 1));
+    (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = double_max(2, (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)), strip_patches__largest_square(work, k * fine, (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 0));
     filling__finish_patch(work, side);
     return INT64_C(0);
 }
@@ -3303,7 +3313,7 @@ static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_doubl
     while(low < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))))
     {
         high = low;
-        while(((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * high + layout__TRACED_STATION_JOINED)) == 1.0) && (high < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)))
+        while((high < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (high + INT64_C(1)) + layout__TRACED_STATION_REGION))) == (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION)))))
         {
             high += INT64_C(1);
         }

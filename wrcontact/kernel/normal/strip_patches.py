@@ -11,6 +11,7 @@ from ..layout import (FINE_WAVES, LOAD_VERTICAL, RULE_STRAIGHT, SOLVED_PATCH_LIM
                       Region, Regions, SideSearch, SolvedStrips, StripProblem, StripRun, Tables, Waves)
 from ..patch.filling import add_load, begin_patch, clear_patches, finish_patch, finish_patches
 from ..surface.rails import upright_share
+from .strip_surfaces import TOUCHING
 
 #: Strips of a region that lie closer together than this have no slant [m].
 CLOSE: Final[float] = 1e-6
@@ -44,7 +45,12 @@ def fill_run(tables: Tables, contact: Contact, side: SideSearch, k: int):
             deepest = i
     region = contact.regions[problem.strips[deepest].region]
     fine = FINE_WAVES * waves.count
-    index = begin_patch(side, region, run.next_start, k * fine, RULE_STRAIGHT)
+    index = side.patch_count - 1
+    meets = False
+    if k > 0:
+        meets = run.next_start - problem.runs[k - 1].next_stop < TOUCHING
+    if not meets:
+        index = begin_patch(side, region, run.next_start, k * fine, RULE_STRAIGHT)
     patch = side.patches[index]
     scale = 0.5 * pi * pi * tables.contact_modulus
     spread = (run.next_stop - run.next_start) * pi / float(waves.count)
@@ -56,8 +62,9 @@ def fill_run(tables: Tables, contact: Contact, side: SideSearch, k: int):
     patch.totals.stop = run.next_stop
     patch.last = (k + 1) * fine - 1
     fill_fine_strips(tables, problem, contact.strips, k)
-    patch.pressure_square = largest_square(contact.strips, patch.first, patch.last, True)
-    patch.half_length_square = largest_square(contact.strips, patch.first, patch.last, False)
+    patch.pressure_square = max(patch.pressure_square, largest_square(contact.strips, k * fine, patch.last, True))
+    patch.half_length_square = max(patch.half_length_square,
+                                   largest_square(contact.strips, k * fine, patch.last, False))
     finish_patch(side)
 
 

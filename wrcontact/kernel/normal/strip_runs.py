@@ -34,7 +34,7 @@ def begin_runs(problem: StripProblem, waves: Waves):
     low = 0
     while low < problem.traced_count:
         high = low
-        while problem.traced[high].joined and high < problem.traced_count - 1:
+        while high < problem.traced_count - 1 and problem.traced[high + 1].region == problem.traced[low].region:
             high += 1
         begin_curve(problem, low, high)
         low = high + 1
