@@ -3109,6 +3109,7 @@ static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetrati
     bool given;
     double v1;
     double v1_t;
+    double relaxed;
     yawed = frame__is_yawed(work);
     (*penetration_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
@@ -3127,7 +3128,12 @@ static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetrati
         derivative_strip_pressures__solve_pressures_t(&v1, &v1_t, work, work_t, tables, force, force_t, given, yawed);
         (*penetration_t) = v1_t;
         (*penetration) = v1;
-        derivative_strip_lengths__correct_lengths_t(work, work_t, tables, (*penetration), (*penetration_t), yawed);
+        relaxed = 0.5;
+        if (sweep < INT64_C(1))
+        {
+            relaxed = 1.0;
+        }
+        derivative_strip_lengths__correct_lengths_t(work, work_t, tables, (*penetration), (*penetration_t), yawed, relaxed, 0.0);
     }
     return 0;
 }
@@ -3285,7 +3291,7 @@ static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d 
 }
 
 /* Derivative of ``correct_lengths``. */
-static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, bool yawed)
+static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, bool yawed, double relaxed, double relaxed_t)
 {
     int64_t waves;
     int64_t k_end;
@@ -3305,7 +3311,7 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
         }
         derivative_strip_lengths__end_axis_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(2)));
         derivative_strip_lengths__end_axis_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(2)));
-        derivative_strip_lengths__move_edges_t(tables, work, work_t, waves, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k, first);
+        derivative_strip_lengths__move_edges_t(tables, work, work_t, waves, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k, first, relaxed, relaxed_t);
         derivative_strip_lengths__finish_strips_t(work, work_t, tables, k);
     }
     return INT64_C(0);
@@ -3348,7 +3354,7 @@ static inline int64_t derivative_strip_lengths__end_axis_t(array_double_1d work,
 }
 
 /* Derivative of ``move_edges``. */
-static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t first)
+static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t first, double relaxed, double relaxed_t)
 {
     int64_t count;
     double start_t;
@@ -3384,19 +3390,23 @@ static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tab
     double half_t;
     double half;
     double v10;
-    double v10_t;
-    double v9;
-    double v9_t;
-    double v12;
-    double v12_t;
     double v11;
     double v11_t;
-    int64_t k13;
+    double v12;
+    double v9;
+    double v9_t;
     double v14;
-    double v14_t;
-    int64_t k15;
+    double v15;
+    double v15_t;
     double v16;
-    double v16_t;
+    double v13;
+    double v13_t;
+    int64_t k17;
+    double v18;
+    double v18_t;
+    int64_t k19;
+    double v20;
+    double v20_t;
     count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
     start_t = 0.0;
     start = 0.0;
@@ -3461,72 +3471,70 @@ static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tab
     v8 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
     half_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START)));
     half = 0.5 * v8;
-    v10 = low;
-    v10_t = low_t;
-    if (least > v10)
+    v10 = relaxed * start;
+    v11 = low;
+    v11_t = low_t;
+    if (least > v11)
     {
-        v10 = least;
-        v10_t = least_t;
+        v11 = least;
+        v11_t = least_t;
     }
-    derivative_strip_lengths__edge_move_t(&v9, &v9_t, half, half_t, start, start_t, v10, v10_t);
+    v12 = v10 / v11;
+    derivative_strip_lengths__edge_move_t(&v9, &v9_t, half, half_t, v12, (relaxed_t * start + relaxed * start_t - v12 * v11_t) / v11);
     (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)) = (*cspan_at(&work_t, run + layout__STRIP_RUN_START)) - v9_t;
     (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = (*cspan_at(&work, run + layout__STRIP_RUN_START)) - v9;
-    v12 = high;
-    v12_t = high_t;
-    if (least > v12)
+    v14 = relaxed * stop;
+    v15 = high;
+    v15_t = high_t;
+    if (least > v15)
     {
-        v12 = least;
-        v12_t = least_t;
+        v15 = least;
+        v15_t = least_t;
     }
-    derivative_strip_lengths__edge_move_t(&v11, &v11_t, half, half_t, stop, stop_t, v12, v12_t);
-    (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) + v11_t;
-    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) + v11;
-    k13 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START;
-    v14 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
-    v14_t = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START));
-    if ((*cspan_at(&work, k13)) > v14)
+    v16 = v14 / v15;
+    derivative_strip_lengths__edge_move_t(&v13, &v13_t, half, half_t, v16, (relaxed_t * stop + relaxed * stop_t - v16 * v15_t) / v15);
+    (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) + v13_t;
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) + v13;
+    k17 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START;
+    v18 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
+    v18_t = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START));
+    if ((*cspan_at(&work, k17)) > v18)
     {
-        v14 = (*cspan_at(&work, k13));
-        v14_t = (*cspan_at(&work_t, k13));
+        v18 = (*cspan_at(&work, k17));
+        v18_t = (*cspan_at(&work_t, k17));
     }
-    (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)) = v14_t;
-    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = v14;
-    k15 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_STOP;
-    v16 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
-    v16_t = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP));
-    if ((*cspan_at(&work, k15)) < v16)
+    (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)) = v18_t;
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = v18;
+    k19 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_STOP;
+    v20 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
+    v20_t = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP));
+    if ((*cspan_at(&work, k19)) < v20)
     {
-        v16 = (*cspan_at(&work, k15));
-        v16_t = (*cspan_at(&work_t, k15));
+        v20 = (*cspan_at(&work, k19));
+        v20_t = (*cspan_at(&work_t, k19));
     }
-    (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) = v16_t;
-    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = v16;
+    (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) = v20_t;
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = v20;
     return INT64_C(0);
 }
 
 /* Derivative of ``edge_move``. */
-static inline int64_t derivative_strip_lengths__edge_move_t(double* v8, double* result_1, double half, double half_t, double wrong, double wrong_t, double root, double root_t)
+static inline int64_t derivative_strip_lengths__edge_move_t(double* v5, double* result_1, double half, double half_t, double away, double away_t)
 {
+    double share_t;
+    double share;
     double v1;
     double v2;
     double v3;
-    double share_t;
-    double share;
     double v4;
-    double v5;
-    double v6;
-    double v7;
-    v1 = strip_lengths__RELAXED * wrong;
-    v2 = strip_lengths__FARTHEST_EDGE * root;
-    v3 = v1 / v2;
-    share_t = (strip_lengths__RELAXED * wrong_t - v3 * (strip_lengths__FARTHEST_EDGE * root_t)) / v2;
-    share = v3;
-    v4 = strip_lengths__FARTHEST_EDGE * half;
-    v5 = v4 * share;
-    v6 = 1.0 + share * share;
-    v7 = sqrt(v6);
-    (*v8) = v5 / v7;
-    (*result_1) = (strip_lengths__FARTHEST_EDGE * half_t * share + v4 * share_t - (*v8) * derivative_rates__root_rate(v7, share_t * share + share * share_t)) / v7;
+    share_t = away_t / strip_lengths__FARTHEST_EDGE;
+    share = away / strip_lengths__FARTHEST_EDGE;
+    v1 = strip_lengths__FARTHEST_EDGE * half;
+    v2 = v1 * share;
+    v3 = 1.0 + share * share;
+    v4 = sqrt(v3);
+    (*v5) = v2 / v4;
+    (*result_1) = (strip_lengths__FARTHEST_EDGE * half_t * share + v1 * share_t - (*v5) * derivative_rates__root_rate(v4, share_t * share + share * share_t)) / v4;
     return 0;
 }
 

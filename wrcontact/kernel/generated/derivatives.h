@@ -408,10 +408,10 @@ static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetra
 static inline int64_t derivative_strip_lengths__corrected_t(double* v3, double* result_1, double ratio, double ratio_t, double power, double power_t);
 static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, double penetration, double penetration_t, bool yawed);
 static inline int64_t derivative_strip_lengths__end_axis_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t inner, int64_t second);
-static inline int64_t derivative_strip_lengths__edge_move_t(double* v8, double* result_1, double half, double half_t, double wrong, double wrong_t, double root, double root_t);
-static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t first);
+static inline int64_t derivative_strip_lengths__edge_move_t(double* v5, double* result_1, double half, double half_t, double away, double away_t);
+static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t first, double relaxed, double relaxed_t);
 static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t k);
-static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, bool yawed);
+static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, bool yawed, double relaxed, double relaxed_t);
 
 /* derivative_strip_patches.py */
 static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t index, double station, double station_t, double x, double x_t);

@@ -97,10 +97,10 @@ static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t
 static inline double strip_lengths__corrected(double ratio, double power);
 static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_double_1d tables, int64_t i, double penetration, bool yawed);
 static inline int64_t strip_lengths__end_axis(array_double_1d work, int64_t strip, int64_t inner, int64_t second);
-static inline double strip_lengths__edge_move(double half, double wrong, double root);
-static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first);
+static inline double strip_lengths__edge_move(double half, double away);
+static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first, double relaxed);
 static inline int64_t strip_lengths__finish_strips(array_double_1d work, array_double_1d tables, int64_t k);
-static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, bool yawed);
+static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, bool yawed, double relaxed);
 
 /* normal/strip_patches.py */
 static inline int64_t strip_patches__slant_region(array_double_1d work, int64_t region, int64_t index, double station, double x);
@@ -2382,6 +2382,7 @@ static inline double strip_contact__sweep_strips(array_double_1d tables, array_d
     bool yawed;
     int64_t sweep;
     bool given;
+    double relaxed;
     double penetration;
     yawed = frame__is_yawed(work);
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
@@ -2398,7 +2399,12 @@ static inline double strip_contact__sweep_strips(array_double_1d tables, array_d
         }
         strip_runs__lay_strips(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
         penetration = strip_pressures__solve_pressures(work, tables, force, given, yawed);
-        strip_lengths__correct_lengths(work, tables, penetration, yawed);
+        relaxed = 0.5;
+        if (sweep < INT64_C(1))
+        {
+            relaxed = 1.0;
+        }
+        strip_lengths__correct_lengths(work, tables, penetration, yawed, relaxed);
     }
     return penetration;
 }
@@ -2459,7 +2465,7 @@ static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_d
 }
 
 /* Shapes, leads and edges after this sweep, and the pressures that keep the loads. */
-static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, bool yawed)
+static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, bool yawed, double relaxed)
 {
     int64_t waves;
     int64_t k_end;
@@ -2479,7 +2485,7 @@ static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array
         }
         strip_lengths__end_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(2)));
         strip_lengths__end_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(2)));
-        strip_lengths__move_edges(tables, work, waves, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k, first);
+        strip_lengths__move_edges(tables, work, waves, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k, first, relaxed);
         strip_lengths__finish_strips(work, tables, k);
     }
     return INT64_C(0);
@@ -2500,7 +2506,7 @@ static inline int64_t strip_lengths__end_axis(array_double_1d work, int64_t stri
  *
  * p sin t is the part that an edge at a wrong place leaves, with the values at both edges, and a rest.
  */
-static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first)
+static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first, double relaxed)
 {
     int64_t count;
     double start;
@@ -2544,8 +2550,8 @@ static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_do
     }
     least = strip_lengths__LEAST_ROOT * largest;
     half = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START)));
-    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = (*cspan_at(&work, run + layout__STRIP_RUN_START)) - strip_lengths__edge_move(half, start, double_max(2, low, least));
-    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) + strip_lengths__edge_move(half, stop, double_max(2, high, least));
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = (*cspan_at(&work, run + layout__STRIP_RUN_START)) - strip_lengths__edge_move(half, relaxed * start / double_max(2, low, least));
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) + strip_lengths__edge_move(half, relaxed * stop / double_max(2, high, least));
     /* no farther than wheel and rail are known */
     (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = double_max(2, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START)));
     (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = double_min(2, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_STOP)));
@@ -2553,10 +2559,10 @@ static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_do
 }
 
 /* How far outwards [m] an edge of a run ``half`` as wide moves, no more than FARTHEST_EDGE of that. */
-static inline double strip_lengths__edge_move(double half, double wrong, double root)
+static inline double strip_lengths__edge_move(double half, double away)
 {
     double share;
-    share = strip_lengths__RELAXED * wrong / (strip_lengths__FARTHEST_EDGE * root);
+    share = away / strip_lengths__FARTHEST_EDGE;
     return strip_lengths__FARTHEST_EDGE * half * share / sqrt(1.0 + share * share);
 }
 

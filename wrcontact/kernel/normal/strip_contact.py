@@ -120,5 +120,8 @@ def sweep_strips(pair: Pair, contact: Contact, first: int, last: int, force: flo
             given = True
         lay_strips(problem, tables.waves)
         penetration = solve_pressures(tables, problem, contact.equations, force, given, yawed)
-        correct_lengths(tables, problem, penetration, yawed)
+        relaxed = 0.5
+        if sweep < 1:
+            relaxed = 1.0
+        correct_lengths(tables, problem, penetration, yawed, relaxed)
     return penetration

@@ -20,7 +20,7 @@ FLATTEST: Final[float] = 0.1
 LEAST_END: Final[float] = 0.6
 MOST_END: Final[float] = 1.6
 #: Smallest axis over the largest one of its run.
-FLAT: Final[float] = 0.15
+FLAT: Final[float] = 0.05
 #: Share of the move of an edge that is taken, and the farthest one, of half the run.
 RELAXED: Final[float] = 0.5
 FARTHEST_EDGE: Final[float] = 0.25
@@ -57,7 +57,7 @@ def correct_strip(tables: Tables, problem: StripProblem, i: int, penetration: fl
     strip.next_axis = strip.axis * corrected(ratio, POWER)
 
 
-def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, yawed: bool):
+def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, yawed: bool, relaxed: float):
     """Shapes, leads and edges after this sweep, and the pressures that keep the loads."""
     waves = tables.waves
     for k in range(problem.run_count):
@@ -67,7 +67,7 @@ def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, y
             correct_strip(tables, problem, i, penetration, yawed)
         end_axis(problem.strips[first], problem.strips[first + 1], problem.strips[first + 2])
         end_axis(problem.strips[last], problem.strips[last - 1], problem.strips[last - 2])
-        move_edges(problem, waves, problem.runs[k], first)
+        move_edges(problem, waves, problem.runs[k], first, relaxed)
         finish_strips(tables, problem, k)
 
 
@@ -78,7 +78,7 @@ def end_axis(strip: Strip, inner: Strip, second: Strip):
     strip.next_lead = strip.lead + inner.next_lead - inner.lead
 
 
-def move_edges(problem: StripProblem, waves: Waves, run: StripRun, first: int):
+def move_edges(problem: StripProblem, waves: Waves, run: StripRun, first: int, relaxed: float):
     """Move both edges of a run towards where its pressure ends like a square root, eq. (S14); ``first`` is
     its first strip.
 
@@ -105,16 +105,16 @@ def move_edges(problem: StripProblem, waves: Waves, run: StripRun, first: int):
             high = root
     least = LEAST_ROOT * largest
     half = 0.5 * (run.stop - run.start)
-    run.next_start = run.start - edge_move(half, start, max(low, least))
-    run.next_stop = run.stop + edge_move(half, stop, max(high, least))
+    run.next_start = run.start - edge_move(half, relaxed * start / max(low, least))
+    run.next_stop = run.stop + edge_move(half, relaxed * stop / max(high, least))
     # no farther than wheel and rail are known
     run.next_start = max(run.next_start, problem.zones[problem.traced[run.low].region].start)
     run.next_stop = min(run.next_stop, problem.zones[problem.traced[run.high].region].stop)
 
 
-def edge_move(half: float, wrong: float, root: float):
+def edge_move(half: float, away: float):
     """How far outwards [m] an edge of a run ``half`` as wide moves, no more than FARTHEST_EDGE of that."""
-    share = RELAXED * wrong / (FARTHEST_EDGE * root)
+    share = away / FARTHEST_EDGE
     return FARTHEST_EDGE * half * share / sqrt(1.0 + share * share)
 
 
