@@ -743,6 +743,108 @@ static inline int64_t derivative_coefficients__skewed_coefficients_t(double* v17
     return 0;
 }
 
+/* Derivative of ``middle_slant``. */
+static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t)
+{
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    double v6;
+    double cross_t;
+    double cross;
+    double diagonal_t;
+    double diagonal;
+    double v7;
+    double half_t;
+    double half;
+    double v8;
+    double v9;
+    double spread_t;
+    double spread;
+    double v10;
+    double large_t;
+    double large;
+    double v11;
+    double v12;
+    double small_t;
+    double small;
+    double along;
+    double along_t;
+    double across;
+    double across_t;
+    double nr;
+    double nr_t;
+    double v13;
+    double v14;
+    double cosine_t;
+    double cosine;
+    double v15;
+    double length_t;
+    double length;
+    double v16;
+    double v17;
+    double v18;
+    double v19;
+    double v20;
+    if (A * slant * slant > coefficients__STEEPEST_SLANT * B)
+    {
+        v1 = coefficients__STEEPEST_SLANT * B;
+        v2 = v1 / A;
+        v3 = sqrt(v2);
+        v4 = v3 * slant;
+        v5 = fabs(slant);
+        v6 = v4 / v5;
+        slant_t = (derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * B_t - v2 * A_t) / A) * slant + v3 * slant_t - v6 * derivative_rates__size_rate(slant, slant_t)) / v5;
+        slant = v6;
+    }
+    cross_t = A_t * slant + A * slant_t;
+    cross = A * slant;
+    diagonal_t = B_t + (cross_t * slant + cross * slant_t);
+    diagonal = B + cross * slant;
+    v7 = A - diagonal;
+    half_t = 0.5 * (A_t - diagonal_t);
+    half = 0.5 * v7;
+    v8 = half * half + cross * cross;
+    v9 = sqrt(v8);
+    spread_t = derivative_rates__root_rate(v9, half_t * half + half * half_t + (cross_t * cross + cross * cross_t));
+    spread = v9;
+    v10 = A + diagonal;
+    large_t = 0.5 * (A_t + diagonal_t) + spread_t;
+    large = 0.5 * v10 + spread;
+    v11 = A * B;
+    v12 = v11 / large;
+    small_t = (A_t * B + A * B_t - v12 * large_t) / large;
+    small = v12;
+    if (!(spread > coefficients__TILTED * large))
+    {
+        (*result_0) = slant;
+        (*result_1) = slant_t;
+        return 0;
+    }
+    derivative_coefficients__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, table, small, small_t, large, large_t);
+    along_t = along_t * small + along * small_t;
+    along = along * small;
+    across_t = across_t * large + across * large_t;
+    across = across * large;
+    v13 = 0.5 * half;
+    v14 = v13 / spread;
+    cosine_t = -((0.5 * half_t - v14 * spread_t) / spread);
+    cosine = 0.5 - v14;
+    v15 = 1.0 - cosine;
+    length_t = cosine_t * along + cosine * along_t + ((-cosine_t) * across + v15 * across_t);
+    length = cosine * along + v15 * across;
+    v16 = across - along;
+    v17 = cross * v16;
+    v18 = large - small;
+    v19 = v18 * length;
+    v20 = v17 / v19;
+    (*result_0) = v20;
+    (*result_1) = (cross_t * v16 + cross * (across_t - along_t) - v20 * ((large_t - small_t) * length + v18 * length_t)) / v19;
+    return 0;
+}
+
 /* Derivative of ``hertz_stiffness``. */
 static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, double* result_1, double one_beta, double one_beta_t, double nr, double nr_t, double B, double B_t, double contact_modulus, double contact_modulus_t)
 {
@@ -3000,7 +3102,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
     {
         n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
         count = n1;
-        derivative_strip_runs__begin_runs_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+        derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
         derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, INT64_C(0), sweeps, force, force_t, by_penetration);
         penetration_t = v2_t;
         penetration = v2;
@@ -3043,7 +3145,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
                 break;
             }
         }
-        derivative_strip_runs__begin_runs_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+        derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
         derivative_strip_contact__sweep_strips_t(&v7, &v7_t, tables, work, work_t, pair, INT64_C(0), sweeps, force, force_t, by_penetration);
         penetration_t = v7_t;
         penetration = v7;
@@ -3073,7 +3175,7 @@ static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetra
     double v2_t;
     n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
     (*count) = n1;
-    derivative_strip_runs__begin_runs_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+    derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
     derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, INT64_C(0), strip_contact__FIRST_SWEEPS, force, force_t, 0);
     (*penetration_t) = v2_t;
     (*penetration) = v2;
@@ -3099,6 +3201,17 @@ static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tab
     derivative_strip_surfaces__find_zones_t(tables, work, work_t, pair, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
     derivative_strip_surfaces__trace_zones_t(tables, work, work_t, pair, count);
     return count;
+}
+
+/* Derivative of ``start_runs``. */
+static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
+{
+    if (frame__is_yawed(work))
+    {
+        derivative_strip_surfaces__measure_ridges_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))));
+    }
+    derivative_strip_runs__begin_runs_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+    return INT64_C(0);
 }
 
 /* Derivative of ``sweep_strips``. */
@@ -4766,6 +4879,11 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
     double station;
     double v2;
     double v2_t;
+    int64_t zone;
+    double v4;
+    double v5;
+    double v3;
+    double v3_t;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
     low = INT64_C(0);
@@ -4799,8 +4917,12 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
             derivative_strip_runs__level_length_t(&v2, &v2_t, work, work_t, j, station, station_t);
             (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) = v2_t / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
             (*cspan_at(&work, strip + layout__STRIP_AXIS)) = v2 / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-            (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = 0.0;
-            (*cspan_at(&work, strip + layout__STRIP_LEAD)) = 0.0;
+            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_REGION)));
+            v4 = station - (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE));
+            v5 = strip_runs__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_AXIS));
+            derivative_pressed__limited_t(&v3, &v3_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) * v4, (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEAN)) * v4 + (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) * (station_t - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE))), v5 * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)), strip_runs__FIRST_LEAD * (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)));
+            (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = v3_t;
+            (*cspan_at(&work, strip + layout__STRIP_LEAD)) = v3;
         }
         derivative_strip_runs__raise_axes_t(work, work_t, first, (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
     }
@@ -5700,13 +5822,12 @@ static inline int64_t derivative_strip_surfaces__measure_zone_t(array_double_1d 
         (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) + high;
         (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) - low_t;
         (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) - low;
-        derivative_strip_surfaces__weigh_zone_t(work, work_t, tables, zone, 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE)), 0.5 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE)));
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``weigh_zone``. */
-static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t zone, double A, double A_t)
+static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t zone, double A, double A_t, int64_t first, bool yawed)
 {
     double v1;
     double v1_t;
@@ -5718,19 +5839,41 @@ static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d wo
     double high;
     double v3;
     double v4;
+    double B_t;
+    double B;
     double one_alpha;
     double one_alpha_t;
     double one_beta;
     double one_beta_t;
     double nr;
     double nr_t;
-    double v5;
-    double v7;
     double v6;
-    double v6_t;
-    double v9;
+    double v5;
+    double v5_t;
+    double low_beta_t;
+    double low_beta;
     double v8;
-    double v8_t;
+    double v7;
+    double v7_t;
+    double high_beta_t;
+    double high_beta;
+    int64_t start;
+    int64_t stop;
+    double v9;
+    double v10;
+    double v11;
+    double slant_t;
+    double slant;
+    double beta;
+    double beta_t;
+    double v12;
+    double v12_t;
+    double v13;
+    double v14;
+    double v15;
+    int64_t i;
+    int64_t at;
+    double v16;
     derivative_strip_surfaces__zone_curvature_t(&v1, &v1_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE)) - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)), A, A_t);
     low_t = v1_t;
     low = v1;
@@ -5739,20 +5882,58 @@ static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d wo
     high = v2;
     v3 = low * high;
     v4 = sqrt(v3);
-    derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, v4, derivative_rates__root_rate(v4, low_t * high + low * high_t));
+    B_t = derivative_rates__root_rate(v4, low_t * high + low * high_t);
+    B = v4;
+    derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
+    v6 = A / low;
+    derivative_coefficients__table_value_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v6, (A_t - v6 * low_t) / low);
+    low_beta_t = v5_t;
+    low_beta = v5;
+    v8 = A / high;
+    derivative_coefficients__table_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v8, (A_t - v8 * high_t) / high);
+    high_beta_t = v7_t;
+    high_beta = v7;
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEAN)) = 0.0;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) = 0.0;
+    if (yawed)
+    {
+        start = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * first;
+        stop = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first + strip_surfaces__ZONE_STATIONS - INT64_C(1));
+        v9 = (*cspan_at(&work, stop + layout__TRACED_STATION_X)) - (*cspan_at(&work, start + layout__TRACED_STATION_X));
+        v10 = (*cspan_at(&work, stop + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, start + layout__TRACED_STATION_STATION));
+        v11 = v9 / v10;
+        slant_t = ((*cspan_at(&work_t, stop + layout__TRACED_STATION_X)) - (*cspan_at(&work_t, start + layout__TRACED_STATION_X)) - v11 * ((*cspan_at(&work_t, stop + layout__TRACED_STATION_STATION)) - (*cspan_at(&work_t, start + layout__TRACED_STATION_STATION)))) / v10;
+        slant = v11;
+        derivative_coefficients__skewed_coefficients_t(&one_alpha, &one_alpha_t, &beta, &beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, slant, slant_t);
+        derivative_coefficients__middle_slant_t(&v12, &v12_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, slant, slant_t);
+        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEAN)) = v12_t - slant_t;
+        (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) = v12 - slant;
+        v13 = beta / one_beta;
+        low_beta_t = low_beta_t * v13 + low_beta * ((beta_t - v13 * one_beta_t) / one_beta);
+        low_beta = low_beta * v13;
+        v14 = beta / one_beta;
+        high_beta_t = high_beta_t * v14 + high_beta * ((beta_t - v14 * one_beta_t) / one_beta);
+        high_beta = high_beta * v14;
+    }
     (*cspan_at(&work_t, zone + layout__STRIP_ZONE_ONE_ALPHA)) = one_alpha_t;
     (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) = one_alpha;
-    v5 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LINE)) = (-v5) * nr_t / nr;
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_LINE)) = v5;
-    v7 = A / low;
-    derivative_coefficients__table_value_t(&v6, &v6_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v7, (A_t - v7 * low_t) / low);
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LOW_BETA)) = v6_t;
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_LOW_BETA)) = v6;
-    v9 = A / high;
-    derivative_coefficients__table_value_t(&v8, &v8_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v9, (A_t - v9 * high_t) / high);
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_HIGH_BETA)) = v8_t;
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_HIGH_BETA)) = v8;
+    v15 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
+    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LINE)) = (-v15) * nr_t / nr;
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_LINE)) = v15;
+    for (i = first; i < first + strip_surfaces__ZONE_STATIONS; i += INT64_C(1))
+    {
+        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        beta_t = low_beta_t;
+        beta = low_beta;
+        if ((*cspan_at(&work, at + layout__TRACED_STATION_STATION)) > (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)))
+        {
+            beta_t = high_beta_t;
+            beta = high_beta;
+        }
+        v16 = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP));
+        (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)) - (beta_t * v16 + beta * ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)) - (*cspan_at(&work_t, at + layout__TRACED_STATION_OVERLAP))));
+        (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - beta * v16;
+    }
     return INT64_C(0);
 }
 
@@ -5830,10 +6011,11 @@ static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d t
                 (*cspan_at(&work, at + layout__TRACED_STATION_REGION)) = (double)(index);
                 (*cspan_at(&work_t, at + layout__TRACED_STATION_JOINED)) = 0.0;
                 (*cspan_at(&work, at + layout__TRACED_STATION_JOINED)) = (double)(i < strip_surfaces__ZONE_STATIONS - INT64_C(1));
-                derivative_strip_surfaces__trace_station_t(tables, work, work_t, pair, region, zone, at);
+                derivative_strip_surfaces__trace_station_t(tables, work, work_t, pair, region, at);
             }
             (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = 0.0;
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = (double)(first + strip_surfaces__ZONE_STATIONS);
+            derivative_strip_surfaces__weigh_zone_t(tables, work, work_t, pair, zone, 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE)), 0.5 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE)), first, frame__is_yawed(work));
             derivative_frame__leave_plane_t(work, work_t, region);
         }
     }
@@ -5847,7 +6029,7 @@ static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d t
 }
 
 /* Derivative of ``trace_station``. */
-static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t zone, int64_t at)
+static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t at)
 {
     double gap;
     double gap_t;
@@ -5857,26 +6039,15 @@ static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d
     double bend_t;
     double curvature;
     double curvature_t;
-    double beta_t;
-    double beta;
-    double v1;
     double height;
     double height_t;
     double slope;
     double slope_t;
+    double v1;
     double v2;
     double v3;
     double v4;
-    double v5;
-    double v5_t;
-    double v6;
-    double v7;
-    double v7_t;
-    double level_t;
-    double level;
-    double v8;
-    double v9;
-    double v10;
+    double v4_t;
     derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), (*cspan_at(&work_t, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE, 0.0);
     (*cspan_at(&work_t, at + layout__TRACED_STATION_RISE)) = 0.0;
     (*cspan_at(&work, at + layout__TRACED_STATION_RISE)) = 0.0;
@@ -5889,22 +6060,12 @@ static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d
         (*cspan_at(&work_t, at + layout__TRACED_STATION_RISE)) = -rate_t;
         (*cspan_at(&work, at + layout__TRACED_STATION_RISE)) = -rate;
     }
-    beta_t = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LOW_BETA));
-    beta = (*cspan_at(&work, zone + layout__STRIP_ZONE_LOW_BETA));
-    if ((*cspan_at(&work, at + layout__TRACED_STATION_STATION)) > (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)))
-    {
-        beta_t = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_HIGH_BETA));
-        beta = (*cspan_at(&work, zone + layout__STRIP_ZONE_HIGH_BETA));
-    }
-    v1 = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP));
-    (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)) - (beta_t * v1 + beta * ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)) - (*cspan_at(&work_t, at + layout__TRACED_STATION_OVERLAP))));
-    (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - beta * v1;
     derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-    v2 = 1.0 + slope * slope;
-    v3 = sqrt(v2);
-    v4 = 1.0 / v3;
-    (*cspan_at(&work_t, at + layout__TRACED_STATION_COS)) = (-v4) * derivative_rates__root_rate(v3, slope_t * slope + slope * slope_t) / v3;
-    (*cspan_at(&work, at + layout__TRACED_STATION_COS)) = v4;
+    v1 = 1.0 + slope * slope;
+    v2 = sqrt(v1);
+    v3 = 1.0 / v2;
+    (*cspan_at(&work_t, at + layout__TRACED_STATION_COS)) = (-v3) * derivative_rates__root_rate(v2, slope_t * slope + slope * slope_t) / v2;
+    (*cspan_at(&work, at + layout__TRACED_STATION_COS)) = v3;
     (*cspan_at(&work_t, at + layout__TRACED_STATION_SIN)) = slope_t * (*cspan_at(&work, at + layout__TRACED_STATION_COS)) + slope * (*cspan_at(&work_t, at + layout__TRACED_STATION_COS));
     (*cspan_at(&work, at + layout__TRACED_STATION_SIN)) = slope * (*cspan_at(&work, at + layout__TRACED_STATION_COS));
     (*cspan_at(&work_t, at + layout__TRACED_STATION_X)) = 0.0;
@@ -5917,23 +6078,47 @@ static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d
     (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     if (frame__is_yawed(work))
     {
-        derivative_locus__outline_x_t(&v5, &v5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)), (*cspan_at(&work_t, at + layout__TRACED_STATION_WHEEL)));
-        (*cspan_at(&work_t, at + layout__TRACED_STATION_X)) = v5_t;
-        (*cspan_at(&work, at + layout__TRACED_STATION_X)) = v5;
-        v6 = strip_surfaces__LEAST_LEVEL * (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH));
-        v7 = (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL));
-        v7_t = (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL));
-        if (v6 > v7)
+        derivative_locus__outline_x_t(&v4, &v4_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)), (*cspan_at(&work_t, at + layout__TRACED_STATION_WHEEL)));
+        (*cspan_at(&work_t, at + layout__TRACED_STATION_X)) = v4_t;
+        (*cspan_at(&work, at + layout__TRACED_STATION_X)) = v4;
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``measure_ridges``. */
+static inline int64_t derivative_strip_surfaces__measure_ridges_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place)
+{
+    int64_t i_end;
+    int64_t i;
+    int64_t at;
+    int64_t zone;
+    double v1;
+    double v2;
+    double v2_t;
+    double level_t;
+    double level;
+    double v3;
+    double v4;
+    double v5;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION)));
+        v1 = strip_surfaces__LEAST_LEVEL * (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH));
+        v2 = (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL));
+        v2_t = (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL));
+        if (v1 > v2)
         {
-            v7 = v6;
-            v7_t = strip_surfaces__LEAST_LEVEL * (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH));
+            v2 = v1;
+            v2_t = strip_surfaces__LEAST_LEVEL * (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH));
         }
-        level_t = v7_t;
-        level = v7;
-        v8 = (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work, at + layout__TRACED_STATION_A));
-        v9 = level / v8;
-        v10 = sqrt(v9);
-        derivative_strip_surfaces__measure_ridge_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), at, strip_pressures__TESTED * v10, strip_pressures__TESTED * derivative_rates__root_rate(v10, (level_t - v9 * ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work, at + layout__TRACED_STATION_A)) + (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work_t, at + layout__TRACED_STATION_A)))) / v8));
+        level_t = v2_t;
+        level = v2;
+        v3 = (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work, at + layout__TRACED_STATION_A));
+        v4 = level / v3;
+        v5 = sqrt(v4);
+        derivative_strip_surfaces__measure_ridge_t(tables, work, work_t, pair, place, at, strip_pressures__TESTED * v5, strip_pressures__TESTED * derivative_rates__root_rate(v5, (level_t - v4 * ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work, at + layout__TRACED_STATION_A)) + (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work_t, at + layout__TRACED_STATION_A)))) / v3));
     }
     return INT64_C(0);
 }

@@ -29,6 +29,7 @@ static inline int64_t derivative_circle__atan2_rule_t(double* result_0, double* 
 static inline int64_t derivative_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double ratio, double ratio_t);
 static inline int64_t derivative_coefficients__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v5, double* v5_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t);
 static inline int64_t derivative_coefficients__skewed_coefficients_t(double* v17, double* result_1, double* v18, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t);
+static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t);
 static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, double* result_1, double one_beta, double one_beta_t, double nr, double nr_t, double B, double B_t, double contact_modulus, double contact_modulus_t);
 static inline int64_t derivative_coefficients__second_difference_t(double* v5, double* result_1, array_double_1d work, array_double_1d work_t, int64_t values, int64_t k, double spacing, double spacing_t, int64_t window);
 static inline int64_t derivative_coefficients__secant_curvature_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t gaps, int64_t k, double spacing, double spacing_t, int64_t window, double middle, double middle_t);
@@ -400,6 +401,7 @@ static inline int64_t derivative_stiffness__stiffnesses_at_t(double* along, doub
 
 /* derivative_strip_contact.py */
 static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
+static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
 static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetration, double* penetration_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t first, int64_t last, double force, double force_t, bool by_penetration);
 static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t);
@@ -455,16 +457,17 @@ static inline int64_t derivative_strip_runs__sample_strips_t(double* v4, double*
 static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves);
 
 /* derivative_strip_surfaces.py */
-static inline int64_t derivative_strip_surfaces__zone_curvature_t(double* B, double* B_t, double depth, double depth_t, double width, double width_t, double A, double A_t);
-static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t zone, double A, double A_t);
 static inline int64_t derivative_strip_surfaces__measure_zone_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, double deepest_t);
 static inline int64_t derivative_strip_surfaces__find_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double deepest, double deepest_t);
-static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, double* z_t, array_double_1d tables, int64_t pair, double y, double y_t);
-static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t at, double away, double away_t);
-static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t zone, int64_t at);
+static inline int64_t derivative_strip_surfaces__zone_curvature_t(double* B, double* B_t, double depth, double depth_t, double width, double width_t, double A, double A_t);
+static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t zone, double A, double A_t, int64_t first, bool yawed);
+static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t at);
 static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_double_1d work_t);
 static inline int64_t derivative_strip_surfaces__incline_station_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t at);
 static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count);
+static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, double* z_t, array_double_1d tables, int64_t pair, double y, double y_t);
+static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t at, double away, double away_t);
+static inline int64_t derivative_strip_surfaces__measure_ridges_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place);
 static inline int64_t derivative_strip_surfaces__way_through_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t j, double station, double station_t);
 static inline int64_t derivative_strip_surfaces__between_t(double* result_0, double* result_1, double low, double low_t, double high, double high_t, double u, double u_t);
 static inline int64_t derivative_strip_surfaces__rest_gap_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t j, double station, double station_t);

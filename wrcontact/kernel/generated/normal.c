@@ -89,6 +89,7 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
 
 /* normal/strip_contact.py */
 static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair);
+static inline int64_t strip_contact__start_runs(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline double strip_contact__sweep_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t first, int64_t last, double force, bool by_penetration);
 static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double force);
@@ -145,16 +146,17 @@ static inline int64_t strip_runs__sample_strips(double* result_0, double* result
 static inline int64_t strip_runs__renew_runs(array_double_1d tables, array_double_1d work, int64_t waves);
 
 /* normal/strip_surfaces.py */
-static inline double strip_surfaces__zone_curvature(double depth, double width, double A);
-static inline int64_t strip_surfaces__weigh_zone(array_double_1d work, array_double_1d tables, int64_t zone, double A);
 static inline int64_t strip_surfaces__measure_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, double deepest);
 static inline int64_t strip_surfaces__find_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count, double deepest);
-static inline double strip_surfaces__profile_within(array_double_1d tables, int64_t pair, double y);
-static inline int64_t strip_surfaces__measure_ridge(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t at, double away);
-static inline int64_t strip_surfaces__trace_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, int64_t at);
+static inline double strip_surfaces__zone_curvature(double depth, double width, double A);
+static inline int64_t strip_surfaces__weigh_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t zone, double A, int64_t first, bool yawed);
+static inline int64_t strip_surfaces__trace_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t at);
 static inline int64_t strip_surfaces__place_on_middle(array_double_1d work);
 static inline int64_t strip_surfaces__incline_station(array_double_1d work, array_double_1d tables, int64_t at);
 static inline int64_t strip_surfaces__trace_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count);
+static inline double strip_surfaces__profile_within(array_double_1d tables, int64_t pair, double y);
+static inline int64_t strip_surfaces__measure_ridge(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t at, double away);
+static inline int64_t strip_surfaces__measure_ridges(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
 static inline int64_t strip_surfaces__interval(array_double_1d work, int64_t first, int64_t high, double station);
 static inline double strip_surfaces__way_through(array_double_1d work, int64_t j, double station);
 static inline double strip_surfaces__between(double low, double high, double u);
@@ -2289,7 +2291,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         count = strip_contact__open_zones(tables, work, pair);
-        strip_runs__begin_runs(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+        strip_contact__start_runs(tables, work, pair);
         penetration = strip_contact__sweep_strips(tables, work, pair, INT64_C(0), sweeps, force, by_penetration);
     }
     else
@@ -2322,7 +2324,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
                 break;
             }
         }
-        strip_runs__begin_runs(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+        strip_contact__start_runs(tables, work, pair);
         penetration = strip_contact__sweep_strips(tables, work, pair, INT64_C(0), sweeps, force, by_penetration);
     }
     satisfied = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
@@ -2347,7 +2349,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
 static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double force)
 {
     (*count) = strip_contact__open_zones(tables, work, pair);
-    strip_runs__begin_runs(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+    strip_contact__start_runs(tables, work, pair);
     (*penetration) = strip_contact__sweep_strips(tables, work, pair, INT64_C(0), strip_contact__FIRST_SWEEPS, force, 0);
     (*satisfied) = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
     if ((*satisfied))
@@ -2370,6 +2372,17 @@ static inline int64_t strip_contact__open_zones(array_double_1d tables, array_do
     strip_surfaces__find_zones(tables, work, pair, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)));
     strip_surfaces__trace_zones(tables, work, pair, count);
     return count;
+}
+
+/* The first runs, and the gap beside a yawed wheel's ridge. */
+static inline int64_t strip_contact__start_runs(array_double_1d tables, array_double_1d work, int64_t pair)
+{
+    if (frame__is_yawed(work))
+    {
+        strip_surfaces__measure_ridges(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))));
+    }
+    strip_runs__begin_runs(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+    return INT64_C(0);
 }
 
 /* Make the sweeps ``first`` ... ``last`` - 1; penetration [m].
@@ -3314,6 +3327,7 @@ static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_doubl
     int64_t i;
     int64_t strip;
     double station;
+    int64_t zone;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
     low = INT64_C(0);
     while(low < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))))
@@ -3341,7 +3355,8 @@ static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_doubl
             station = strip_runs__run_station(work, run, (*cspan_at(&tables, waves + layout__WAVES_COS + i)));
             j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), station);
             (*cspan_at(&work, strip + layout__STRIP_AXIS)) = strip_runs__level_length(work, j, station) / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-            (*cspan_at(&work, strip + layout__STRIP_LEAD)) = 0.0;
+            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_REGION)));
+            (*cspan_at(&work, strip + layout__STRIP_LEAD)) = pressed__limited((*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) * (station - (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE))), strip_runs__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)));
         }
         strip_runs__raise_axes(work, first, (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
     }
@@ -3878,26 +3893,59 @@ static inline int64_t strip_surfaces__measure_zone(array_double_1d tables, array
         low = widths__zone_width(tables, work, pair, region, -1.0, level, high);
         (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) += high;
         (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) -= low;
-        strip_surfaces__weigh_zone(work, tables, zone, 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE)));
     }
     return INT64_C(0);
 }
 
-/* ANALYN's coefficients of a zone, by how wide it is to either side: Hertz's for gap and curvature. */
-static inline int64_t strip_surfaces__weigh_zone(array_double_1d work, array_double_1d tables, int64_t zone, double A)
+/* ANALYN's coefficients of a zone, by how wide it is to either side: Hertz's for gap and curvature.  Of a
+ * yawed wheel those of its slanted ridge, from its stations, which begin with number ``first``; levels and
+ * ridges of the stations.
+ */
+static inline int64_t strip_surfaces__weigh_zone(array_double_1d tables, array_double_1d work, int64_t pair, int64_t zone, double A, int64_t first, bool yawed)
 {
     double low;
     double high;
+    double B;
     double one_alpha;
     double one_beta;
     double nr;
+    double low_beta;
+    double high_beta;
+    int64_t start;
+    int64_t stop;
+    double slant;
+    double beta;
+    int64_t i;
+    int64_t at;
     low = strip_surfaces__zone_curvature((*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), A);
     high = strip_surfaces__zone_curvature((*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)), A);
-    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, sqrt(low * high));
+    B = sqrt(low * high);
+    coefficients__hertz_coefficients(&one_alpha, &one_beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B);
+    low_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / low);
+    high_beta = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / high);
+    (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) = 0.0;
+    if (yawed)
+    {
+        start = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * first;
+        stop = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first + strip_surfaces__ZONE_STATIONS - INT64_C(1));
+        slant = ((*cspan_at(&work, stop + layout__TRACED_STATION_X)) - (*cspan_at(&work, start + layout__TRACED_STATION_X))) / ((*cspan_at(&work, stop + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, start + layout__TRACED_STATION_STATION)));
+        coefficients__skewed_coefficients(&one_alpha, &beta, &nr, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, slant);
+        (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) = coefficients__middle_slant(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, B, slant) - slant;
+        low_beta *= beta / one_beta;
+        high_beta *= beta / one_beta;
+    }
     (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) = one_alpha;
     (*cspan_at(&work, zone + layout__STRIP_ZONE_LINE)) = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_LOW_BETA)) = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / low);
-    (*cspan_at(&work, zone + layout__STRIP_ZONE_HIGH_BETA)) = coefficients__table_value(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), A / high);
+    for (i = first; i < first + strip_surfaces__ZONE_STATIONS; i += INT64_C(1))
+    {
+        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        beta = low_beta;
+        if ((*cspan_at(&work, at + layout__TRACED_STATION_STATION)) > (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)))
+        {
+            beta = high_beta;
+        }
+        (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - beta * ((*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)));
+    }
     return INT64_C(0);
 }
 
@@ -3948,9 +3996,10 @@ static inline int64_t strip_surfaces__trace_zones(array_double_1d tables, array_
                 (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + ((double)(i) + strip_surfaces__INSET) * (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING));
                 (*cspan_at(&work, at + layout__TRACED_STATION_REGION)) = (double)(index);
                 (*cspan_at(&work, at + layout__TRACED_STATION_JOINED)) = (double)(i < strip_surfaces__ZONE_STATIONS - INT64_C(1));
-                strip_surfaces__trace_station(tables, work, pair, region, zone, at);
+                strip_surfaces__trace_station(tables, work, pair, region, at);
             }
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = (double)(first + strip_surfaces__ZONE_STATIONS);
+            strip_surfaces__weigh_zone(tables, work, pair, zone, 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE)), first, frame__is_yawed(work));
             frame__leave_plane(work, region);
         }
     }
@@ -3964,16 +4013,14 @@ static inline int64_t strip_surfaces__trace_zones(array_double_1d tables, array_
 }
 
 /* Wheel and rail at a station of ``region``, whose frame is open. */
-static inline int64_t strip_surfaces__trace_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t zone, int64_t at)
+static inline int64_t strip_surfaces__trace_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t at)
 {
     double gap;
     double rate;
     double bend;
     double curvature;
-    double beta;
     double height;
     double slope;
-    double level;
     separation__separation(&gap, &rate, &bend, &curvature, tables, work, pair, (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE);
     (*cspan_at(&work, at + layout__TRACED_STATION_RISE)) = 0.0;
     (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) = 0.0;
@@ -3982,12 +4029,6 @@ static inline int64_t strip_surfaces__trace_station(array_double_1d tables, arra
         (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap;
         (*cspan_at(&work, at + layout__TRACED_STATION_RISE)) = -rate;
     }
-    beta = (*cspan_at(&work, zone + layout__STRIP_ZONE_LOW_BETA));
-    if ((*cspan_at(&work, at + layout__TRACED_STATION_STATION)) > (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)))
-    {
-        beta = (*cspan_at(&work, zone + layout__STRIP_ZONE_HIGH_BETA));
-    }
-    (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - beta * ((*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)));
     tables__height_slope(&height, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     (*cspan_at(&work, at + layout__TRACED_STATION_COS)) = 1.0 / sqrt(1.0 + slope * slope);
     (*cspan_at(&work, at + layout__TRACED_STATION_SIN)) = slope * (*cspan_at(&work, at + layout__TRACED_STATION_COS));
@@ -3998,8 +4039,25 @@ static inline int64_t strip_surfaces__trace_station(array_double_1d tables, arra
     if (frame__is_yawed(work))
     {
         (*cspan_at(&work, at + layout__TRACED_STATION_X)) = locus__outline_x(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)));
+    }
+    return INT64_C(0);
+}
+
+/* The gap beside a yawed wheel's ridge at all stations, as far away as their levels say. */
+static inline int64_t strip_surfaces__measure_ridges(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place)
+{
+    int64_t i_end;
+    int64_t i;
+    int64_t at;
+    int64_t zone;
+    double level;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION)));
         level = double_max(2, (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)), strip_surfaces__LEAST_LEVEL * (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)));
-        strip_surfaces__measure_ridge(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), at, strip_pressures__TESTED * sqrt(level / ((*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work, at + layout__TRACED_STATION_A)))));
+        strip_surfaces__measure_ridge(tables, work, pair, place, at, strip_pressures__TESTED * sqrt(level / ((*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work, at + layout__TRACED_STATION_A)))));
     }
     return INT64_C(0);
 }

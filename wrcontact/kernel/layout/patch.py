@@ -210,9 +210,8 @@ class StripZone:
     depth: float                    # how deep that is [m]
     spacing: float                  # of its traced stations [m]
     one_alpha: float                # ANALYN's coefficients there: 1 + alpha,
-    low_beta: float                 # 1 + beta before the middle
-    high_beta: float                # and behind it,
     line: float                     # and E* / (n r): line load per penetration [N/m^2]
+    lean: float                     # slope dx/ds of the line of middles over that of the ridge [-]
 
 
 @record

@@ -28,7 +28,7 @@ from .strip_lengths import correct_lengths
 from .strip_patches import add_stiffness, fill_from_strips
 from .strip_pressures import solve_pressures
 from .strip_runs import begin_runs, deepen_levels, lay_strips, renew_runs
-from .strip_surfaces import find_zones, trace_zones
+from .strip_surfaces import find_zones, measure_ridges, trace_zones
 
 #: Sweeps of the form for first trials.
 FIRST_SWEEPS: Final[int] = 2
@@ -49,7 +49,7 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
     sweeps = pair.tables.sweeps
     if contact.frame.pressed:
         count = open_zones(pair, contact)
-        begin_runs(contact.strip_problem, pair.tables.waves)
+        start_runs(pair, contact)
         penetration = sweep_strips(pair, contact, 0, sweeps, force, by_penetration)
     else:
         penetration = prescribed
@@ -67,7 +67,7 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
             penetration = estimate + deepen_levels(contact.strip_problem, force)
             if penetration < SUNK_DEEPER * estimate:
                 break
-        begin_runs(contact.strip_problem, pair.tables.waves)
+        start_runs(pair, contact)
         penetration = sweep_strips(pair, contact, 0, sweeps, force, by_penetration)
     satisfied = contact.strip_problem.count > 0
     if satisfied:
@@ -82,7 +82,7 @@ def coarse_contact(pair: Pair, contact: Contact, force: float):
     """As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first sweeps alone
     and without patches: about a per cent off."""
     count = open_zones(pair, contact)
-    begin_runs(contact.strip_problem, pair.tables.waves)
+    start_runs(pair, contact)
     penetration = sweep_strips(pair, contact, 0, FIRST_SWEEPS, force, False)
     satisfied = contact.strip_problem.count > 0
     if satisfied:
@@ -100,6 +100,13 @@ def open_zones(pair: Pair, contact: Contact):
     find_zones(pair, contact, count, deepest.depth)
     trace_zones(pair, contact, count)
     return count
+
+
+def start_runs(pair: Pair, contact: Contact):
+    """The first runs, and the gap beside a yawed wheel's ridge."""
+    if is_yawed(contact.frame):
+        measure_ridges(pair, contact.frame.place, contact.strip_problem)
+    begin_runs(contact.strip_problem, pair.tables.waves)
 
 
 def sweep_strips(pair: Pair, contact: Contact, first: int, last: int, force: float, by_penetration: bool):

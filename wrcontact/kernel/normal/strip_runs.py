@@ -10,6 +10,7 @@ closer together towards the edges, where half-length and pressure fall to zero l
 from math import pi, sqrt
 from typing import Final
 
+from ..contact.pressed import limited
 from ..elementary.powers import log
 from ..layout import (FINE_WAVES, STRIP_RUN_LIMIT, Strip, StripProblem, StripRun, TracedStation, Waves, copy)
 from .strip_surfaces import between, interval, rest_gap, way_through
@@ -20,6 +21,8 @@ RAISED: Final[float] = 0.02
 FLAT_START: Final[float] = 0.25
 #: Steps of Newton's method to the levels that carry the force.
 LEVEL_ITERATIONS: Final[int] = 6
+#: The middle of a strip begins before its ridge by no more than this share of the half-length.
+FIRST_LEAD: Final[float] = 0.5
 #: Runs that are narrower than this are none [m].
 NARROW: Final[float] = 2e-5
 #: A strip pulls where its pressure is below this share of the largest one, with the other sign.
@@ -49,7 +52,8 @@ def begin_runs(problem: StripProblem, waves: Waves):
             station = run_station(run, waves.cos[i])
             j = interval(problem, j, run.high, station)
             strip.axis = level_length(problem, j, station) / waves.sin[i]
-            strip.lead = 0.0
+            zone = problem.zones[problem.traced[j].region]
+            strip.lead = limited(zone.lean * (station - zone.middle), FIRST_LEAD * strip.axis * waves.sin[i])
         raise_axes(problem, first, waves.count)
 
 

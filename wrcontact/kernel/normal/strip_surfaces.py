@@ -18,7 +18,7 @@ from ..surface.curvature import longitudinal_curvature
 from ..surface.locus import outline_x
 from ..surface.rails import upright_share
 from ..surface.tables import height_slope, height_slope_bend
-from .coefficients import hertz_coefficients, table_value
+from .coefficients import hertz_coefficients, middle_slant, skewed_coefficients, table_value
 from .strip_pressures import TESTED
 
 #: A zone ends where the overlap has fallen to this share of the deepest one, or of its own: far from the
@@ -63,18 +63,36 @@ def measure_zone(pair: Pair, contact: Contact, region: Region, zone: StripZone, 
         low = zone_width(pair, contact.frame, contact.origin, region, -1.0, level, high)
         zone.stop += high
         zone.start -= low
-        weigh_zone(pair.tables, zone, 0.5 * region.curvature)
 
 
-def weigh_zone(tables: Tables, zone: StripZone, A: float):
-    """ANALYN's coefficients of a zone, by how wide it is to either side: Hertz's for gap and curvature."""
+def weigh_zone(pair: Pair, problem: StripProblem, zone: StripZone, A: float, first: int, yawed: bool):
+    """ANALYN's coefficients of a zone, by how wide it is to either side: Hertz's for gap and curvature.  Of a
+    yawed wheel those of its slanted ridge, from its stations, which begin with number ``first``; levels and
+    ridges of the stations."""
+    tables = pair.tables
     low = zone_curvature(zone.depth, zone.middle - zone.start, A)
     high = zone_curvature(zone.depth, zone.stop - zone.middle, A)
-    one_alpha, one_beta, nr = hertz_coefficients(tables.hertz, A, sqrt(low * high))
+    B = sqrt(low * high)
+    one_alpha, one_beta, nr = hertz_coefficients(tables.hertz, A, B)
+    low_beta = table_value(tables.hertz, 0, A / low)
+    high_beta = table_value(tables.hertz, 0, A / high)
+    zone.lean = 0.0
+    if yawed:
+        start = problem.traced[first]
+        stop = problem.traced[first + ZONE_STATIONS - 1]
+        slant = (stop.x - start.x) / (stop.station - start.station)
+        one_alpha, beta, nr = skewed_coefficients(tables.hertz, A, B, slant)
+        zone.lean = middle_slant(tables.hertz, A, B, slant) - slant
+        low_beta *= beta / one_beta
+        high_beta *= beta / one_beta
     zone.one_alpha = one_alpha
     zone.line = tables.contact_modulus / nr
-    zone.low_beta = table_value(tables.hertz, 0, A / low)
-    zone.high_beta = table_value(tables.hertz, 0, A / high)
+    for i in range(first, first + ZONE_STATIONS):
+        at = problem.traced[i]
+        beta = low_beta
+        if at.station > zone.middle:
+            beta = high_beta
+        at.level = zone.depth - beta * (zone.depth - at.overlap)
 
 
 def zone_curvature(depth: float, width: float, A: float):
@@ -107,15 +125,16 @@ def trace_zones(pair: Pair, contact: Contact, count: int):
                 at.station = zone.start + (float(i) + INSET) * zone.spacing
                 at.region = index
                 at.joined = i < ZONE_STATIONS - 1
-                trace_station(pair, contact, region, zone, at)
+                trace_station(pair, contact, region, at)
             problem.traced_count = first + ZONE_STATIONS
+            weigh_zone(pair, problem, zone, 0.5 * region.curvature, first, is_yawed(contact.frame))
             leave_plane(contact.frame, contact.frames, region)
     place_on_middle(problem)
     for i in range(problem.traced_count):
         incline_station(pair.tables, contact.frame, problem.traced[i])
 
 
-def trace_station(pair: Pair, contact: Contact, region: Region, zone: StripZone, at: TracedStation):
+def trace_station(pair: Pair, contact: Contact, region: Region, at: TracedStation):
     """Wheel and rail at a station of ``region``, whose frame is open."""
     frame = contact.frame
     gap, rate, bend, curvature = separation(pair, frame, contact.origin, at.station - region.offset,
@@ -125,10 +144,6 @@ def trace_station(pair: Pair, contact: Contact, region: Region, zone: StripZone,
     if gap < NO_GAP:
         at.overlap = frame.raised + frame.depth - gap
         at.rise = -rate
-    beta = zone.low_beta
-    if at.station > zone.middle:
-        beta = zone.high_beta
-    at.level = zone.depth - beta * (zone.depth - at.overlap)
     height, slope = height_slope(pair.rail, frame.traces[RAIL].abscissa)
     at.cos = 1.0 / sqrt(1.0 + slope * slope)
     at.sin = slope * at.cos
@@ -138,8 +153,15 @@ def trace_station(pair: Pair, contact: Contact, region: Region, zone: StripZone,
     at.wheel = frame.traces[WHEEL].abscissa
     if is_yawed(frame):
         at.x = outline_x(pair, frame.place, at.wheel)
+
+
+def measure_ridges(pair: Pair, place: Place, problem: StripProblem):
+    """The gap beside a yawed wheel's ridge at all stations, as far away as their levels say."""
+    for i in range(problem.traced_count):
+        at = problem.traced[i]
+        zone = problem.zones[at.region]
         level = max(at.level, LEAST_LEVEL * zone.depth)
-        measure_ridge(pair, frame.place, at, TESTED * sqrt(level / (zone.one_alpha * at.A)))
+        measure_ridge(pair, place, at, TESTED * sqrt(level / (zone.one_alpha * at.A)))
 
 
 def profile_within(pair: Pair, y: float):
