@@ -4881,7 +4881,6 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
     double v2_t;
     int64_t zone;
     double v4;
-    double v5;
     double v3;
     double v3_t;
     (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
@@ -4919,8 +4918,7 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
             (*cspan_at(&work, strip + layout__STRIP_AXIS)) = v2 / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
             zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_REGION)));
             v4 = station - (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE));
-            v5 = strip_runs__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_AXIS));
-            derivative_pressed__limited_t(&v3, &v3_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) * v4, (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEAN)) * v4 + (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) * (station_t - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE))), v5 * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)), strip_runs__FIRST_LEAD * (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)));
+            derivative_pressed__limited_t(&v3, &v3_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) * v4, (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEAN)) * v4 + (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) * (station_t - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE))), strip_runs__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_AXIS)), strip_runs__FIRST_LEAD * (*cspan_at(&work_t, strip + layout__STRIP_AXIS)));
             (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = v3_t;
             (*cspan_at(&work, strip + layout__STRIP_LEAD)) = v3;
         }

@@ -3356,7 +3356,7 @@ static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_doubl
             j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), station);
             (*cspan_at(&work, strip + layout__STRIP_AXIS)) = strip_runs__level_length(work, j, station) / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
             zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_REGION)));
-            (*cspan_at(&work, strip + layout__STRIP_LEAD)) = pressed__limited((*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) * (station - (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE))), strip_runs__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)));
+            (*cspan_at(&work, strip + layout__STRIP_LEAD)) = pressed__limited((*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) * (station - (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE))), strip_runs__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_AXIS)));
         }
         strip_runs__raise_axes(work, first, (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
     }

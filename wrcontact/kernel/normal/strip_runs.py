@@ -21,7 +21,7 @@ RAISED: Final[float] = 0.02
 FLAT_START: Final[float] = 0.25
 #: Steps of Newton's method to the levels that carry the force.
 LEVEL_ITERATIONS: Final[int] = 6
-#: The middle of a strip begins before its ridge by no more than this share of the half-length.
+#: The middle of a strip begins before its ridge by no more than this share of its axis.
 FIRST_LEAD: Final[float] = 0.5
 #: Runs that are narrower than this are none [m].
 NARROW: Final[float] = 2e-5
@@ -53,7 +53,7 @@ def begin_runs(problem: StripProblem, waves: Waves):
             j = interval(problem, j, run.high, station)
             strip.axis = level_length(problem, j, station) / waves.sin[i]
             zone = problem.zones[problem.traced[j].region]
-            strip.lead = limited(zone.lean * (station - zone.middle), FIRST_LEAD * strip.axis * waves.sin[i])
+            strip.lead = limited(zone.lean * (station - zone.middle), FIRST_LEAD * strip.axis)
         raise_axes(problem, first, waves.count)
 
 
