@@ -3918,26 +3918,28 @@ static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_
     int64_t strip;
     double weight;
     double v8;
+    double v8_t;
     double v9;
-    double sine;
     double v10;
+    double sine;
     double v11;
-    double v11_t;
+    double v12;
+    double v12_t;
     double length_t;
     double length;
     double pressure_t;
     double pressure;
-    double v12;
-    double v12_t;
     double v13;
+    double v13_t;
     double v14;
-    double v14_t;
-    int64_t to;
     double v15;
+    double v15_t;
+    int64_t to;
     double v16;
     double v17;
     double v18;
     double v19;
+    double v20;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
@@ -3990,60 +3992,67 @@ static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_
             weight = (*cspan_at(&tables, waves + layout__WAVES_REFINING + INT64_C(16) * g + i));
             axis_t = axis_t + weight * (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS));
             axis = axis + weight * (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
-            v8 = weight * (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
-            raised_t = raised_t + weight * (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-            raised = raised + v8 / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-            v9 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
+            v8 = (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
+            v8_t = (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE));
+            if (0.0 > v8)
+            {
+                v8 = 0.0;
+                v8_t = 0.0;
+            }
+            v9 = weight * v8;
+            raised_t = raised_t + weight * v8_t / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            raised = raised + v9 / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            v10 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
             x_t = x_t + weight * ((*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)));
-            x = x + weight * v9;
+            x = x + weight * v10;
             A_t = A_t + weight * (*cspan_at(&work_t, strip + layout__STRIP_A));
             A = A + weight * (*cspan_at(&work, strip + layout__STRIP_A));
         }
         sine = (*cspan_at(&tables, waves + layout__WAVES_FINE_SIN + g));
-        v10 = strip_patches__NARROWED * least;
-        v11 = axis;
-        v11_t = axis_t;
-        if (v10 > v11)
+        v11 = strip_patches__NARROWED * least;
+        v12 = axis;
+        v12_t = axis_t;
+        if (v11 > v12)
         {
-            v11 = v10;
-            v11_t = strip_patches__NARROWED * least_t;
+            v12 = v11;
+            v12_t = strip_patches__NARROWED * least_t;
         }
-        length_t = v11_t * sine;
-        length = v11 * sine;
+        length_t = v12_t * sine;
+        length = v12 * sine;
         pressure_t = raised_t * sine;
         pressure = raised * sine;
         if ((g >= strip_patches__SMOOTH_ENDS) && (g < fine - strip_patches__SMOOTH_ENDS))
         {
-            derivative_strip_patches__roughness_t(&v12, &v12_t, tables, work, work_t, waves, run, g);
-            v13 = rigid * v12;
-            pressure_t = pressure_t - (rigid_t * v12 + rigid * v12_t) / sine;
-            pressure = pressure - v13 / sine;
+            derivative_strip_patches__roughness_t(&v13, &v13_t, tables, work, work_t, waves, run, g);
+            v14 = rigid * v13;
+            pressure_t = pressure_t - (rigid_t * v13 + rigid * v13_t) / sine;
+            pressure = pressure - v14 / sine;
         }
-        v14 = pressure;
-        v14_t = pressure_t;
-        if (0.0 > v14)
+        v15 = pressure;
+        v15_t = pressure_t;
+        if (0.0 > v15)
         {
-            v14 = 0.0;
-            v14_t = 0.0;
+            v15 = 0.0;
+            v15_t = 0.0;
         }
-        pressure_t = v14_t;
-        pressure = v14;
+        pressure_t = v15_t;
+        pressure = v15;
         to = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (k * fine + g);
         (*cspan_at(&work_t, to + layout__SOLVED_STRIP_STATION)) = middle_t - half_t * (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + g));
         (*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) = middle - half * (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + g));
-        v15 = half * sine;
-        v16 = v15 * M_PI;
-        v17 = (double)(fine);
-        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_WIDTH)) = half_t * sine * M_PI / v17;
-        (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = v16 / v17;
+        v16 = half * sine;
+        v17 = v16 * M_PI;
+        v18 = (double)(fine);
+        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_WIDTH)) = half_t * sine * M_PI / v18;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = v17 / v18;
         (*cspan_at(&work_t, to + layout__SOLVED_STRIP_X)) = x_t;
         (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = x;
         (*cspan_at(&work_t, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * A_t;
         (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * A;
-        v18 = 0.5 * M_PI;
-        v19 = v18 * length;
-        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_LINE_LOAD)) = v18 * length_t * pressure + v19 * pressure_t;
-        (*cspan_at(&work, to + layout__SOLVED_STRIP_LINE_LOAD)) = v19 * pressure;
+        v19 = 0.5 * M_PI;
+        v20 = v19 * length;
+        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_LINE_LOAD)) = v19 * length_t * pressure + v20 * pressure_t;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_LINE_LOAD)) = v20 * pressure;
         (*cspan_at(&work_t, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = length_t * length + length * length_t;
         (*cspan_at(&work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = length * length;
         (*cspan_at(&work_t, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;

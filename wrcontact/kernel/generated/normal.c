@@ -2762,7 +2762,7 @@ static inline int64_t strip_patches__fill_fine_strips(array_double_1d work, arra
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
             weight = (*cspan_at(&tables, waves + layout__WAVES_REFINING + INT64_C(16) * g + i));
             axis += weight * (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
-            raised += weight * (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            raised += weight * double_max(2, (*cspan_at(&work, strip + layout__STRIP_PRESSURE)), 0.0) / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
             x += weight * ((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)));
             A += weight * (*cspan_at(&work, strip + layout__STRIP_A));
         }

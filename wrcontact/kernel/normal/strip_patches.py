@@ -91,7 +91,7 @@ def fill_fine_strips(tables: Tables, problem: StripProblem, solved: SolvedStrips
             strip = problem.strips[first + i]
             weight = waves.refining[g][i]
             axis += weight * strip.next_axis
-            raised += weight * strip.pressure / waves.sin[i]
+            raised += weight * max(strip.pressure, 0.0) / waves.sin[i]
             x += weight * (strip.x + strip.next_lead)
             A += weight * strip.A
         sine = waves.fine_sin[g]
