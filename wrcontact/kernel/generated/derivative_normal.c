@@ -3278,7 +3278,7 @@ static inline int64_t derivative_strip_lengths__corrected_t(double* v3, double* 
 }
 
 /* Derivative of ``correct_strip``. */
-static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, double penetration, double penetration_t, bool yawed)
+static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t first, int64_t i, double penetration, double penetration_t, bool yawed)
 {
     int64_t strip;
     double half_t;
@@ -3289,50 +3289,50 @@ static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d 
     double v1_t;
     double own_t;
     double own;
+    double front;
+    double front_t;
+    double back;
+    double back_t;
     double v2;
     double v2_t;
-    double front_t;
-    double front;
-    double back_t;
-    double back;
-    double v3;
-    double v3_t;
     double front_gap_t;
     double front_gap;
     double back_gap_t;
     double back_gap;
+    double v3;
+    double v3_t;
     double v4;
-    double v4_t;
     double v5;
-    double v5_t;
     double v6;
     double v7;
     double v8;
     double v9;
-    double v10;
-    double v11;
     double move_t;
     double move;
+    double v10;
+    double v10_t;
+    double v11;
+    double v11_t;
+    double local_t;
+    double local;
     double v12;
-    double v12_t;
     double v13;
     double v14;
     double v15;
     double v16;
-    double v17;
-    double v17_t;
+    double v16_t;
     double rise_t;
     double rise;
+    double v17;
     double v18;
     double v19;
     double v20;
-    double v21;
-    double v21_t;
+    double v20_t;
     double ratio_t;
     double ratio;
-    double v22;
-    double v22_t;
-    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    double v21;
+    double v21_t;
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
     half_t = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
     half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
     away_t = strip_pressures__TESTED * half_t;
@@ -3340,66 +3340,62 @@ static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d 
     derivative_strip_runs__gap_beside_t(&v1, &v1_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*cspan_at(&work_t, strip + layout__STRIP_LEAD)));
     own_t = v1_t;
     own = v1;
-    derivative_strip_pressures__tested_displacement_t(&v2, &v2_t, work, work_t, tables, i, away, away_t);
-    front_t = v2_t;
-    front = v2;
-    back_t = front_t;
-    back = front;
-    derivative_strip_runs__gap_beside_t(&v3, &v3_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away, (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + away_t);
-    front_gap_t = v3_t - own_t;
-    front_gap = v3 - own;
+    derivative_strip_pressures__tested_displacements_t(&front, &front_t, &back, &back_t, work, work_t, tables, first + i, away, away_t, yawed);
+    derivative_strip_runs__gap_beside_t(&v2, &v2_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away, (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + away_t);
+    front_gap_t = v2_t - own_t;
+    front_gap = v2 - own;
     back_gap_t = front_gap_t;
     back_gap = front_gap;
     (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
     (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
     if (yawed)
     {
-        derivative_strip_pressures__tested_displacement_t(&v4, &v4_t, work, work_t, tables, i, -away, -away_t);
-        back_t = v4_t;
-        back = v4;
-        derivative_strip_runs__gap_beside_t(&v5, &v5_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away, (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - away_t);
-        back_gap_t = v5_t - own_t;
-        back_gap = v5 - own;
-        v6 = -strip_lengths__MOVED;
-        v7 = front + front_gap - back - back_gap;
-        v8 = v6 * v7;
-        v9 = 4.0 * (*cspan_at(&work, strip + layout__STRIP_A));
-        v10 = v9 * away;
-        v11 = v8 / v10;
-        move_t = (v6 * (front_t + front_gap_t - back_t - back_gap_t) - v11 * (4.0 * (*cspan_at(&work_t, strip + layout__STRIP_A)) * away + v9 * away_t)) / v10;
-        move = v11;
-        derivative_pressed__limited_t(&v12, &v12_t, move, move_t, strip_lengths__FARTHEST_MOVE * half, strip_lengths__FARTHEST_MOVE * half_t);
-        (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) + v12_t;
-        (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) + v12;
+        derivative_strip_runs__gap_beside_t(&v3, &v3_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away, (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - away_t);
+        back_gap_t = v3_t - own_t;
+        back_gap = v3 - own;
+        v4 = -strip_lengths__MOVED;
+        v5 = front + front_gap - back - back_gap;
+        v6 = v4 * v5;
+        v7 = 4.0 * (*cspan_at(&work, strip + layout__STRIP_A));
+        v8 = v7 * away;
+        v9 = v6 / v8;
+        move_t = (v4 * (front_t + front_gap_t - back_t - back_gap_t) - v9 * (4.0 * (*cspan_at(&work_t, strip + layout__STRIP_A)) * away + v7 * away_t)) / v8;
+        move = v9;
+        derivative_pressed__limited_t(&v10, &v10_t, move, move_t, strip_lengths__FARTHEST_MOVE * half, strip_lengths__FARTHEST_MOVE * half_t);
+        (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) + v10_t;
+        (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) + v10;
     }
-    v13 = front_gap + back_gap;
-    v14 = strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A));
+    derivative_strip_pressures__local_displacement_t(&v11, &v11_t, work, work_t, tables, first, i);
+    local_t = v11_t;
+    local = v11;
+    v12 = front_gap + back_gap;
+    v13 = strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A));
+    v14 = v13 * away;
     v15 = v14 * away;
-    v16 = v15 * away;
-    v17 = 0.5 * v13;
-    v17_t = 0.5 * (front_gap_t + back_gap_t);
-    if (v16 > v17)
+    v16 = 0.5 * v12;
+    v16_t = 0.5 * (front_gap_t + back_gap_t);
+    if (v15 > v16)
     {
-        v17 = v16;
-        v17_t = (strip_lengths__FLATTEST * (*cspan_at(&work_t, strip + layout__STRIP_A)) * away + v14 * away_t) * away + v15 * away_t;
+        v16 = v15;
+        v16_t = (strip_lengths__FLATTEST * (*cspan_at(&work_t, strip + layout__STRIP_A)) * away + v13 * away_t) * away + v14 * away_t;
     }
-    rise_t = v17_t;
-    rise = v17;
-    v18 = front + back;
-    v19 = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP)) - 0.5 * v18;
-    v20 = v19 / rise;
-    v21 = 0.0;
-    v21_t = 0.0;
-    if (v20 > v21)
+    rise_t = v16_t;
+    rise = v16;
+    v17 = front + back;
+    v18 = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP)) - local - 0.5 * v17;
+    v19 = v18 / rise;
+    v20 = 0.0;
+    v20_t = 0.0;
+    if (v19 > v20)
     {
-        v21 = v20;
-        v21_t = ((*cspan_at(&work_t, strip + layout__STRIP_SHARE)) * penetration + (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration_t - (*cspan_at(&work_t, strip + layout__STRIP_GAP)) - 0.5 * (front_t + back_t) - v20 * rise_t) / rise;
+        v20 = v19;
+        v20_t = ((*cspan_at(&work_t, strip + layout__STRIP_SHARE)) * penetration + (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration_t - (*cspan_at(&work_t, strip + layout__STRIP_GAP)) - local_t - 0.5 * (front_t + back_t) - v19 * rise_t) / rise;
     }
-    ratio_t = v21_t;
-    ratio = v21;
-    derivative_strip_lengths__corrected_t(&v22, &v22_t, ratio, ratio_t, strip_lengths__POWER, 0.0);
-    (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS)) = (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) * v22 + (*cspan_at(&work, strip + layout__STRIP_AXIS)) * v22_t;
-    (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = (*cspan_at(&work, strip + layout__STRIP_AXIS)) * v22;
+    ratio_t = v20_t;
+    ratio = v20;
+    derivative_strip_lengths__corrected_t(&v21, &v21_t, ratio, ratio_t, strip_lengths__POWER, 0.0);
+    (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS)) = (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) * v21 + (*cspan_at(&work, strip + layout__STRIP_AXIS)) * v21_t;
+    (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = (*cspan_at(&work, strip + layout__STRIP_AXIS)) * v21;
     return INT64_C(0);
 }
 
@@ -3411,6 +3407,7 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
     int64_t k;
     int64_t first;
     int64_t last;
+    int64_t i_end;
     int64_t i;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
     k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
@@ -3418,9 +3415,10 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
     {
         first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
         last = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(1);
-        for (i = first + INT64_C(1); i < last; i += INT64_C(1))
+        i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(1);
+        for (i = INT64_C(1); i < i_end; i += INT64_C(1))
         {
-            derivative_strip_lengths__correct_strip_t(work, work_t, tables, i, penetration, penetration_t, yawed);
+            derivative_strip_lengths__correct_strip_t(work, work_t, tables, first, i, penetration, penetration_t, yawed);
         }
         derivative_strip_lengths__end_axis_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(2)));
         derivative_strip_lengths__end_axis_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(2)));
@@ -3901,9 +3899,11 @@ static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_
     double v3;
     double v3_t;
     double v4;
+    double v4_t;
     double v5;
     double v6;
     double v7;
+    double v8;
     double rigid_t;
     double rigid;
     int64_t g;
@@ -3911,35 +3911,39 @@ static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_
     double axis;
     double raised_t;
     double raised;
-    double x_t;
-    double x;
-    double A_t;
-    double A;
     int64_t strip;
     double weight;
-    double v8;
-    double v8_t;
+    double sine;
     double v9;
     double v10;
-    double sine;
-    double v11;
-    double v12;
-    double v12_t;
+    double v10_t;
     double length_t;
     double length;
     double pressure_t;
     double pressure;
+    double v11;
+    double v11_t;
+    double v12;
     double v13;
     double v13_t;
+    int64_t to;
     double v14;
     double v15;
-    double v15_t;
-    int64_t to;
     double v16;
+    int64_t near;
+    int64_t low;
+    int64_t high;
     double v17;
     double v18;
     double v19;
+    double u_t;
+    double u;
     double v20;
+    double v20_t;
+    double v21;
+    double v21_t;
+    double v22;
+    double v23;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
@@ -3968,23 +3972,28 @@ static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_
         least = v3;
         stretch_t = stretch_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STRETCH));
         stretch = stretch + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STRETCH));
+        v4 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
+        v4_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
+        if (0.0 > v4)
+        {
+            v4 = 0.0;
+            v4_t = 0.0;
+        }
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SMOOTH)) = v4_t / (*cspan_at(&tables, waves + layout__WAVES_SIN + (i - first)));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SMOOTH)) = v4 / (*cspan_at(&tables, waves + layout__WAVES_SIN + (i - first)));
     }
-    v4 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * (double)((int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
-    v5 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
-    v6 = v5 * stretch;
-    v7 = v4 / v6;
-    rigid_t = (-v7) * (((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START))) * stretch + v5 * stretch_t) / v6;
-    rigid = v7;
+    v5 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * (double)((int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
+    v6 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
+    v7 = v6 * stretch;
+    v8 = v5 / v7;
+    rigid_t = (-v8) * (((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START))) * stretch + v6 * stretch_t) / v7;
+    rigid = v8;
     for (g = INT64_C(0); g < fine; g += INT64_C(1))
     {
         axis_t = 0.0;
         axis = 0.0;
         raised_t = 0.0;
         raised = 0.0;
-        x_t = 0.0;
-        x = 0.0;
-        A_t = 0.0;
-        A = 0.0;
         i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
         for (i = INT64_C(0); i < i_end; i += INT64_C(1))
         {
@@ -3992,67 +4001,64 @@ static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_
             weight = (*cspan_at(&tables, waves + layout__WAVES_REFINING + INT64_C(16) * g + i));
             axis_t = axis_t + weight * (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS));
             axis = axis + weight * (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
-            v8 = (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
-            v8_t = (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE));
-            if (0.0 > v8)
-            {
-                v8 = 0.0;
-                v8_t = 0.0;
-            }
-            v9 = weight * v8;
-            raised_t = raised_t + weight * v8_t / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-            raised = raised + v9 / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-            v10 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
-            x_t = x_t + weight * ((*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)));
-            x = x + weight * v10;
-            A_t = A_t + weight * (*cspan_at(&work_t, strip + layout__STRIP_A));
-            A = A + weight * (*cspan_at(&work, strip + layout__STRIP_A));
+            raised_t = raised_t + weight * (*cspan_at(&work_t, strip + layout__STRIP_SMOOTH));
+            raised = raised + weight * (*cspan_at(&work, strip + layout__STRIP_SMOOTH));
         }
         sine = (*cspan_at(&tables, waves + layout__WAVES_FINE_SIN + g));
-        v11 = strip_patches__NARROWED * least;
-        v12 = axis;
-        v12_t = axis_t;
-        if (v11 > v12)
+        v9 = strip_patches__NARROWED * least;
+        v10 = axis;
+        v10_t = axis_t;
+        if (v9 > v10)
         {
-            v12 = v11;
-            v12_t = strip_patches__NARROWED * least_t;
+            v10 = v9;
+            v10_t = strip_patches__NARROWED * least_t;
         }
-        length_t = v12_t * sine;
-        length = v12 * sine;
+        length_t = v10_t * sine;
+        length = v10 * sine;
         pressure_t = raised_t * sine;
         pressure = raised * sine;
         if ((g >= strip_patches__SMOOTH_ENDS) && (g < fine - strip_patches__SMOOTH_ENDS))
         {
-            derivative_strip_patches__roughness_t(&v13, &v13_t, tables, work, work_t, waves, run, g);
-            v14 = rigid * v13;
-            pressure_t = pressure_t - (rigid_t * v13 + rigid * v13_t) / sine;
-            pressure = pressure - v14 / sine;
+            derivative_strip_patches__roughness_t(&v11, &v11_t, tables, work, work_t, waves, run, g);
+            v12 = rigid * v11;
+            pressure_t = pressure_t - (rigid_t * v11 + rigid * v11_t) / sine;
+            pressure = pressure - v12 / sine;
         }
-        v15 = pressure;
-        v15_t = pressure_t;
-        if (0.0 > v15)
+        v13 = pressure;
+        v13_t = pressure_t;
+        if (0.0 > v13)
         {
-            v15 = 0.0;
-            v15_t = 0.0;
+            v13 = 0.0;
+            v13_t = 0.0;
         }
-        pressure_t = v15_t;
-        pressure = v15;
+        pressure_t = v13_t;
+        pressure = v13;
         to = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (k * fine + g);
         (*cspan_at(&work_t, to + layout__SOLVED_STRIP_STATION)) = middle_t - half_t * (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + g));
         (*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) = middle - half * (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + g));
-        v16 = half * sine;
-        v17 = v16 * M_PI;
-        v18 = (double)(fine);
-        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_WIDTH)) = half_t * sine * M_PI / v18;
-        (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = v17 / v18;
-        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_X)) = x_t;
-        (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = x;
-        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * A_t;
-        (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * A;
-        v19 = 0.5 * M_PI;
-        v20 = v19 * length;
-        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_LINE_LOAD)) = v19 * length_t * pressure + v20 * pressure_t;
-        (*cspan_at(&work, to + layout__SOLVED_STRIP_LINE_LOAD)) = v20 * pressure;
+        v14 = half * sine;
+        v15 = v14 * M_PI;
+        v16 = (double)(fine);
+        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_WIDTH)) = half_t * sine * M_PI / v16;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = v15 / v16;
+        near = int64_t_min(2, py_floor_div_int64_t(int64_t_max(2, g - INT64_C(1), INT64_C(0)), layout__FINE_WAVES), (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(2));
+        low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + near);
+        high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + near + INT64_C(1));
+        v17 = (*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) - (*cspan_at(&work, low + layout__STRIP_NEXT_STATION));
+        v18 = (*cspan_at(&work, high + layout__STRIP_NEXT_STATION)) - (*cspan_at(&work, low + layout__STRIP_NEXT_STATION));
+        v19 = v17 / v18;
+        u_t = ((*cspan_at(&work_t, to + layout__SOLVED_STRIP_STATION)) - (*cspan_at(&work_t, low + layout__STRIP_NEXT_STATION)) - v19 * ((*cspan_at(&work_t, high + layout__STRIP_NEXT_STATION)) - (*cspan_at(&work_t, low + layout__STRIP_NEXT_STATION)))) / v18;
+        u = v19;
+        derivative_strip_surfaces__between_t(&v20, &v20_t, (*cspan_at(&work, low + layout__STRIP_X)) + (*cspan_at(&work, low + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work_t, low + layout__STRIP_X)) + (*cspan_at(&work_t, low + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work, high + layout__STRIP_X)) + (*cspan_at(&work, high + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work_t, high + layout__STRIP_X)) + (*cspan_at(&work_t, high + layout__STRIP_NEXT_LEAD)), u, u_t);
+        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_X)) = v20_t;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = v20;
+        derivative_strip_surfaces__between_t(&v21, &v21_t, (*cspan_at(&work, low + layout__STRIP_A)), (*cspan_at(&work_t, low + layout__STRIP_A)), (*cspan_at(&work, high + layout__STRIP_A)), (*cspan_at(&work_t, high + layout__STRIP_A)), u, u_t);
+        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * v21_t;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * v21;
+        v22 = 0.5 * M_PI;
+        v23 = v22 * length;
+        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_LINE_LOAD)) = v22 * length_t * pressure + v23 * pressure_t;
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_LINE_LOAD)) = v23 * pressure;
         (*cspan_at(&work_t, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = length_t * length + length * length_t;
         (*cspan_at(&work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = length * length;
         (*cspan_at(&work_t, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
@@ -4449,102 +4455,87 @@ static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d wo
 }
 
 /* Derivative of ``nearness``. */
-static inline int64_t derivative_strip_pressures__nearness_t(double* v3, double* result_1, double distance, double distance_t, double half_length, double half_length_t)
+static inline int64_t derivative_strip_pressures__nearness_t(double* v5, double* v5_t, double distance, double distance_t, double half_length, double half_length_t)
 {
     double v1;
     double v2;
+    double v3;
+    double v4;
     v1 = distance + half_length;
     v2 = distance / v1;
-    (*v3) = sqrt(v2);
-    (*result_1) = derivative_rates__root_rate((*v3), (distance_t - v2 * (distance_t + half_length_t)) / v1);
-    return 0;
-}
-
-/* Derivative of ``apartness``. */
-static inline int64_t derivative_strip_pressures__apartness_t(double* v2, double* result_1, double x, double x_t, double half_length, double half_length_t)
-{
-    double square_t;
-    double square;
-    double v1;
-    square_t = x_t * x + x * x_t;
-    square = x * x;
-    v1 = square + half_length * half_length;
-    (*v2) = square / v1;
-    (*result_1) = (square_t - (*v2) * (square_t + (half_length_t * half_length + half_length * half_length_t))) / v1;
+    v3 = sqrt(v2);
+    v4 = (double)(layout__INFLUENCE_CELLS);
+    (*v5) = v3 * v4;
+    (*v5_t) = derivative_rates__root_rate(v3, (distance_t - v2 * (distance_t + half_length_t)) / v1) * v4;
+    if (strip_pressures__LAST_CELL < (*v5))
+    {
+        (*v5) = strip_pressures__LAST_CELL;
+        (*v5_t) = 0.0;
+    }
     return 0;
 }
 
 /* Derivative of ``influence_at``. */
-static inline int64_t derivative_strip_pressures__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t)
+static inline int64_t derivative_strip_pressures__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double near, double near_t, double apart, double apart_t, double square, double square_t)
 {
-    double v1;
-    double place_t;
-    double place;
     int64_t cell;
+    double x_t;
+    double x;
+    double v1;
     double v2;
+    double v3;
     double along_t;
     double along;
     int64_t column;
-    double x_t;
-    double x;
-    double share_t;
-    double share;
     int64_t at;
     int64_t to;
-    double v3;
+    double v4;
     double low_t;
     double low;
-    double v4;
+    double v5;
     double high_t;
     double high;
-    double v5;
-    v1 = (double)(layout__INFLUENCE_CELLS);
-    place_t = u_t * v1;
-    place = u * v1;
-    cell = strip_pressures__cell_at(place, layout__INFLUENCE_CELLS);
-    v2 = (double)(layout__INFLUENCE_COLUMNS);
-    along_t = v_t * v2;
-    along = v * v2;
-    column = strip_pressures__cell_at(along, layout__INFLUENCE_COLUMNS);
-    x_t = place_t;
-    x = place - (double)(cell);
-    share_t = along_t;
-    share = along - (double)(column);
-    at = first + layout__INFLUENCE_COLUMN * column + INT64_C(3) * cell;
+    double v6;
+    double v7;
+    cell = (int64_t)(near);
+    x_t = near_t;
+    x = near - (double)(cell);
+    v1 = apart + square;
+    v2 = apart / v1;
+    v3 = (double)(layout__INFLUENCE_COLUMNS);
+    along_t = (apart_t - v2 * (apart_t + square_t)) / v1 * v3;
+    along = v2 * v3;
+    column = (int64_t)(along);
+    at = layout__INFLUENCE_COLUMN * column + INT64_C(3) * cell;
     to = at + layout__INFLUENCE_COLUMN;
-    v3 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
-    low_t = x_t * v3 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
-    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v3;
-    v4 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2))));
-    high_t = x_t * v4 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))));
-    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) + x * v4;
-    v5 = high - low;
-    (*result_0) = low + share * v5;
-    (*result_1) = low_t + (share_t * v5 + share * (high_t - low_t));
+    v4 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
+    low_t = x_t * v4 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+    low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v4;
+    v5 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2))));
+    high_t = x_t * v5 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))));
+    high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) + x * v5;
+    v6 = along - (double)(column);
+    v7 = high - low;
+    (*result_0) = low + v6 * v7;
+    (*result_1) = low_t + (along_t * v7 + v6 * (high_t - low_t));
     return 0;
 }
 
 /* Derivative of ``middle_influence``. */
-static inline int64_t derivative_strip_pressures__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t)
+static inline int64_t derivative_strip_pressures__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double near, double near_t)
 {
-    double v1;
-    double place_t;
-    double place;
     int64_t cell;
     double x_t;
     double x;
     int64_t at;
-    double v2;
-    v1 = (double)(layout__INFLUENCE_CELLS);
-    place_t = u_t * v1;
-    place = u * v1;
-    cell = strip_pressures__cell_at(place, layout__INFLUENCE_CELLS);
-    x_t = place_t;
-    x = place - (double)(cell);
-    at = first + INT64_C(3) * cell;
-    v2 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
-    (*result_0) = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v2;
-    (*result_1) = x_t * v2 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+    double v1;
+    cell = (int64_t)(near);
+    x_t = near_t;
+    x = near - (double)(cell);
+    at = INT64_C(3) * cell;
+    v1 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
+    (*result_0) = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v1;
+    (*result_1) = x_t * v1 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
     return 0;
 }
 
@@ -4582,7 +4573,7 @@ static inline int64_t derivative_strip_pressures__spacing_at_t(double* result_0,
     }
     place_t = v4_t;
     place = v4;
-    cell = strip_pressures__cell_at(place, layout__SPACING_CELLS);
+    cell = int64_t_min(2, (int64_t)(place), layout__SPACING_CELLS - INT64_C(1));
     x_t = place_t;
     x = place - (double)(cell);
     at = first + INT64_C(3) * cell;
@@ -4593,200 +4584,221 @@ static inline int64_t derivative_strip_pressures__spacing_at_t(double* result_0,
 }
 
 /* Derivative of ``own_influence``. */
-static inline int64_t derivative_strip_pressures__own_influence_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, bool tested)
+static inline int64_t derivative_strip_pressures__own_influence_t(double* result_0, double* result_1, array_double_1d tables, double slender, double slender_t, int64_t i, double height, double height_t, double constant, double constant_t, int64_t first)
 {
-    int64_t strip;
     int64_t waves;
-    int64_t own;
-    double height;
     double v1;
     double v1_t;
     double rest_t;
     double rest;
     double v2;
-    double v2_t;
     double v3;
-    double v4;
-    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
-    own = pyc_modulo(i, (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
-    height = 1.0;
-    derivative_strip_pressures__spacing_at_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), layout__INFLUENCE_MAP, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)));
-    rest_t = v1_t;
-    rest = strip_pressures__MIDDLE_CONSTANT + v1;
-    if (tested)
-    {
-        height = strip_pressures__TESTED_HEIGHT;
-        derivative_strip_pressures__spacing_at_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), layout__INFLUENCE_MAP + INT64_C(3) * layout__SPACING_CELLS, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)));
-        rest_t = v2_t;
-        rest = strip_pressures__TESTED_CONSTANT + v2;
-    }
-    v3 = (*cspan_at(&work, strip + layout__STRIP_SLENDER)) + (*cspan_at(&tables, waves + layout__WAVES_SPREAD + own));
-    v4 = 2.0 * v3 + (*cspan_at(&tables, waves + layout__WAVES_SINGULAR + INT64_C(16) * own + own));
-    (*result_0) = rest - height * v4;
-    (*result_1) = rest_t - height * (2.0 * (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)));
+    derivative_strip_pressures__spacing_at_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), first, slender, slender_t);
+    rest_t = constant_t + v1_t;
+    rest = constant + v1;
+    v2 = slender + (*cspan_at(&tables, waves + layout__WAVES_SPREAD + i));
+    v3 = 2.0 * v2 + (*cspan_at(&tables, waves + layout__WAVES_SINGULAR + INT64_C(16) * i + i));
+    (*result_0) = rest - height * v3;
+    (*result_1) = rest_t - (height_t * v3 + height * (2.0 * slender_t));
     return 0;
 }
 
 /* Derivative of ``write_equations``. */
 static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, bool yawed)
 {
-    int64_t count;
     int64_t waves;
+    int64_t size;
+    int64_t count;
+    int64_t k_end;
+    int64_t k;
+    int64_t first;
+    int64_t own;
     int64_t i;
     int64_t strip;
     int64_t row;
     int64_t near;
     int64_t facing;
-    double x_t;
-    double x;
     int64_t j;
     int64_t other;
     double v2;
     double v1;
     double v1_t;
-    double u_t;
-    double u;
     double v3;
-    double face_t;
-    double face;
-    double v5;
-    double v5_t;
+    double away_t;
+    double away;
     double v4;
     double v4_t;
+    double v5;
+    double v5_t;
+    int64_t singular;
     double v6;
     double v6_t;
-    int64_t first;
-    int64_t singular;
-    int64_t j_end;
-    double v7;
-    double v7_t;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    size = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
     {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
-        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
-        facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
-        x_t = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
-        x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD));
-        for (j = INT64_C(0); j < count; j += INT64_C(1))
+        first = k * count;
+        for (own = INT64_C(0); own < count; own += INT64_C(1))
         {
-            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            v2 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-            derivative_strip_pressures__nearness_t(&v1, &v1_t, fabs(v2), derivative_rates__size_rate(v2, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
-            u_t = v1_t;
-            u = v1;
-            (*cspan_at(&work_t, near + j)) = u_t;
-            (*cspan_at(&work, near + j)) = u;
-            v3 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-            face_t = ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN)))) * (*cspan_at(&work, other + layout__STRIP_WIDTH)) + v3 * (*cspan_at(&work_t, other + layout__STRIP_WIDTH));
-            face = v3 * (*cspan_at(&work, other + layout__STRIP_WIDTH));
-            (*cspan_at(&work_t, facing + j)) = face_t;
-            (*cspan_at(&work, facing + j)) = face;
+            i = first + own;
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
+            near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
+            facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
+            for (j = INT64_C(0); j < size; j += INT64_C(1))
+            {
+                other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+                v2 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
+                derivative_strip_pressures__nearness_t(&v1, &v1_t, fabs(v2), derivative_rates__size_rate(v2, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
+                (*cspan_at(&work_t, near + j)) = v1_t;
+                (*cspan_at(&work, near + j)) = v1;
+                v3 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
+                (*cspan_at(&work_t, facing + j)) = ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN)))) * (*cspan_at(&work, other + layout__STRIP_WIDTH)) + v3 * (*cspan_at(&work_t, other + layout__STRIP_WIDTH));
+                (*cspan_at(&work, facing + j)) = v3 * (*cspan_at(&work, other + layout__STRIP_WIDTH));
+            }
             if (yawed)
             {
-                derivative_strip_pressures__apartness_t(&v5, &v5_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
-                derivative_strip_pressures__influence_at_t(&v4, &v4_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), INT64_C(0), u, u_t, v5, v5_t);
-                (*cspan_at(&work_t, row + j)) = face_t * v4 + face * v4_t;
-                (*cspan_at(&work, row + j)) = face * v4;
+                for (j = INT64_C(0); j < size; j += INT64_C(1))
+                {
+                    away_t = (*cspan_at(&work_t, strip + layout__STRIP_MIDDLE)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE));
+                    away = (*cspan_at(&work, strip + layout__STRIP_MIDDLE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE));
+                    derivative_strip_pressures__influence_at_t(&v4, &v4_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), away * away, away_t * away + away * away_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE)));
+                    (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, facing + j)) * v4 + (*cspan_at(&work, facing + j)) * v4_t;
+                    (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * v4;
+                }
             }
             else
             {
-                derivative_strip_pressures__middle_influence_t(&v6, &v6_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), INT64_C(0), u, u_t);
-                (*cspan_at(&work_t, row + j)) = face_t * v6 + face * v6_t;
-                (*cspan_at(&work, row + j)) = face * v6;
+                for (j = INT64_C(0); j < size; j += INT64_C(1))
+                {
+                    derivative_strip_pressures__middle_influence_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)));
+                    (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, facing + j)) * v5 + (*cspan_at(&work, facing + j)) * v5_t;
+                    (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * v5;
+                }
             }
+            singular = waves + layout__WAVES_SINGULAR + INT64_C(16) * own;
+            for (j = INT64_C(0); j < count; j += INT64_C(1))
+            {
+                (*cspan_at(&work_t, row + (first + j))) = (*cspan_at(&work_t, row + (first + j))) - (*cspan_at(&tables, singular + j)) * (*cspan_at(&work_t, facing + (first + j)));
+                (*cspan_at(&work, row + (first + j))) = (*cspan_at(&work, row + (first + j))) - (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j)));
+            }
+            derivative_strip_pressures__own_influence_t(&v6, &v6_t, tables, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)), own, 1.0, 0.0, strip_pressures__MIDDLE_CONSTANT, 0.0, layout__INFLUENCE_MAP);
+            (*cspan_at(&work_t, row + i)) = (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) * v6 + (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * v6_t;
+            (*cspan_at(&work, row + i)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * v6;
+            (*cspan_at(&work_t, facing + i)) = 0.0;
+            (*cspan_at(&work, facing + i)) = 0.0;
+            (*cspan_at(&work_t, row + size)) = (*cspan_at(&work_t, strip + layout__STRIP_SHARE));
+            (*cspan_at(&work, row + size)) = (*cspan_at(&work, strip + layout__STRIP_SHARE));
+            (*cspan_at(&work_t, row + (size + INT64_C(1)))) = (*cspan_at(&work_t, strip + layout__STRIP_GAP));
+            (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, strip + layout__STRIP_GAP));
         }
-        first = i - pyc_modulo(i, (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
-        singular = waves + layout__WAVES_SINGULAR + INT64_C(16) * (i - first);
-        j_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-        for (j = INT64_C(0); j < j_end; j += INT64_C(1))
-        {
-            (*cspan_at(&work_t, row + (first + j))) = (*cspan_at(&work_t, row + (first + j))) - (*cspan_at(&tables, singular + j)) * (*cspan_at(&work_t, facing + (first + j)));
-            (*cspan_at(&work, row + (first + j))) = (*cspan_at(&work, row + (first + j))) - (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j)));
-        }
-        derivative_strip_pressures__own_influence_t(&v7, &v7_t, work, work_t, tables, i, 0);
-        (*cspan_at(&work_t, row + i)) = v7_t * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v7 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
-        (*cspan_at(&work, row + i)) = v7 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        (*cspan_at(&work_t, row + count)) = (*cspan_at(&work_t, strip + layout__STRIP_SHARE));
-        (*cspan_at(&work, row + count)) = (*cspan_at(&work, strip + layout__STRIP_SHARE));
-        (*cspan_at(&work_t, row + (count + INT64_C(1)))) = (*cspan_at(&work_t, strip + layout__STRIP_GAP));
-        (*cspan_at(&work, row + (count + INT64_C(1)))) = (*cspan_at(&work, strip + layout__STRIP_GAP));
     }
     return INT64_C(0);
 }
 
-/* Derivative of ``tested_displacement``. */
-static inline int64_t derivative_strip_pressures__tested_displacement_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, double away, double away_t)
+/* Derivative of ``local_displacement``. */
+static inline int64_t derivative_strip_pressures__local_displacement_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t first, int64_t own)
 {
     int64_t strip;
+    int64_t facing;
+    int64_t singular;
+    double left_t;
+    double left;
+    int64_t j_end;
+    int64_t j;
+    double v1;
+    double v2;
+    double v2_t;
+    double influence_t;
+    double influence;
+    double v3;
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + own);
+    facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * (first + own);
+    singular = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_SINGULAR + INT64_C(16) * own;
+    left_t = 0.0;
+    left = 0.0;
+    j_end = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_COUNT)));
+    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+    {
+        v1 = (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j)));
+        left_t = left_t + ((*cspan_at(&tables, singular + j)) * (*cspan_at(&work_t, facing + (first + j))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y)) + v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y)));
+        left = left + v1 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y));
+    }
+    derivative_strip_pressures__own_influence_t(&v2, &v2_t, tables, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)), own, strip_pressures__TESTED_HEIGHT, 0.0, strip_pressures__TESTED_CONSTANT, 0.0, layout__INFLUENCE_MAP + INT64_C(3) * layout__SPACING_CELLS);
+    influence_t = v2_t;
+    influence = v2;
+    v3 = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_Y));
+    (*result_0) = v3 * influence - strip_pressures__TESTED_HEIGHT * left;
+    (*result_1) = ((*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_Y)) + (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work_t, strip + layout__STRIP_Y))) * influence + v3 * influence_t - strip_pressures__TESTED_HEIGHT * left_t;
+    return 0;
+}
+
+/* Derivative of ``tested_displacements``. */
+static inline int64_t derivative_strip_pressures__tested_displacements_t(double* front, double* front_t, double* back, double* back_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, double away, double away_t, bool yawed)
+{
     int64_t near;
     int64_t facing;
+    double middle_t;
+    double middle;
+    int64_t j_end;
+    int64_t j;
+    int64_t other;
+    double pushed_t;
+    double pushed;
     double x_t;
     double x;
     double v1;
     double v1_t;
     double v2;
-    double total_t;
-    double total;
-    int64_t j_end;
-    int64_t j;
-    int64_t other;
+    double v2_t;
     double v3;
     double v3_t;
-    double v_t;
-    double v;
     double v4;
-    double v4_t;
-    double v5;
-    int64_t count;
-    int64_t first;
-    int64_t singular;
-    double left_t;
-    double left;
-    double v6;
-    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
     near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
     facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
-    x_t = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + away_t;
-    x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
-    derivative_strip_pressures__own_influence_t(&v1, &v1_t, work, work_t, tables, i, 1);
-    v2 = v1 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-    total_t = (v1_t * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v1 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH))) * (*cspan_at(&work, strip + layout__STRIP_Y)) + v2 * (*cspan_at(&work_t, strip + layout__STRIP_Y));
-    total = v2 * (*cspan_at(&work, strip + layout__STRIP_Y));
-    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+    (*front_t) = 0.0;
+    (*front) = 0.0;
+    (*back_t) = 0.0;
+    (*back) = 0.0;
+    if (yawed)
     {
-        if (j != i)
+        middle_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE));
+        middle = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE));
+        j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+        for (j = INT64_C(0); j < j_end; j += INT64_C(1))
         {
             other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            derivative_strip_pressures__apartness_t(&v3, &v3_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
-            v_t = v3_t;
-            v = v3;
-            derivative_strip_pressures__influence_at_t(&v4, &v4_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), INT64_C(0), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), v, v_t);
-            v5 = v4 * (*cspan_at(&work, facing + j));
-            total_t = total_t + ((v4_t * (*cspan_at(&work, facing + j)) + v4 * (*cspan_at(&work_t, facing + j))) * (*cspan_at(&work, other + layout__STRIP_Y)) + v5 * (*cspan_at(&work_t, other + layout__STRIP_Y)));
-            total = total + v5 * (*cspan_at(&work, other + layout__STRIP_Y));
+            pushed_t = (*cspan_at(&work_t, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y)) + (*cspan_at(&work, facing + j)) * (*cspan_at(&work_t, other + layout__STRIP_Y));
+            pushed = (*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
+            x_t = middle_t - (*cspan_at(&work_t, other + layout__STRIP_MIDDLE)) + away_t;
+            x = middle - (*cspan_at(&work, other + layout__STRIP_MIDDLE)) + away;
+            derivative_strip_pressures__influence_at_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), x * x, x_t * x + x * x_t, (*cspan_at(&work, other + layout__STRIP_SQUARE)), (*cspan_at(&work_t, other + layout__STRIP_SQUARE)));
+            (*front_t) = (*front_t) + (v1_t * pushed + v1 * pushed_t);
+            (*front) = (*front) + v1 * pushed;
+            x_t = x_t - 2.0 * away_t;
+            x = x - 2.0 * away;
+            derivative_strip_pressures__influence_at_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), x * x, x_t * x + x * x_t, (*cspan_at(&work, other + layout__STRIP_SQUARE)), (*cspan_at(&work_t, other + layout__STRIP_SQUARE)));
+            (*back_t) = (*back_t) + (v2_t * pushed + v2 * pushed_t);
+            (*back) = (*back) + v2 * pushed;
         }
     }
-    count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_COUNT)));
-    first = i - pyc_modulo(i, count);
-    singular = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_SINGULAR + INT64_C(16) * (i - first);
-    left_t = 0.0;
-    left = 0.0;
-    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    else
     {
-        if (first + j != i)
+        j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+        for (j = INT64_C(0); j < j_end; j += INT64_C(1))
         {
-            v6 = (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j)));
-            left_t = left_t + ((*cspan_at(&tables, singular + j)) * (*cspan_at(&work_t, facing + (first + j))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y)) + v6 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y)));
-            left = left + v6 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y));
+            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+            derivative_strip_pressures__influence_at_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), away * away, away_t * away + away * away_t, (*cspan_at(&work, other + layout__STRIP_SQUARE)), (*cspan_at(&work_t, other + layout__STRIP_SQUARE)));
+            v4 = (*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
+            (*front_t) = (*front_t) + (v3_t * v4 + v3 * ((*cspan_at(&work_t, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y)) + (*cspan_at(&work, facing + j)) * (*cspan_at(&work_t, other + layout__STRIP_Y))));
+            (*front) = (*front) + v3 * v4;
         }
+        (*back_t) = (*front_t);
+        (*back) = (*front);
     }
-    (*result_0) = total - strip_pressures__TESTED_HEIGHT * left;
-    (*result_1) = total_t - strip_pressures__TESTED_HEIGHT * left_t;
     return 0;
 }
 
@@ -5363,6 +5375,10 @@ static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables
             derivative_strip_runs__lay_strip_t(work, work_t, strip, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1)), v8, v8_t);
             (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
             (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            (*cspan_at(&work_t, strip + layout__STRIP_SQUARE)) = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
+            (*cspan_at(&work, strip + layout__STRIP_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
+            (*cspan_at(&work_t, strip + layout__STRIP_MIDDLE)) = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
+            (*cspan_at(&work, strip + layout__STRIP_MIDDLE)) = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD));
             v9 = spread * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
             (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) = spread_t * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH)) + v9 * (*cspan_at(&work_t, strip + layout__STRIP_STRETCH));
             (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = v9 * (*cspan_at(&work, strip + layout__STRIP_STRETCH));

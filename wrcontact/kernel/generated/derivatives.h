@@ -408,7 +408,7 @@ static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetra
 
 /* derivative_strip_lengths.py */
 static inline int64_t derivative_strip_lengths__corrected_t(double* v3, double* result_1, double ratio, double ratio_t, double power, double power_t);
-static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, double penetration, double penetration_t, bool yawed);
+static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t first, int64_t i, double penetration, double penetration_t, bool yawed);
 static inline int64_t derivative_strip_lengths__end_axis_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t inner, int64_t second);
 static inline int64_t derivative_strip_lengths__edge_move_t(double* v5, double* result_1, double half, double half_t, double away, double away_t);
 static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t first, double relaxed, double relaxed_t);
@@ -427,14 +427,14 @@ static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d 
 
 /* derivative_strip_pressures.py */
 static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d work, array_double_1d work_t, int64_t size);
-static inline int64_t derivative_strip_pressures__nearness_t(double* v3, double* result_1, double distance, double distance_t, double half_length, double half_length_t);
-static inline int64_t derivative_strip_pressures__apartness_t(double* v2, double* result_1, double x, double x_t, double half_length, double half_length_t);
-static inline int64_t derivative_strip_pressures__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t);
-static inline int64_t derivative_strip_pressures__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t);
+static inline int64_t derivative_strip_pressures__nearness_t(double* v5, double* v5_t, double distance, double distance_t, double half_length, double half_length_t);
+static inline int64_t derivative_strip_pressures__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double near, double near_t, double apart, double apart_t, double square, double square_t);
+static inline int64_t derivative_strip_pressures__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double near, double near_t);
 static inline int64_t derivative_strip_pressures__spacing_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double slender, double slender_t);
-static inline int64_t derivative_strip_pressures__own_influence_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, bool tested);
+static inline int64_t derivative_strip_pressures__own_influence_t(double* result_0, double* result_1, array_double_1d tables, double slender, double slender_t, int64_t i, double height, double height_t, double constant, double constant_t, int64_t first);
 static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, bool yawed);
-static inline int64_t derivative_strip_pressures__tested_displacement_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, double away, double away_t);
+static inline int64_t derivative_strip_pressures__local_displacement_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t first, int64_t own);
+static inline int64_t derivative_strip_pressures__tested_displacements_t(double* front, double* front_t, double* back, double* back_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, double away, double away_t, bool yawed);
 static inline int64_t derivative_strip_pressures__equilibrium_penetration_t(double* v6, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t);
 static inline int64_t derivative_strip_pressures__solve_pressures_t(double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration, bool yawed);
 

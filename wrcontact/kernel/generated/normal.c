@@ -96,7 +96,7 @@ static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t
 
 /* normal/strip_lengths.py */
 static inline double strip_lengths__corrected(double ratio, double power);
-static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_double_1d tables, int64_t i, double penetration, bool yawed);
+static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_double_1d tables, int64_t first, int64_t i, double penetration, bool yawed);
 static inline int64_t strip_lengths__end_axis(array_double_1d work, int64_t strip, int64_t inner, int64_t second);
 static inline double strip_lengths__edge_move(double half, double away);
 static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first, double relaxed);
@@ -116,14 +116,13 @@ static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_d
 /* normal/strip_pressures.py */
 static inline int64_t strip_pressures__eliminate(array_double_1d work, int64_t size);
 static inline double strip_pressures__nearness(double distance, double half_length);
-static inline double strip_pressures__apartness(double x, double half_length);
-static inline int64_t strip_pressures__cell_at(double place, int64_t count);
-static inline double strip_pressures__influence_at(array_double_1d tables, int64_t table, int64_t first, double u, double v);
-static inline double strip_pressures__middle_influence(array_double_1d tables, int64_t table, int64_t first, double u);
+static inline double strip_pressures__influence_at(array_double_1d tables, int64_t table, double near, double apart, double square);
+static inline double strip_pressures__middle_influence(array_double_1d tables, int64_t table, double near);
 static inline double strip_pressures__spacing_at(array_double_1d tables, int64_t table, int64_t first, double slender);
-static inline double strip_pressures__own_influence(array_double_1d work, array_double_1d tables, int64_t i, bool tested);
+static inline double strip_pressures__own_influence(array_double_1d tables, double slender, int64_t i, double height, double constant, int64_t first);
 static inline int64_t strip_pressures__write_equations(array_double_1d work, array_double_1d tables, bool yawed);
-static inline double strip_pressures__tested_displacement(array_double_1d work, array_double_1d tables, int64_t i, double away);
+static inline double strip_pressures__local_displacement(array_double_1d work, array_double_1d tables, int64_t first, int64_t own);
+static inline int64_t strip_pressures__tested_displacements(double* front, double* back, array_double_1d work, array_double_1d tables, int64_t i, double away, bool yawed);
 static inline double strip_pressures__equilibrium_penetration(array_double_1d work, array_double_1d tables, double force);
 static inline double strip_pressures__solve_pressures(array_double_1d work, array_double_1d tables, double force, bool by_penetration, bool yawed);
 
@@ -2439,10 +2438,10 @@ static inline double strip_lengths__corrected(double ratio, double power)
     return (less + more * ratio) / (more + less * ratio);
 }
 
-/* Shape of strip ``i`` by how much less the surfaces are displaced towards its ends than the gap rises;
+/* Axis of strip ``i`` of the run that begins with strip ``first``, by how much less the surfaces are displaced towards its ends than the gap rises;
  * its middle moves to where both ends are alike.
  */
-static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_double_1d tables, int64_t i, double penetration, bool yawed)
+static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_double_1d tables, int64_t first, int64_t i, double penetration, bool yawed)
 {
     int64_t strip;
     double half;
@@ -2453,26 +2452,26 @@ static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_d
     double front_gap;
     double back_gap;
     double move;
+    double local;
     double rise;
     double ratio;
-    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
     half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
     away = strip_pressures__TESTED * half;
     own = strip_runs__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)));
-    front = strip_pressures__tested_displacement(work, tables, i, away);
-    back = front;
+    strip_pressures__tested_displacements(&front, &back, work, tables, first + i, away, yawed);
     front_gap = strip_runs__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away) - own;
     back_gap = front_gap;
     (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
     if (yawed)
     {
-        back = strip_pressures__tested_displacement(work, tables, i, -away);
         back_gap = strip_runs__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away) - own;
         move = (-strip_lengths__MOVED) * (front + front_gap - back - back_gap) / (4.0 * (*cspan_at(&work, strip + layout__STRIP_A)) * away);
         (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) += pressed__limited(move, strip_lengths__FARTHEST_MOVE * half);
     }
+    local = strip_pressures__local_displacement(work, tables, first, i);
     rise = double_max(2, 0.5 * (front_gap + back_gap), strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A)) * away * away);
-    ratio = double_max(2, 0.0, ((*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP)) - 0.5 * (front + back)) / rise);
+    ratio = double_max(2, 0.0, ((*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP)) - local - 0.5 * (front + back)) / rise);
     (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = (*cspan_at(&work, strip + layout__STRIP_AXIS)) * strip_lengths__corrected(ratio, strip_lengths__POWER);
     return INT64_C(0);
 }
@@ -2485,6 +2484,7 @@ static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array
     int64_t k;
     int64_t first;
     int64_t last;
+    int64_t i_end;
     int64_t i;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
     k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
@@ -2492,9 +2492,10 @@ static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array
     {
         first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
         last = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(1);
-        for (i = first + INT64_C(1); i < last; i += INT64_C(1))
+        i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(1);
+        for (i = INT64_C(1); i < i_end; i += INT64_C(1))
         {
-            strip_lengths__correct_strip(work, tables, i, penetration, yawed);
+            strip_lengths__correct_strip(work, tables, first, i, penetration, yawed);
         }
         strip_lengths__end_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(2)));
         strip_lengths__end_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(2)));
@@ -2727,14 +2728,16 @@ static inline int64_t strip_patches__fill_fine_strips(array_double_1d work, arra
     int64_t g;
     double axis;
     double raised;
-    double x;
-    double A;
     int64_t strip;
     double weight;
     double sine;
     double length;
     double pressure;
     int64_t to;
+    int64_t near;
+    int64_t low;
+    int64_t high;
+    double u;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
@@ -2748,23 +2751,20 @@ static inline int64_t strip_patches__fill_fine_strips(array_double_1d work, arra
     {
         least = double_min(2, least, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS)));
         stretch += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STRETCH));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SMOOTH)) = double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)), 0.0) / (*cspan_at(&tables, waves + layout__WAVES_SIN + (i - first)));
     }
     rigid = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * (double)((int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)))) / (((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START))) * stretch);
     for (g = INT64_C(0); g < fine; g += INT64_C(1))
     {
         axis = 0.0;
         raised = 0.0;
-        x = 0.0;
-        A = 0.0;
         i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
         for (i = INT64_C(0); i < i_end; i += INT64_C(1))
         {
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
             weight = (*cspan_at(&tables, waves + layout__WAVES_REFINING + INT64_C(16) * g + i));
             axis += weight * (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
-            raised += weight * double_max(2, (*cspan_at(&work, strip + layout__STRIP_PRESSURE)), 0.0) / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-            x += weight * ((*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)));
-            A += weight * (*cspan_at(&work, strip + layout__STRIP_A));
+            raised += weight * (*cspan_at(&work, strip + layout__STRIP_SMOOTH));
         }
         sine = (*cspan_at(&tables, waves + layout__WAVES_FINE_SIN + g));
         length = double_max(2, axis, strip_patches__NARROWED * least) * sine;
@@ -2777,8 +2777,12 @@ static inline int64_t strip_patches__fill_fine_strips(array_double_1d work, arra
         to = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (k * fine + g);
         (*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) = middle - half * (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + g));
         (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = half * sine * M_PI / (double)(fine);
-        (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = x;
-        (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * A;
+        near = int64_t_min(2, py_floor_div_int64_t(int64_t_max(2, g - INT64_C(1), INT64_C(0)), layout__FINE_WAVES), (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(2));
+        low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + near);
+        high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + near + INT64_C(1));
+        u = ((*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) - (*cspan_at(&work, low + layout__STRIP_NEXT_STATION))) / ((*cspan_at(&work, high + layout__STRIP_NEXT_STATION)) - (*cspan_at(&work, low + layout__STRIP_NEXT_STATION)));
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = strip_surfaces__between((*cspan_at(&work, low + layout__STRIP_X)) + (*cspan_at(&work, low + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work, high + layout__STRIP_X)) + (*cspan_at(&work, high + layout__STRIP_NEXT_LEAD)), u);
+        (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * strip_surfaces__between((*cspan_at(&work, low + layout__STRIP_A)), (*cspan_at(&work, high + layout__STRIP_A)), u);
         (*cspan_at(&work, to + layout__SOLVED_STRIP_LINE_LOAD)) = 0.5 * M_PI * length * pressure;
         (*cspan_at(&work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = length * length;
         (*cspan_at(&work, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = pressure * pressure;
@@ -3033,70 +3037,48 @@ static inline int64_t strip_pressures__eliminate(array_double_1d work, int64_t s
     return INT64_C(0);
 }
 
-/* u = sqrt(t / (1 + t)) with t = ``distance`` / ``half_length``. */
+/* The place sqrt(t / (1 + t)) with t = ``distance`` / ``half_length`` in the cells of the table. */
 static inline double strip_pressures__nearness(double distance, double half_length)
 {
-    return sqrt(distance / (distance + half_length));
+    return double_min(2, sqrt(distance / (distance + half_length)) * (double)(layout__INFLUENCE_CELLS), strip_pressures__LAST_CELL);
 }
 
-/* v = e^2 / (1 + e^2) with e = ``x`` / ``half_length``. */
-static inline double strip_pressures__apartness(double x, double half_length)
-{
-    double square;
-    square = x * x;
-    return square / (square + half_length * half_length);
-}
-
-/* The cell that holds ``place``, 0 ... ``count``; the last one has its end too. */
-static inline int64_t strip_pressures__cell_at(double place, int64_t count)
-{
-    int64_t cell;
-    cell = int64_t_min(2, (int64_t)(place), count - INT64_C(1));
-    return cell;
-}
-
-/* Phi, or its mean, at ``u`` and ``v``; the map begins at number ``first``.
+/* Phi at the place ``near`` and e^2 = ``apart`` / ``square``.
  *
- * Parabolas along u, smoothly joined: with straight lines there, derivatives would jump by 1e-5 between any
- * two poses.
+ * Parabolas along the first, smoothly joined: with straight lines there, derivatives would jump by 1e-5
+ * between any two poses.
  */
-static inline double strip_pressures__influence_at(array_double_1d tables, int64_t table, int64_t first, double u, double v)
+static inline double strip_pressures__influence_at(array_double_1d tables, int64_t table, double near, double apart, double square)
 {
-    double place;
     int64_t cell;
+    double x;
     double along;
     int64_t column;
-    double x;
-    double share;
     int64_t at;
     int64_t to;
     double low;
     double high;
-    place = u * (double)(layout__INFLUENCE_CELLS);
-    cell = strip_pressures__cell_at(place, layout__INFLUENCE_CELLS);
-    along = v * (double)(layout__INFLUENCE_COLUMNS);
-    column = strip_pressures__cell_at(along, layout__INFLUENCE_COLUMNS);
-    x = place - (double)(cell);
-    share = along - (double)(column);
-    at = first + layout__INFLUENCE_COLUMN * column + INT64_C(3) * cell;
+    cell = (int64_t)(near);
+    x = near - (double)(cell);
+    along = apart / (apart + square) * (double)(layout__INFLUENCE_COLUMNS);
+    column = (int64_t)(along);
+    at = layout__INFLUENCE_COLUMN * column + INT64_C(3) * cell;
     to = at + layout__INFLUENCE_COLUMN;
     low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
     high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))));
-    return low + share * (high - low);
+    return low + (along - (double)(column)) * (high - low);
 }
 
-/* The same at v = 0. */
-static inline double strip_pressures__middle_influence(array_double_1d tables, int64_t table, int64_t first, double u)
+/* The same at e = 0. */
+static inline double strip_pressures__middle_influence(array_double_1d tables, int64_t table, double near)
 {
-    double place;
     int64_t cell;
     double x;
     int64_t at;
     double result;
-    place = u * (double)(layout__INFLUENCE_CELLS);
-    cell = strip_pressures__cell_at(place, layout__INFLUENCE_CELLS);
-    x = place - (double)(cell);
-    at = first + INT64_C(3) * cell;
+    cell = (int64_t)(near);
+    x = near - (double)(cell);
+    at = INT64_C(3) * cell;
     result = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
     return result;
 }
@@ -3110,141 +3092,165 @@ static inline double strip_pressures__spacing_at(array_double_1d tables, int64_t
     int64_t at;
     double result;
     place = double_min(2, double_max(2, (slender - strip_pressures__FIRST_SPACING) * strip_pressures__SPACINGS_EACH, 0.0), (double)(layout__SPACING_CELLS));
-    cell = strip_pressures__cell_at(place, layout__SPACING_CELLS);
+    cell = int64_t_min(2, (int64_t)(place), layout__SPACING_CELLS - INT64_C(1));
     x = place - (double)(cell);
     at = first + INT64_C(3) * cell;
     result = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * ((*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
     return result;
 }
 
-/* What strip ``i`` displaces in its own middle, or beside it where ``tested``, per y and width; eqs.
- * (S11), (S12).
+/* What strip ``i`` of its run displaces in its own middle, or beside it, per y and width: eqs. (S11),
+ * (S12) with ``height`` = sqrt(1 - e^2), k(e) = ``constant`` and the table of spacing from ``first`` on.
  */
-static inline double strip_pressures__own_influence(array_double_1d work, array_double_1d tables, int64_t i, bool tested)
+static inline double strip_pressures__own_influence(array_double_1d tables, double slender, int64_t i, double height, double constant, int64_t first)
 {
-    int64_t strip;
     int64_t waves;
-    int64_t own;
-    double height;
     double rest;
     double result;
-    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
-    own = pyc_modulo(i, (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
-    height = 1.0;
-    rest = strip_pressures__MIDDLE_CONSTANT + strip_pressures__spacing_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), layout__INFLUENCE_MAP, (*cspan_at(&work, strip + layout__STRIP_SLENDER)));
-    if (tested)
-    {
-        height = strip_pressures__TESTED_HEIGHT;
-        rest = strip_pressures__TESTED_CONSTANT + strip_pressures__spacing_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), layout__INFLUENCE_MAP + INT64_C(3) * layout__SPACING_CELLS, (*cspan_at(&work, strip + layout__STRIP_SLENDER)));
-    }
-    result = rest - height * (2.0 * ((*cspan_at(&work, strip + layout__STRIP_SLENDER)) + (*cspan_at(&tables, waves + layout__WAVES_SPREAD + own))) + (*cspan_at(&tables, waves + layout__WAVES_SINGULAR + INT64_C(16) * own + own)));
+    rest = constant + strip_pressures__spacing_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), first, slender);
+    result = rest - height * (2.0 * (slender + (*cspan_at(&tables, waves + layout__WAVES_SPREAD + i))) + (*cspan_at(&tables, waves + layout__WAVES_SINGULAR + INT64_C(16) * i + i)));
     return result;
 }
 
 /* sum_j F_ij y_j = right-hand side: once the displacement for a penetration of 1, once the gap. */
 static inline int64_t strip_pressures__write_equations(array_double_1d work, array_double_1d tables, bool yawed)
 {
-    int64_t count;
     int64_t waves;
+    int64_t size;
+    int64_t count;
+    int64_t k_end;
+    int64_t k;
+    int64_t first;
+    int64_t own;
     int64_t i;
     int64_t strip;
     int64_t row;
     int64_t near;
     int64_t facing;
-    double x;
     int64_t j;
     int64_t other;
-    double u;
-    double face;
-    int64_t first;
+    double away;
     int64_t singular;
-    int64_t j_end;
-    count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    size = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
     {
-        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
-        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
-        facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
-        x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD));
-        for (j = INT64_C(0); j < count; j += INT64_C(1))
+        first = k * count;
+        for (own = INT64_C(0); own < count; own += INT64_C(1))
         {
-            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            u = strip_pressures__nearness(fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)));
-            (*cspan_at(&work, near + j)) = u;
-            face = ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN))) * (*cspan_at(&work, other + layout__STRIP_WIDTH));
-            (*cspan_at(&work, facing + j)) = face;
+            i = first + own;
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
+            near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
+            facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
+            for (j = INT64_C(0); j < size; j += INT64_C(1))
+            {
+                other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+                (*cspan_at(&work, near + j)) = strip_pressures__nearness(fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)));
+                (*cspan_at(&work, facing + j)) = ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN))) * (*cspan_at(&work, other + layout__STRIP_WIDTH));
+            }
             if (yawed)
             {
-                (*cspan_at(&work, row + j)) = face * strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), INT64_C(0), u, strip_pressures__apartness(x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH))));
+                for (j = INT64_C(0); j < size; j += INT64_C(1))
+                {
+                    away = (*cspan_at(&work, strip + layout__STRIP_MIDDLE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE));
+                    (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), away * away, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE)));
+                }
             }
             else
             {
                 /* all middles lie on one line */
-                (*cspan_at(&work, row + j)) = face * strip_pressures__middle_influence(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), INT64_C(0), u);
+                for (j = INT64_C(0); j < size; j += INT64_C(1))
+                {
+                    (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * strip_pressures__middle_influence(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)));
+                }
             }
+            singular = waves + layout__WAVES_SINGULAR + INT64_C(16) * own;
+            for (j = INT64_C(0); j < count; j += INT64_C(1))
+            {
+                (*cspan_at(&work, row + (first + j))) -= (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j)));
+            }
+            (*cspan_at(&work, row + i)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * strip_pressures__own_influence(tables, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), own, 1.0, strip_pressures__MIDDLE_CONSTANT, layout__INFLUENCE_MAP);
+            (*cspan_at(&work, facing + i)) = 0.0;
+            (*cspan_at(&work, row + size)) = (*cspan_at(&work, strip + layout__STRIP_SHARE));
+            (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, strip + layout__STRIP_GAP));
         }
-        first = i - pyc_modulo(i, (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
-        singular = waves + layout__WAVES_SINGULAR + INT64_C(16) * (i - first);
-        j_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-        for (j = INT64_C(0); j < j_end; j += INT64_C(1))
-        {
-            (*cspan_at(&work, row + (first + j))) -= (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j)));
-        }
-        (*cspan_at(&work, row + i)) = strip_pressures__own_influence(work, tables, i, 0) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        (*cspan_at(&work, row + count)) = (*cspan_at(&work, strip + layout__STRIP_SHARE));
-        (*cspan_at(&work, row + (count + INT64_C(1)))) = (*cspan_at(&work, strip + layout__STRIP_GAP));
     }
     return INT64_C(0);
 }
 
-/* Displacement [m] at a distance ``away`` along x from the middle of strip ``i``, TESTED of its
- * half-length, along its normal.
+/* What strip ``own`` of the run that begins with strip ``first`` displaces beside itself, and the
+ * logarithms of the run there [m].
  */
-static inline double strip_pressures__tested_displacement(array_double_1d work, array_double_1d tables, int64_t i, double away)
+static inline double strip_pressures__local_displacement(array_double_1d work, array_double_1d tables, int64_t first, int64_t own)
 {
     int64_t strip;
+    int64_t facing;
+    int64_t singular;
+    double left;
+    int64_t j_end;
+    int64_t j;
+    double influence;
+    double result;
+    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + own);
+    facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * (first + own);
+    singular = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_SINGULAR + INT64_C(16) * own;
+    left = 0.0;
+    j_end = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_COUNT)));
+    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+    {
+        left += (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y));
+    }
+    influence = strip_pressures__own_influence(tables, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), own, strip_pressures__TESTED_HEIGHT, strip_pressures__TESTED_CONSTANT, layout__INFLUENCE_MAP + INT64_C(3) * layout__SPACING_CELLS);
+    result = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_Y)) * influence - strip_pressures__TESTED_HEIGHT * left;
+    return result;
+}
+
+/* What the other strips displace at a distance ``away`` along x before the middle of strip ``i``, and
+ * behind it [m], along its normal.
+ */
+static inline int64_t strip_pressures__tested_displacements(double* front, double* back, array_double_1d work, array_double_1d tables, int64_t i, double away, bool yawed)
+{
     int64_t near;
     int64_t facing;
-    double x;
-    double total;
+    double middle;
     int64_t j_end;
     int64_t j;
     int64_t other;
-    double v;
-    int64_t count;
-    int64_t first;
-    int64_t singular;
-    double left;
-    strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+    double pushed;
+    double x;
     near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
     facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
-    x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
-    total = strip_pressures__own_influence(work, tables, i, 1) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_Y));
-    j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    for (j = INT64_C(0); j < j_end; j += INT64_C(1))
+    (*front) = 0.0;
+    (*back) = 0.0;
+    if (yawed)
     {
-        if (j != i)
+        middle = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE));
+        j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+        for (j = INT64_C(0); j < j_end; j += INT64_C(1))
         {
             other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            v = strip_pressures__apartness(x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)));
-            total += strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), INT64_C(0), (*cspan_at(&work, near + j)), v) * (*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
+            pushed = (*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
+            x = middle - (*cspan_at(&work, other + layout__STRIP_MIDDLE)) + away;
+            (*front) += strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), x * x, (*cspan_at(&work, other + layout__STRIP_SQUARE))) * pushed;
+            x -= 2.0 * away;
+            (*back) += strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), x * x, (*cspan_at(&work, other + layout__STRIP_SQUARE))) * pushed;
         }
     }
-    count = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_COUNT)));
-    first = i - pyc_modulo(i, count);
-    singular = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_SINGULAR + INT64_C(16) * (i - first);
-    left = 0.0;
-    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    else
     {
-        if (first + j != i)
+        j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+        for (j = INT64_C(0); j < j_end; j += INT64_C(1))
         {
-            left += (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y));
+            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+            (*front) += strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), away * away, (*cspan_at(&work, other + layout__STRIP_SQUARE))) * ((*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y)));
         }
+        (*back) = (*front);
     }
-    return total - strip_pressures__TESTED_HEIGHT * left;
+    return 0;
 }
 
 /* y of all strips under ``force`` [N], or at the problem's penetration where ``by_penetration``; the
@@ -3613,6 +3619,8 @@ static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_doubl
             j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, strip + layout__STRIP_STATION)));
             strip_runs__lay_strip(work, strip, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1)), strip_surfaces__way_through(work, j, (*cspan_at(&work, strip + layout__STRIP_STATION))));
             (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            (*cspan_at(&work, strip + layout__STRIP_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
+            (*cspan_at(&work, strip + layout__STRIP_MIDDLE)) = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD));
             (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = spread * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH));
             (*cspan_at(&work, strip + layout__STRIP_SLENDER)) = powers__log((*cspan_at(&work, strip + layout__STRIP_WIDTH)) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
             gap = strip_runs__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)));

@@ -267,14 +267,17 @@ class Strip:
     width: float                    # what it stands for on the curve [m]
     axis: float                     # its half-length over sin t [m]
     half_length: float              # a of this sweep [m]
+    square: float                   # and its square [m^2]
     slender: float                  # ln(width / half-length)
     lead: float                     # of its middle before the ridge, along x [m]
+    middle: float                   # track coordinate x of its middle [m]
     y: float                        # p / (pi E*) on its middle [-], of this sweep
     next_axis: float                # axis, lead, half-length and station after this sweep [m]
     next_lead: float
     next_half: float
     next_station: float
-    pressure: float                 # and the pressure on its middle, of the same load [Pa]
+    pressure: float                 # and the pressure on its middle, of the same load [Pa],
+    smooth: float                   # over sin t, if it presses
 
 
 Strips = Strip * STRIP_LIMIT
@@ -299,8 +302,8 @@ class StripProblem:
     next_count: int                 # runs of the next sweep
     next_runs: StripRun * STRIP_RUN_LIMIT
     strips: Strips
-    near: PairNumbers               # sqrt(t / (1 + t)) of strips i and j, t = distance / half-length of j
-    facing: PairNumbers             # cosine of the angle between i and j, times the width of j [m]
+    near: PairNumbers               # 96 sqrt(t / (1 + t)) of strips i and j, t = distance / half-length of j
+    facing: PairNumbers             # cosine of the angle between i and j, times the width of j [m]; 0 of itself
 
 
 INFLUENCE_CELLS: Final[int] = 96     # of the table of influences along sqrt(t / (1 + t)),

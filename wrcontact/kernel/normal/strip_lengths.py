@@ -6,7 +6,7 @@ from typing import Final
 
 from ..contact.pressed import limited
 from ..layout import Strip, StripProblem, StripRun, Tables, Waves
-from .strip_pressures import TESTED, tested_displacement
+from .strip_pressures import TESTED, local_displacement, tested_displacements
 from .strip_runs import gap_beside
 
 #: Power of the ratio of displacement and gap by which a half-length is corrected.
@@ -35,25 +35,24 @@ def corrected(ratio: float, power: float):
     return (less + more * ratio) / (more + less * ratio)
 
 
-def correct_strip(tables: Tables, problem: StripProblem, i: int, penetration: float, yawed: bool):
-    """Shape of strip ``i`` by how much less the surfaces are displaced towards its ends than the gap rises;
+def correct_strip(tables: Tables, problem: StripProblem, first: int, i: int, penetration: float, yawed: bool):
+    """Axis of strip ``i`` of the run that begins with strip ``first``, by how much less the surfaces are displaced towards its ends than the gap rises;
     its middle moves to where both ends are alike."""
-    strip = problem.strips[i]
+    strip = problem.strips[first + i]
     half = strip.half_length
     away = TESTED * half
     own = gap_beside(strip, strip.lead)
-    front = tested_displacement(tables, problem, i, away)
-    back = front
+    front, back = tested_displacements(tables, problem, first + i, away, yawed)
     front_gap = gap_beside(strip, strip.lead + away) - own
     back_gap = front_gap
     strip.next_lead = strip.lead
     if yawed:
-        back = tested_displacement(tables, problem, i, -away)
         back_gap = gap_beside(strip, strip.lead - away) - own
         move = -MOVED * (front + front_gap - back - back_gap) / (4.0 * strip.A * away)
         strip.next_lead += limited(move, FARTHEST_MOVE * half)
+    local = local_displacement(tables, problem, first, i)
     rise = max(0.5 * (front_gap + back_gap), FLATTEST * strip.A * away * away)
-    ratio = max(0.0, (strip.share * penetration - strip.gap - 0.5 * (front + back)) / rise)
+    ratio = max(0.0, (strip.share * penetration - strip.gap - local - 0.5 * (front + back)) / rise)
     strip.next_axis = strip.axis * corrected(ratio, POWER)
 
 
@@ -63,8 +62,8 @@ def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, y
     for k in range(problem.run_count):
         first = k * waves.count
         last = first + waves.count - 1
-        for i in range(first + 1, last):
-            correct_strip(tables, problem, i, penetration, yawed)
+        for i in range(1, waves.count - 1):
+            correct_strip(tables, problem, first, i, penetration, yawed)
         end_axis(problem.strips[first], problem.strips[first + 1], problem.strips[first + 2])
         end_axis(problem.strips[last], problem.strips[last - 1], problem.strips[last - 2])
         move_edges(problem, waves, problem.runs[k], first, relaxed)

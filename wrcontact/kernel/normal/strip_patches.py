@@ -11,7 +11,7 @@ from ..layout import (FINE_WAVES, LOAD_VERTICAL, RULE_STRAIGHT, SOLVED_PATCH_LIM
                       Region, Regions, SideSearch, SolvedStrips, StripProblem, StripRun, Tables, Waves)
 from ..patch.filling import add_load, begin_patch, clear_patches, finish_patch, finish_patches
 from ..surface.rails import upright_share
-from .strip_surfaces import TOUCHING
+from .strip_surfaces import TOUCHING, between
 
 #: Strips of a region that lie closer together than this have no slant [m].
 CLOSE: Final[float] = 1e-6
@@ -81,19 +81,16 @@ def fill_fine_strips(tables: Tables, problem: StripProblem, solved: SolvedStrips
     for i in range(first, first + waves.count):
         least = min(least, problem.strips[i].next_axis)
         stretch += problem.strips[i].stretch
+        problem.strips[i].smooth = max(problem.strips[i].pressure, 0.0) / waves.sin[i - first]
     rigid = tables.contact_modulus * float(waves.count) / ((run.stop - run.start) * stretch)
     for g in range(fine):
         axis = 0.0
         raised = 0.0
-        x = 0.0
-        A = 0.0
         for i in range(waves.count):
             strip = problem.strips[first + i]
             weight = waves.refining[g][i]
             axis += weight * strip.next_axis
-            raised += weight * max(strip.pressure, 0.0) / waves.sin[i]
-            x += weight * (strip.x + strip.next_lead)
-            A += weight * strip.A
+            raised += weight * strip.smooth
         sine = waves.fine_sin[g]
         length = max(axis, NARROWED * least) * sine
         pressure = raised * sine
@@ -103,8 +100,12 @@ def fill_fine_strips(tables: Tables, problem: StripProblem, solved: SolvedStrips
         to = solved[k * fine + g]
         to.station = middle - half * waves.fine_cos[g]
         to.width = half * sine * pi / float(fine)
-        to.x = x
-        to.curvature = 2.0 * A
+        near = min(max(g - 1, 0) // FINE_WAVES, waves.count - 2)
+        low = problem.strips[first + near]
+        high = problem.strips[first + near + 1]
+        u = (to.station - low.next_station) / (high.next_station - low.next_station)
+        to.x = between(low.x + low.next_lead, high.x + high.next_lead, u)
+        to.curvature = 2.0 * between(low.A, high.A, u)
         to.line_load = 0.5 * pi * length * pressure
         to.half_length_square = length * length
         to.pressure_square = pressure * pressure

@@ -21,6 +21,8 @@ TESTED_CONSTANT: Final[float] = 0.9045568429297992
 #: Widths of strips over their half-lengths that the tables of spacing reach from and to.
 CLOSEST_SPACING: Final[float] = 1e-3
 WIDEST_SPACING: Final[float] = 30.0
+#: Numbers of cells end below this.
+LAST_CELL: Final[float] = 95.999999999
 #: And in logarithms.
 FIRST_SPACING: Final[float] = -6.90775527898213705205
 SPACINGS_EACH: Final[float] = 18.624588386459845
@@ -63,127 +65,124 @@ def eliminate(equations: Equations, size: int):
 
 
 def nearness(distance: float, half_length: float):
-    """u = sqrt(t / (1 + t)) with t = ``distance`` / ``half_length``."""
-    return sqrt(distance / (distance + half_length))
+    """The place sqrt(t / (1 + t)) with t = ``distance`` / ``half_length`` in the cells of the table."""
+    return min(sqrt(distance / (distance + half_length)) * float(INFLUENCE_CELLS), LAST_CELL)
 
 
-def apartness(x: float, half_length: float):
-    """v = e^2 / (1 + e^2) with e = ``x`` / ``half_length``."""
-    square = x * x
-    return square / (square + half_length * half_length)
+def influence_at(table: InfluenceTable, near: float, apart: float, square: float):
+    """Phi at the place ``near`` and e^2 = ``apart`` / ``square``.
 
-
-def cell_at(place: float, count: int):
-    """The cell that holds ``place``, 0 ... ``count``; the last one has its end too."""
-    cell = min(int(place), count - 1)
-    return cell
-
-
-def influence_at(table: InfluenceTable, first: int, u: float, v: float):
-    """Phi, or its mean, at ``u`` and ``v``; the map begins at number ``first``.
-
-    Parabolas along u, smoothly joined: with straight lines there, derivatives would jump by 1e-5 between any
-    two poses.
+    Parabolas along the first, smoothly joined: with straight lines there, derivatives would jump by 1e-5
+    between any two poses.
     """
-    place = u * float(INFLUENCE_CELLS)
-    cell = cell_at(place, INFLUENCE_CELLS)
-    along = v * float(INFLUENCE_COLUMNS)
-    column = cell_at(along, INFLUENCE_COLUMNS)
-    x = place - float(cell)
-    share = along - float(column)
-    at = first + INFLUENCE_COLUMN * column + 3 * cell
+    cell = int(near)
+    x = near - float(cell)
+    along = apart / (apart + square) * float(INFLUENCE_COLUMNS)
+    column = int(along)
+    at = INFLUENCE_COLUMN * column + 3 * cell
     to = at + INFLUENCE_COLUMN
     low = table.numbers[at] + x * (table.numbers[at + 1] + x * table.numbers[at + 2])
     high = table.numbers[to] + x * (table.numbers[to + 1] + x * table.numbers[to + 2])
-    return low + share * (high - low)
+    return low + (along - float(column)) * (high - low)
 
 
-def middle_influence(table: InfluenceTable, first: int, u: float):
-    """The same at v = 0."""
-    place = u * float(INFLUENCE_CELLS)
-    cell = cell_at(place, INFLUENCE_CELLS)
-    x = place - float(cell)
-    at = first + 3 * cell
+def middle_influence(table: InfluenceTable, near: float):
+    """The same at e = 0."""
+    cell = int(near)
+    x = near - float(cell)
+    at = 3 * cell
     return table.numbers[at] + x * (table.numbers[at + 1] + x * table.numbers[at + 2])
 
 
 def spacing_at(table: InfluenceTable, first: int, slender: float):
     """S of eq. (S12) at ln(width / half-length); the table begins at number ``first``."""
     place = min(max((slender - FIRST_SPACING) * SPACINGS_EACH, 0.0), float(SPACING_CELLS))
-    cell = cell_at(place, SPACING_CELLS)
+    cell = min(int(place), SPACING_CELLS - 1)
     x = place - float(cell)
     at = first + 3 * cell
     return table.numbers[at] + x * (table.numbers[at + 1] + x * table.numbers[at + 2])
 
 
-def own_influence(tables: Tables, problem: StripProblem, i: int, tested: bool):
-    """What strip ``i`` displaces in its own middle, or beside it where ``tested``, per y and width; eqs.
-    (S11), (S12)."""
-    strip = problem.strips[i]
+def own_influence(tables: Tables, slender: float, i: int, height: float, constant: float, first: int):
+    """What strip ``i`` of its run displaces in its own middle, or beside it, per y and width: eqs. (S11),
+    (S12) with ``height`` = sqrt(1 - e^2), k(e) = ``constant`` and the table of spacing from ``first`` on."""
     waves = tables.waves
-    own = i % waves.count
-    height = 1.0
-    rest = MIDDLE_CONSTANT + spacing_at(tables.influence, INFLUENCE_MAP, strip.slender)
-    if tested:
-        height = TESTED_HEIGHT
-        rest = TESTED_CONSTANT + spacing_at(tables.influence, INFLUENCE_MAP + 3 * SPACING_CELLS, strip.slender)
-    return rest - height * (2.0 * (strip.slender + waves.spread[own]) + waves.singular[own][own])
+    rest = constant + spacing_at(tables.influence, first, slender)
+    return rest - height * (2.0 * (slender + waves.spread[i]) + waves.singular[i][i])
 
 
 def write_equations(tables: Tables, problem: StripProblem, equations: Equations, yawed: bool):
     """sum_j F_ij y_j = right-hand side: once the displacement for a penetration of 1, once the gap."""
-    strips = problem.strips
-    count = problem.count
     waves = tables.waves
-    for i in range(count):
-        strip = strips[i]
-        row = equations[i]
-        near = problem.near[i]
-        facing = problem.facing[i]
-        x = strip.x + strip.lead
-        for j in range(count):
-            other = strips[j]
-            u = nearness(fabs(strip.place - other.place), other.half_length)
-            near[j] = u
-            face = (strip.cos * other.cos + strip.sin * other.sin) * other.width
-            facing[j] = face
+    strips = problem.strips
+    size = problem.count
+    count = waves.count
+    for k in range(problem.run_count):
+        first = k * count
+        for own in range(count):
+            i = first + own
+            strip = strips[i]
+            row = equations[i]
+            near = problem.near[i]
+            facing = problem.facing[i]
+            for j in range(size):
+                other = strips[j]
+                near[j] = nearness(fabs(strip.place - other.place), other.half_length)
+                facing[j] = (strip.cos * other.cos + strip.sin * other.sin) * other.width
             if yawed:
-                row[j] = face * influence_at(tables.influence, 0, u,
-                                             apartness(x - other.x - other.lead, other.half_length))
+                for j in range(size):
+                    away = strip.middle - strips[j].middle
+                    row[j] = facing[j] * influence_at(tables.influence, near[j], away * away, strips[j].square)
             else:
                 # all middles lie on one line
-                row[j] = face * middle_influence(tables.influence, 0, u)
-        first = i - i % waves.count
-        singular = waves.singular[i - first]
-        for j in range(waves.count):
-            row[first + j] -= singular[j] * facing[first + j]
-        row[i] = own_influence(tables, problem, i, False) * strip.width
-        row[count] = strip.share
-        row[count + 1] = strip.gap
+                for j in range(size):
+                    row[j] = facing[j] * middle_influence(tables.influence, near[j])
+            singular = waves.singular[own]
+            for j in range(count):
+                row[first + j] -= singular[j] * facing[first + j]
+            row[i] = strip.width * own_influence(tables, strip.slender, own, 1.0, MIDDLE_CONSTANT, INFLUENCE_MAP)
+            facing[i] = 0.0
+            row[size] = strip.share
+            row[size + 1] = strip.gap
 
 
-def tested_displacement(tables: Tables, problem: StripProblem, i: int, away: float):
-    """Displacement [m] at a distance ``away`` along x from the middle of strip ``i``, TESTED of its
-    half-length, along its normal."""
+def local_displacement(tables: Tables, problem: StripProblem, first: int, own: int):
+    """What strip ``own`` of the run that begins with strip ``first`` displaces beside itself, and the
+    logarithms of the run there [m]."""
+    strip = problem.strips[first + own]
+    facing = problem.facing[first + own]
+    singular = tables.waves.singular[own]
+    left = 0.0
+    for j in range(tables.waves.count):
+        left += singular[j] * facing[first + j] * problem.strips[first + j].y
+    influence = own_influence(tables, strip.slender, own, TESTED_HEIGHT, TESTED_CONSTANT,
+                              INFLUENCE_MAP + 3 * SPACING_CELLS)
+    return strip.width * strip.y * influence - TESTED_HEIGHT * left
+
+
+def tested_displacements(tables: Tables, problem: StripProblem, i: int, away: float, yawed: bool):
+    """What the other strips displace at a distance ``away`` along x before the middle of strip ``i``, and
+    behind it [m], along its normal."""
     strips = problem.strips
-    strip = strips[i]
     near = problem.near[i]
     facing = problem.facing[i]
-    x = strip.x + strip.lead + away
-    total = own_influence(tables, problem, i, True) * strip.width * strip.y
-    for j in range(problem.count):
-        if j != i:
+    front = 0.0
+    back = 0.0
+    if yawed:
+        middle = strips[i].middle
+        for j in range(problem.count):
             other = strips[j]
-            v = apartness(x - other.x - other.lead, other.half_length)
-            total += influence_at(tables.influence, 0, near[j], v) * facing[j] * other.y
-    count = tables.waves.count
-    first = i - i % count
-    singular = tables.waves.singular[i - first]
-    left = 0.0
-    for j in range(count):
-        if first + j != i:
-            left += singular[j] * facing[first + j] * strips[first + j].y
-    return total - TESTED_HEIGHT * left
+            pushed = facing[j] * other.y
+            x = middle - other.middle + away
+            front += influence_at(tables.influence, near[j], x * x, other.square) * pushed
+            x -= 2.0 * away
+            back += influence_at(tables.influence, near[j], x * x, other.square) * pushed
+    else:
+        for j in range(problem.count):
+            other = strips[j]
+            front += influence_at(tables.influence, near[j], away * away, other.square) * (facing[j] * other.y)
+        back = front
+    return front, back
 
 
 def solve_pressures(tables: Tables, problem: StripProblem, equations: Equations, force: float,

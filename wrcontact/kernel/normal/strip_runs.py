@@ -194,6 +194,8 @@ def lay_strips(problem: StripProblem, waves: Waves):
             j = interval(problem, j, run.high, strip.station)
             lay_strip(strip, problem.traced[j], problem.traced[j + 1], way_through(problem, j, strip.station))
             strip.half_length = strip.axis * waves.sin[i]
+            strip.square = strip.half_length * strip.half_length
+            strip.middle = strip.x + strip.lead
             strip.width = spread * waves.sin[i] * strip.stretch
             strip.slender = log(strip.width / strip.half_length)
             gap = gap_beside(strip, strip.lead)
