@@ -29,10 +29,10 @@ class Resolution(NamedTuple):
 #: Resolution of ANALYN by falling tolerance.  Hertz's model and the half-space also look for their regions
 #: with these nodes.
 ANALYN_LADDER = {
-    0.02: Resolution(4, 1, 10, 5),
-    0.01: Resolution(8, 2, 10, 5),
-    0.004: Resolution(15, 3, 10, 5),
-    0.0015: Resolution(30, 2, 10, 5),
+    0.02: Resolution(4, 1, 10, 6),
+    0.01: Resolution(8, 2, 10, 6),
+    0.004: Resolution(15, 3, 10, 6),
+    0.0015: Resolution(30, 2, 10, 6),
 }
 
 
@@ -107,7 +107,7 @@ class Analyn(NormalModel):
 STRIP_LADDER = {
     0.025: Resolution(8, 2, 8, 4),
     0.015: Resolution(8, 2, 8, 5),
-    0.01: Resolution(8, 2, 10, 5),
+    0.01: Resolution(8, 2, 10, 6),
     0.007: Resolution(8, 2, 10, 7),
     0.004: Resolution(8, 2, 12, 9),
 }

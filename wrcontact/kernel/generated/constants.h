@@ -1277,7 +1277,7 @@ static const double strip_runs__RAISED = 0.02;
 static const double strip_runs__FLAT_START = 0.25;
 static const int64_t strip_runs__LEVEL_ITERATIONS = INT64_C(6);
 static const double strip_runs__FIRST_LEAD = 0.5;
-static const double strip_runs__NARROW = 2e-05;
+static const double strip_runs__NARROW = 0.002;
 static const double strip_runs__PULLING = 0.001;
 static const double strip_runs__SINGLE = 0.1;
 
@@ -1286,7 +1286,7 @@ static const double strip_surfaces__SHALLOW = 0.03;
 static const double strip_surfaces__OWN_SHALLOW = 0.25;
 static const int64_t strip_surfaces__ZONE_STATIONS = INT64_C(16);
 static const double strip_surfaces__INSET = 0.1;
-static const double strip_surfaces__TOUCHING = 1e-07;
+static const double strip_surfaces__TOUCHING = 1e-05;
 static const double strip_surfaces__STRIP_TRACE = 1e-09;
 static const double strip_surfaces__FLATTEST_ZONE = 0.02;
 static const double strip_surfaces__SHARPEST_ZONE = 1000.0;

@@ -3820,7 +3820,7 @@ static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work,
     meets = 0;
     if (k > INT64_C(0))
     {
-        meets = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * (k - INT64_C(1)) + layout__STRIP_RUN_NEXT_STOP)) < strip_surfaces__TOUCHING;
+        meets = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * (k - INT64_C(1)) + layout__STRIP_RUN_NEXT_STOP)) < strip_surfaces__TOUCHING * ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)));
     }
     if (!meets)
     {
@@ -5204,6 +5204,8 @@ static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, arr
     double v1_t;
     double v2;
     double v2_t;
+    int64_t zone;
+    bool wide;
     int64_t run;
     at = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
     joins = 0;
@@ -5235,7 +5237,9 @@ static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, arr
             (*cspan_at(&work, before + layout__STRIP_RUN_ORIGIN)) = (double)(-INT64_C(1));
         }
     }
-    if ((!joins) && (stop - start > strip_runs__NARROW) && (at < layout__STRIP_RUN_LIMIT))
+    zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION)));
+    wide = stop - start > strip_runs__NARROW * ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)));
+    if ((!joins) && wide && (at < layout__STRIP_RUN_LIMIT))
     {
         run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * at;
         (*cspan_at(&work_t, run + layout__STRIP_RUN_LOW)) = 0.0;
@@ -5997,6 +6001,8 @@ static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d t
     int64_t zone;
     int64_t region;
     int64_t first;
+    double apart_t;
+    double apart;
     double v1;
     double v2;
     int64_t i;
@@ -6014,8 +6020,10 @@ static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d t
             first = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
             if ((index > INT64_C(0)) && (first > INT64_C(0)))
             {
+                apart_t = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (index - INT64_C(1)) + layout__STRIP_ZONE_STOP));
+                apart = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (index - INT64_C(1)) + layout__STRIP_ZONE_STOP));
                 (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - INT64_C(1)) + layout__TRACED_STATION_JOINED)) = 0.0;
-                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - INT64_C(1)) + layout__TRACED_STATION_JOINED)) = (double)((*cspan_at(&work, zone + layout__STRIP_ZONE_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (index - INT64_C(1)) + layout__STRIP_ZONE_STOP)) < strip_surfaces__TOUCHING);
+                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - INT64_C(1)) + layout__TRACED_STATION_JOINED)) = (double)(apart < strip_surfaces__TOUCHING * ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START))));
             }
             derivative_frame__enter_plane_t(work, work_t, region, index);
             derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));

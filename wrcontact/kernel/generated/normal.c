@@ -2685,7 +2685,7 @@ static inline int64_t strip_patches__fill_run(array_double_1d work, array_double
     meets = 0;
     if (k > INT64_C(0))
     {
-        meets = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * (k - INT64_C(1)) + layout__STRIP_RUN_NEXT_STOP)) < strip_surfaces__TOUCHING;
+        meets = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * (k - INT64_C(1)) + layout__STRIP_RUN_NEXT_STOP)) < strip_surfaces__TOUCHING * ((*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)));
     }
     if (!meets)
     {
@@ -3519,6 +3519,8 @@ static inline int64_t strip_runs__add_run(array_double_1d work, int64_t low, int
     int64_t at;
     bool joins;
     int64_t before;
+    int64_t zone;
+    bool wide;
     int64_t run;
     at = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
     joins = 0;
@@ -3533,7 +3535,9 @@ static inline int64_t strip_runs__add_run(array_double_1d work, int64_t low, int
             (*cspan_at(&work, before + layout__STRIP_RUN_ORIGIN)) = (double)(-INT64_C(1));
         }
     }
-    if ((!joins) && (stop - start > strip_runs__NARROW) && (at < layout__STRIP_RUN_LIMIT))
+    zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION)));
+    wide = stop - start > strip_runs__NARROW * ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)));
+    if ((!joins) && wide && (at < layout__STRIP_RUN_LIMIT))
     {
         run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * at;
         (*cspan_at(&work, run + layout__STRIP_RUN_LOW)) = (double)(low);
@@ -3979,6 +3983,7 @@ static inline int64_t strip_surfaces__trace_zones(array_double_1d tables, array_
     int64_t zone;
     int64_t region;
     int64_t first;
+    double apart;
     int64_t i;
     int64_t at;
     int64_t i_end;
@@ -3992,7 +3997,8 @@ static inline int64_t strip_surfaces__trace_zones(array_double_1d tables, array_
             first = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
             if ((index > INT64_C(0)) && (first > INT64_C(0)))
             {
-                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - INT64_C(1)) + layout__TRACED_STATION_JOINED)) = (double)((*cspan_at(&work, zone + layout__STRIP_ZONE_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (index - INT64_C(1)) + layout__STRIP_ZONE_STOP)) < strip_surfaces__TOUCHING);
+                apart = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (index - INT64_C(1)) + layout__STRIP_ZONE_STOP));
+                (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - INT64_C(1)) + layout__TRACED_STATION_JOINED)) = (double)(apart < strip_surfaces__TOUCHING * ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START))));
             }
             frame__enter_plane(work, region, index);
             traces__start_traces(work, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)));

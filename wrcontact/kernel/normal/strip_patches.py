@@ -48,7 +48,7 @@ def fill_run(tables: Tables, contact: Contact, side: SideSearch, k: int):
     index = side.patch_count - 1
     meets = False
     if k > 0:
-        meets = run.next_start - problem.runs[k - 1].next_stop < TOUCHING
+        meets = run.next_start - problem.runs[k - 1].next_stop < TOUCHING * (run.next_stop - run.next_start)
     if not meets:
         index = begin_patch(side, region, run.next_start, k * fine, RULE_STRAIGHT)
     patch = side.patches[index]

@@ -23,8 +23,8 @@ FLAT_START: Final[float] = 0.25
 LEVEL_ITERATIONS: Final[int] = 6
 #: The middle of a strip begins before its ridge by no more than this share of its axis.
 FIRST_LEAD: Final[float] = 0.5
-#: Runs that are narrower than this are none [m].
-NARROW: Final[float] = 2e-5
+#: Runs that are narrower than this share of their zone are none.
+NARROW: Final[float] = 2e-3
 #: A strip pulls where its pressure is below this share of the largest one, with the other sign.
 PULLING: Final[float] = 1e-3
 #: A part of a run that is a single strip counts from this share of the largest pressure on.
@@ -146,7 +146,9 @@ def add_run(problem: StripProblem, low: int, high: int, start: float, stop: floa
             before.next_start = min(before.next_start, start)
             before.next_stop = max(before.next_stop, stop)
             before.origin = -1
-    if not joins and stop - start > NARROW and at < STRIP_RUN_LIMIT:
+    zone = problem.zones[problem.traced[low].region]
+    wide = stop - start > NARROW * (zone.stop - zone.start)
+    if not joins and wide and at < STRIP_RUN_LIMIT:
         run = problem.next_runs[at]
         run.low = low
         run.high = high

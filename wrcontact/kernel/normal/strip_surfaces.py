@@ -28,8 +28,8 @@ OWN_SHALLOW: Final[float] = 0.25
 #: Stations of a zone, and how far the outermost ones lie inside, of the distance between two.
 ZONE_STATIONS: Final[int] = 16
 INSET: Final[float] = 0.1
-#: Zones closer than this touch [m].
-TOUCHING: Final[float] = 1e-7
+#: Zones and runs closer than this share of their width touch.
+TOUCHING: Final[float] = 1e-5
 #: To what the abscissae of wheel and rail are traced [m].
 STRIP_TRACE: Final[float] = 1e-9
 #: Lateral curvatures of a zone over A are within these.
@@ -115,7 +115,8 @@ def trace_zones(pair: Pair, contact: Contact, count: int):
             region = contact.regions[index]
             first = problem.traced_count
             if index > 0 and first > 0:
-                problem.traced[first - 1].joined = zone.start - problem.zones[index - 1].stop < TOUCHING
+                apart = zone.start - problem.zones[index - 1].stop
+                problem.traced[first - 1].joined = apart < TOUCHING * (zone.stop - zone.start)
             enter_plane(contact.frame, contact.frames, region, index)
             start_traces(contact.frame, region.station, region.rail, region.wheel)
             open_origin(pair, contact.frame, contact.origin, region, 0.0)
