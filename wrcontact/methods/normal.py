@@ -130,7 +130,7 @@ class Strip(NormalModel):
     nodes: int | None = node_count()
     strips: int | None = whole(None, 6, 16, "Strips of the strip model, instead of those that the tolerance "
                                "needs", python_only=True)
-    sweeps: int | None = whole(None, 3, 20, "Sweeps of the strip model, instead of those that the tolerance "
+    sweeps: int | None = whole(None, 1, 20, "Sweeps of the strip model, instead of those that the tolerance "
                                "needs", python_only=True)
 
 
