@@ -1239,6 +1239,9 @@ static const double nodes__SPREAD = 1.25;
 static const double nodes__NARROWEST = 0.01;
 static const double nodes__NODE_ROOM = 110.0;
 
+/* normal/normal_contact.py */
+static const double normal_contact__STRIP_RATE = 1.35;
+
 /* normal/strip_contact.py */
 static const int64_t strip_contact__FIRST_SWEEPS = INT64_C(2);
 static const int64_t strip_contact__SMOOTH_SWEEPS = INT64_C(4);
@@ -1364,6 +1367,9 @@ static const double elastic__NOT_LAST = 1e-10;
 static const double elastic__COARSE = 2e-06;
 static const double elastic__LONGEST_MOVE = 0.0002;
 static const double elastic__SINGULAR = 0.02;
+static const double elastic__ALONG = 0.1;
+static const double elastic__LEAST_FACTOR = 0.4;
+static const double elastic__MOST_FACTOR = 2.5;
 static const double elastic__LEAST_LEVER = 0.01;
 
 /* wheelset/leaning.py */

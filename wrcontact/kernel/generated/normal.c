@@ -78,6 +78,7 @@ static inline bool nodes__covered(array_double_1d work, int64_t count);
 /* normal/normal_contact.py */
 static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline bool normal_contact__has_coarse_form(array_double_1d tables);
+static inline double normal_contact__residual_rate(array_double_1d tables);
 
 /* normal/patch_places.py */
 static inline int64_t patch_places__mean_normal(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double local_penetration);
@@ -2002,6 +2003,21 @@ static inline bool normal_contact__has_coarse_form(array_double_1d tables)
     bool result;
     result = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP;
     return result;
+}
+
+/* About how fast the penetration under a force falls behind the depth, where a wheel is pressed deeper.
+ *
+ * Strips are as long as at that depth, and a strip's pressure keeps its shape.
+ */
+static inline double normal_contact__residual_rate(array_double_1d tables)
+{
+    double rate;
+    rate = 1.0;
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
+    {
+        rate = normal_contact__STRIP_RATE;
+    }
+    return rate;
 }
 
 
