@@ -120,19 +120,20 @@ def test_rolling_a_rail_is_another_inclination(name, pose):
     methods = METHODS.get(name) or dict(contact_mode="compliant", load="vertical")
     given = height_and_roll(*pose, left_rail_roll=0.006, right_rail_roll=-0.004)
     found, wanted = over_rolled_rails(pose, given, **methods)
+    few = 2e-6 if "strips" in name else 1e-6
     for side in ("left", "right"):
         mine, theirs = getattr(found, side), getattr(wanted, side)
         assert mine.normal_force > 1e3
         # overlaps are measured along the rail's normals and do not know down, but the place of the rigid
         # contact does: the wheel touches first straight above, by each rail's own vertical; stations of strips
         # lie between the ends of the overlap: 6e-7 of the force
-        assert mine.normal_force == pytest.approx(theirs.normal_force, rel=1.5e-6 if "strips" in name else 2e-7)
+        assert mine.normal_force == pytest.approx(theirs.normal_force, rel=few if "strips" in name else 2e-7)
         # strips end where the first estimate of the patch does, which knows down: a few millionths of it
         assert mine.area == pytest.approx(theirs.area, rel=1e-5 if "strips" in name else 2e-7)
         for name_of in ("x", "y", "z"):
-            assert getattr(mine.force, name_of) == pytest.approx(getattr(theirs.force, name_of), rel=1e-6,
+            assert getattr(mine.force, name_of) == pytest.approx(getattr(theirs.force, name_of), rel=few,
                                                                  abs=1e-3)
-            assert getattr(mine.moment, name_of) == pytest.approx(getattr(theirs.moment, name_of), rel=1e-6,
+            assert getattr(mine.moment, name_of) == pytest.approx(getattr(theirs.moment, name_of), rel=few,
                                                                   abs=1e-3)
         for one, other in zip(mine.patches, theirs.patches, strict=True):
             assert one.contact_angle == pytest.approx(other.contact_angle, abs=1e-7)
