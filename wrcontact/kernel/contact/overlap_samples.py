@@ -3,11 +3,16 @@
 The overlap is taken straight down there and converted to the rail's normal.
 """
 
+from typing import Final
+
 from ..layout import EXPONENTS, OVERLAP_LIMIT, Pair, Place, Samples, seldom
 from ..search.bounds import clear_exponent
 from ..surface.gap import above_rail
-from ..surface.locus import outline_point
+from ..surface.locus import outline_jet
 from ..surface.tables import height_slope_bend
+
+#: In place of how far aside the foot is [m].
+FAR_ASIDE: Final[float] = 1.0
 
 
 @seldom
@@ -16,7 +21,8 @@ def sample_overlap(pair: Pair, samples: Samples, place: Place, node: int, height
     abscissa [m]."""
     point = pair.scan.nodes[node]
     y = point.y
-    y_track, z_track, outline_slope = outline_point(place, y, point.height, point.slope)
+    y_track, z_track, outline_slope, stretch, rate = outline_jet(place, y, point.height, point.slope,
+                                                                 point.bend)
     abscissa = y_track - pair.rail_y
     z_rail, m, bend = height_slope_bend(pair.rail, abscissa)
     gap = z_rail - z_track
@@ -28,6 +34,12 @@ def sample_overlap(pair: Pair, samples: Samples, place: Place, node: int, height
     turn = 0.0
     if height > gap:
         turn = (height - gap) * m * bend * square
+    samples.node[entry] = float(node)
+    samples.gap[entry] = gap
+    samples.aside[entry] = (height - gap) * m * square
+    samples.share[entry] = stretch * (1.0 + m * (outline_slope - m) * square)
+    samples.bend[entry] = samples.share[entry] * bend * (1.0 + max(height - gap, 0.0) * bend * square) - rate
+    samples.rail_bend[entry] = bend
     samples.turn[entry] = turn
     samples.rise[entry] = outline_slope - m - turn
     return gap, m - outline_slope, abscissa
@@ -38,11 +50,12 @@ def sample_end(pair: Pair, samples: Samples, direction: int, entry: int):
     """Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be
     searched.
 
-    It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not
+    Its foot is nowhere near.  It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not
     sampled yet.
     """
     samples.rail[entry] = pair.rail.start
     samples.rise[entry] = 1.0
+    samples.aside[entry] = FAR_ASIDE
     if direction > 0:
         samples.rail[entry] = pair.rail.stop
         samples.rise[entry] = -1.0

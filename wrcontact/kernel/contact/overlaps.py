@@ -15,6 +15,7 @@ from ..surface.locus import outline_point
 from ..surface.tables import height_slope
 from .deep_points import append_point, deepest_entry, is_listed, merge_points, sort_last
 from .overlap_samples import walk_overlap
+from .turning_cells import UNCLEAR, count_turns, list_from_samples
 from .pressed import LINE_SHARP, NODE_SHARP, meet_wheel, turning_point
 
 #: Between two samples the overlap is examined in this many parts at most; in half as many where both samples
@@ -49,7 +50,11 @@ def find_overlaps(pair: Pair, overlap: Overlap, side: SideSearch, height: float)
     stop = walk_overlap(pair, samples, place, node + 1, 1, height, OVERLAP_LIMIT)
     for entry in range(start, stop - 1):
         if samples.adjacent[entry + 1] == 1.0:
-            list_in_cell(pair, overlap, place, entry)
+            turns = count_turns(pair, overlap, place, entry)
+            if turns == 1 and not list_from_samples(pair, overlap, place, entry):
+                turns = UNCLEAR
+            if turns == UNCLEAR:
+                list_in_cell(pair, overlap, place, entry)
     list_beside_smallest_gap(pair, overlap, side)
     if overlap.count > 0:
         find_saddles(pair, overlap, place)
@@ -153,7 +158,7 @@ def widen_bounds(pair: Pair, overlap: Overlap, place: Place, entry: int):
 def list_turning_point(pair: Pair, overlap: Overlap, place: Place, low: float, high: float, y: float) -> bool:
     """List the deepest point between two rail abscissae [m], sought from the wheel's ``y`` [m], if there is
     an overlap and it is not listed yet; whether there is a turning point."""
-    rail, turned = turning_point(pair, place, low, high, y, overlap.height, 1.0)
+    rail, turned = turning_point(pair, place, low, high, 0.5 * (low + high), y, overlap.height, 1.0)
     if turned and place.meeting.overlap > 0.0 and not is_listed(overlap, rail):
         append_point(overlap, rail, place.meeting)
     return turned
@@ -336,7 +341,8 @@ def list_beside_smallest_gap(pair: Pair, overlap: Overlap, side: SideSearch):
         if far < x:
             low = far
             high = x
-        rail, turned = turning_point(pair, place, low, high, side.best_y, overlap.height, 1.0)
+        rail, turned = turning_point(pair, place, low, high, 0.5 * (low + high), side.best_y,
+                                     overlap.height, 1.0)
         if turned and meeting.overlap > deepest:
             append_point(overlap, rail, meeting)
             sort_last(overlap)
@@ -349,6 +355,7 @@ def find_saddles(pair: Pair, overlap: Overlap, place: Place):
         point = overlap.points[entry]
         following = overlap.points[entry + 1]
         x, turned = turning_point(pair, place, point.rail, following.rail,
+                                  0.5 * (point.rail + following.rail),
                                   0.5 * (point.wheel + following.wheel), overlap.height, -1.0)
         point.saddle = x
         point.between = place.meeting.overlap

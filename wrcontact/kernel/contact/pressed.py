@@ -172,9 +172,10 @@ def limited(step: float, limit: float):
 
 
 @seldom
-def turning_point(pair: Pair, place: Place, low: float, high: float, y: float, height: float, sign: float):
+def turning_point(pair: Pair, place: Place, low: float, high: float, x: float, y: float, height: float,
+                  sign: float):
     """Rail abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
-    abscissae: Newton's method on its slope, bracketed, from the middle on; and whether the slope changes its
+    abscissae: Newton's method on its slope, bracketed, from ``x`` and ``y`` on; and whether the slope changes its
     sign there: it may do so a little beyond the bracket.  The rest is the place's ``meeting``.
 
     The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
@@ -182,7 +183,6 @@ def turning_point(pair: Pair, place: Place, low: float, high: float, y: float, h
     is halved.
     """
     meeting = place.meeting
-    x = 0.5 * (low + high)
     before = 0.0
     moved_low = False
     moved_high = False

@@ -70,7 +70,7 @@ static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_doub
 static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_double_1d work, int64_t pair, double y, double bend);
 static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station);
 static OUT_OF_LINE double pressed__limited(double step, double limit);
-static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, bool* result_1_0001, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double y, double height, double sign);
+static OUT_OF_LINE int64_t pressed__turning_point(double* result_0_0001, bool* result_1_0001, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign);
 
 /* contact/pressed_regions.py */
 static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point);
@@ -95,6 +95,15 @@ static inline int64_t traces__trace_profile(double* result_0, double* result_1, 
 static inline int64_t traces__trace_rail(double* ordinate, double* rate, double* bend, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
 static inline int64_t traces__trace_outline(double* ordinate, double* result_1, double* ordinate_bend, double* curvature, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
 static inline int64_t traces__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
+
+/* contact/turning_cells.py */
+static OUT_OF_LINE double turning_cells__foot_error(array_double_1d work, int64_t entry);
+static OUT_OF_LINE bool turning_cells__open_cell(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t entry);
+static OUT_OF_LINE int64_t turning_cells__bound_departure(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry);
+static OUT_OF_LINE int64_t turning_cells__part_turns(double first, double last, double error, double least, double most, double width);
+static OUT_OF_LINE int64_t turning_cells__joined_turns(array_double_1d work, double before, double after, double rise);
+static OUT_OF_LINE int64_t turning_cells__count_turns(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
+static OUT_OF_LINE bool turning_cells__list_from_samples(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
 
 /* contact/widths.py */
 static inline double widths__width_limit(array_double_1d work, int64_t region, double direction);
@@ -745,7 +754,7 @@ static inline int64_t deep_points__follow_overlaps(array_double_1d tables, array
             (*cspan_at(&work, point + i_1)) = (*cspan_at(&work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
         }
         x = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-        pressed__turning_point(&x, &turned, tables, work, pair, place, x - deep_points__FOLLOWED, x + deep_points__FOLLOWED, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), height, 1.0);
+        pressed__turning_point(&x, &turned, tables, work, pair, place, x - deep_points__FOLLOWED, x + deep_points__FOLLOWED, x, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), height, 1.0);
         if ((!turned) || (!((*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)) > 0.0)))
         {
             return INT64_C(0);
@@ -772,10 +781,10 @@ static inline int64_t deep_points__follow_saddle(array_double_1d tables, array_d
     bool turned;
     y = 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL)));
     reach = double_min(2, double_min(2, deep_points__FOLLOWED, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL))), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)));
-    pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, y, height, -1.0);
+    pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), y, height, -1.0);
     if (!turned)
     {
-        pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), y, height, -1.0);
+        pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&work, following + layout__DEEP_POINT_RAIL))), y, height, -1.0);
     }
     (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
     (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
@@ -993,6 +1002,8 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
     double y_track;
     double z_track;
     double outline_slope;
+    double stretch;
+    double rate;
     double z_rail;
     double m;
     double bend;
@@ -1000,7 +1011,7 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
     double turn;
     point = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node;
     y = (*cspan_at(&tables, point + layout__SCAN_NODE_Y));
-    locus__outline_point(&y_track, &z_track, &outline_slope, work, place, y, (*cspan_at(&tables, point + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, point + layout__SCAN_NODE_SLOPE)));
+    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, place, y, (*cspan_at(&tables, point + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, point + layout__SCAN_NODE_SLOPE)), (*cspan_at(&tables, point + layout__SCAN_NODE_BEND)));
     (*abscissa) = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
     tables__height_slope_bend(&z_rail, &m, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*abscissa));
     (*gap) = z_rail - z_track;
@@ -1014,6 +1025,12 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
     {
         turn = (height - (*gap)) * m * bend * square;
     }
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)) = (double)(node);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry)) = (*gap);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry)) = (height - (*gap)) * m * square;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_SHARE + entry)) = stretch * (1.0 + m * (outline_slope - m) * square);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_BEND + entry)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_SHARE + entry)) * bend * (1.0 + double_max(2, height - (*gap), 0.0) * bend * square) - rate;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry)) = bend;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + entry)) = turn;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = outline_slope - m - turn;
     (*result_1) = m - outline_slope;
@@ -1023,13 +1040,14 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
 /* Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be
  * searched.
  *
- * It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not
+ * Its foot is nowhere near.  It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not
  * sampled yet.
  */
 static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t direction, int64_t entry)
 {
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = 1.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry)) = overlap_samples__FAR_ASIDE;
     if (direction > INT64_C(0))
     {
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP));
@@ -1122,6 +1140,7 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     int64_t start;
     int64_t stop;
     int64_t entry;
+    int64_t turns;
     int64_t result;
     place = side + layout__SIDE_SEARCH_PLACE;
     node = bounds__node_below(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
@@ -1134,7 +1153,15 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     {
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) == 1.0)
         {
-            overlaps__list_in_cell(tables, work, pair, place, entry);
+            turns = turning_cells__count_turns(tables, work, pair, place, entry);
+            if ((turns == INT64_C(1)) && (!turning_cells__list_from_samples(tables, work, pair, place, entry)))
+            {
+                turns = turning_cells__UNCLEAR;
+            }
+            if (turns == turning_cells__UNCLEAR)
+            {
+                overlaps__list_in_cell(tables, work, pair, place, entry);
+            }
         }
     }
     overlaps__list_beside_smallest_gap(tables, work, pair, side);
@@ -1291,7 +1318,7 @@ static OUT_OF_LINE bool overlaps__list_turning_point(array_double_1d tables, arr
 {
     double rail;
     bool turned;
-    pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
+    pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, 0.5 * (low + high), y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
     if (turned && ((*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)) > 0.0) && (!deep_points__is_listed(work, rail)))
     {
         deep_points__append_point(work, rail, place + layout__PLACE_MEETING);
@@ -1614,7 +1641,7 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d ta
             low = far;
             high = x;
         }
-        pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
+        pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, 0.5 * (low + high), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
         if (turned && ((*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) > deepest))
         {
             deep_points__append_point(work, rail, meeting);
@@ -1638,7 +1665,7 @@ static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d tables, array_
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
-        pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), -1.0);
+        pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&work, following + layout__DEEP_POINT_RAIL))), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), -1.0);
         (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
         (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
     }
@@ -1847,17 +1874,16 @@ static OUT_OF_LINE double pressed__limited(double step, double limit)
 }
 
 /* Rail abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
- * abscissae: Newton's method on its slope, bracketed, from the middle on; and whether the slope changes its
+ * abscissae: Newton's method on its slope, bracketed, from ``x`` and ``y`` on; and whether the slope changes its
  * sign there: it may do so a little beyond the bracket.  The rest is the place's ``meeting``.
  *
  * The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
  * Newton's method can then alternate between two places.  Where a step has not halved the slope, the bracket
  * is halved.
  */
-static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, bool* result_1_0001, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double y, double height, double sign)
+static OUT_OF_LINE int64_t pressed__turning_point(double* result_0_0001, bool* result_1_0001, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign)
 {
     int64_t meeting;
-    double x;
     double before;
     bool moved_low;
     bool moved_high;
@@ -1868,7 +1894,6 @@ static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, bool* result
     double newton;
     double rise;
     meeting = place + layout__PLACE_MEETING;
-    x = 0.5 * (low + high);
     before = 0.0;
     moved_low = 0;
     moved_high = 0;
@@ -1876,7 +1901,7 @@ static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, bool* result
     {
         if (!pressed__meet_wheel(tables, work, pair, place, x, y, height, pressed__LINE_SHARP))
         {
-            (*result_0) = x;
+            (*result_0_0001) = x;
             (*result_1_0001) = 0;
             return 0;
         }
@@ -1909,7 +1934,7 @@ static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, bool* result
         before = fabs((*cspan_at(&work, meeting + layout__MEETING_RISE)));
     }
     rise = fabs((*cspan_at(&work, meeting + layout__MEETING_RISE)));
-    (*result_0) = x;
+    (*result_0_0001) = x;
     (*result_1_0001) = (rise < pressed__ZERO_RISE) || ((rise < pressed__LEVEL_RISE) && moved_low && moved_high);
     return 0;
 }
@@ -2508,6 +2533,265 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
     (*ordinate) = across * sine - up * cosine - excess * (rate - 0.5 * excess * (*ordinate_bend));
     (*result_1) = rate - excess * (*ordinate_bend);
     return 0;
+}
+
+
+/* ---- From contact/turning_cells.py; change that one.
+ *
+ * How often the overlap of a pressed wheel turns between two neighbouring samples, from both samples alone.
+ *
+ * Along the wheel's outline, the overlap along the rail's normals turns where F = m - m_w is zero: the slope m of
+ * the rail at the foot x of the normal through the wheel's point, less the wheel's m_w there.  F rises where the
+ * overlap falls.  With Y' the outline's stretch,
+ *
+ *     F' = z_rail''(x) x' - m_w',   x' = Y' (1 + m m_w) / (1 + m^2 - depth z_rail'')
+ *
+ * Every sample has F and F'.  Between two of them F' follows a straight line but for a departure that tables
+ * bound (prepare/scan_bends.py), and for a jump where a joint of the rail lies between.  These bounds of F' say
+ * how often F can change its sign: not at all, once, or it is unclear and overlaps.py looks more closely.
+ */
+
+/* How many deepest points lie between the sample ``entry`` and the next one: 0, 1 or UNCLEAR. */
+static OUT_OF_LINE int64_t turning_cells__count_turns(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
+{
+    int64_t scan;
+    double x;
+    int64_t rail;
+    double before;
+    double after;
+    double least;
+    double most;
+    double rise;
+    int64_t turns;
+    double gap;
+    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
+    x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
+    rail = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, bounds__rail_place(tables, scan, x));
+    if (!turning_cells__open_cell(tables, work, scan, rail, entry))
+    {
+        return turning_cells__UNCLEAR;
+    }
+    turning_cells__bound_departure(tables, work, scan, rail, place, entry);
+    before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT)) * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)));
+    after = before + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP));
+    least = double_min(2, double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))), double_min(2, before, after)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE));
+    most = double_max(2, double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))), double_max(2, before, after)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE));
+    rise = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT)) * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)) + before) + (1.0 - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT))) * (after + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))));
+    if (!(fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) - rise) <= 2.0 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH))))
+    {
+        return turning_cells__UNCLEAR;
+    }
+    turns = turning_cells__part_turns((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)), least, most, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)));
+    if ((turns == turning_cells__UNCLEAR) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) != 0.0))
+    {
+        turns = turning_cells__joined_turns(work, before, after, rise);
+    }
+    if (turns > INT64_C(0))
+    {
+        gap = double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + (entry + INT64_C(1)))));
+        if (gap - 0.125 * double_max(2, most, 0.0) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)))
+        {
+            turns = INT64_C(0);
+        }
+    }
+    return turns;
+}
+
+/* The same of a ``width`` [m] in which F changes from ``first`` to ``last``, both but for an ``error``,
+ * and F' lies between ``least`` and ``most`` [1/m].
+ */
+static OUT_OF_LINE int64_t turning_cells__part_turns(double first, double last, double error, double least, double most, double width)
+{
+    int64_t turns;
+    turns = turning_cells__UNCLEAR;
+    if (most <= 0.0)
+    {
+        turns = INT64_C(0);
+    }
+    else if ((first > error) && (last > error))
+    {
+        if (bounds__only_rises_or_falls(least, most, width, first - error, last - error))
+        {
+            turns = INT64_C(0);
+        }
+    }
+    else if ((first < -error) && (last < -error))
+    {
+        if (bounds__only_rises_or_falls(least, most, width, first + error, last + error))
+        {
+            turns = INT64_C(0);
+        }
+    }
+    else if ((first < -error) && (last > error) && (least > 0.0))
+    {
+        turns = INT64_C(1);
+    }
+    return turns;
+}
+
+/* The same of both sides of the cell's joint, where F' is ``before`` and ``after`` [1/m], and ``rise``
+ * [-] what F' adds to F in the cell; UNCLEAR where the sign of F at the joint is.
+ */
+static OUT_OF_LINE int64_t turning_cells__joined_turns(array_double_1d work, double before, double after, double rise)
+{
+    double share;
+    double middle;
+    double error;
+    int64_t turns;
+    share = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT));
+    middle = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) + 0.5 * share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)) + before);
+    middle += share * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) - rise);
+    error = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)) + 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH));
+    if (!(fabs(middle) > error))
+    {
+        return turning_cells__UNCLEAR;
+    }
+    turns = turning_cells__part_turns((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)), middle, error, double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), before) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), before) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)));
+    turns += turning_cells__part_turns(middle, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)), error, double_min(2, after, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), double_max(2, after, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), (1.0 - share) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)));
+    return int64_t_min(2, turns, turning_cells__UNCLEAR);
+}
+
+/* Write F, F' and a joint between the sample ``entry``, above the cell ``rail``, and the next one to the
+ * overlap's ``cell``; whether that can be judged.
+ */
+static OUT_OF_LINE bool turning_cells__open_cell(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t entry)
+{
+    double x;
+    double length;
+    double aside;
+    double next_aside;
+    double low;
+    double high;
+    int64_t index;
+    double at;
+    x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
+    length = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) - x;
+    aside = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry));
+    next_aside = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + INT64_C(1))));
+    if (!((length > 0.0) && (length < turning_cells__WIDEST_CELL) && (double_max(2, fabs(aside), fabs(next_aside)) < turning_cells__FARTHEST_FOOT) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) - double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + (entry + INT64_C(1))))) < turning_cells__DEEPEST)))
+    {
+        return 0;
+    }
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) = -(*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)) = -(*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1))));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_BEND + entry));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_BEND + (entry + INT64_C(1))));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)) = turning_cells__SLOPE_STEP + double_max(2, turning_cells__foot_error(work, entry), turning_cells__foot_error(work, entry + INT64_C(1)));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT)) = 1.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) = 0.0;
+    low = x + double_min(2, aside, 0.0);
+    high = x + length + double_max(2, next_aside, 0.0);
+    index = (int64_t)((*cspan_at(&tables, rail + layout__RAIL_CELL_JOINT)));
+    while((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * index + layout__RAIL_JOINT_PLACE)) < low)
+    {
+        index += INT64_C(1);
+    }
+    at = (*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * index + layout__RAIL_JOINT_PLACE));
+    if (at <= high)
+    {
+        if (!((at > x + double_max(2, aside, 0.0)) && (at < x + length + double_min(2, next_aside, 0.0)) && ((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * (index + INT64_C(1)) + layout__RAIL_JOINT_PLACE)) > high)))
+        {
+            return 0;
+        }
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) = (*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * index + layout__RAIL_JOINT_JUMP));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_SHARE + entry));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT)) = (at - x - aside) / (length + next_aside - aside);
+    }
+    return 1;
+}
+
+/* By how much F may differ from the one of the sample ``entry``, which has changed on the way to the foot
+ * by ``turn``, if it went there at all.
+ */
+static OUT_OF_LINE double turning_cells__foot_error(array_double_1d work, int64_t entry)
+{
+    double change;
+    double error;
+    change = fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry)));
+    error = turning_cells__FOOT_SHARE * change;
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + entry)) == 0.0)
+    {
+        error += change;
+    }
+    return error;
+}
+
+/* Write how far F' may depart from the straight line in the open cell. */
+static OUT_OF_LINE int64_t turning_cells__bound_departure(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry)
+{
+    int64_t node;
+    double length;
+    double aside;
+    double change;
+    double share;
+    double slid;
+    double stretch;
+    double rest;
+    node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
+    length = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
+    aside = double_max(2, fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry))), fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + INT64_C(1))))));
+    change = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry));
+    share = turning_cells__CELL_SHARE;
+    slid = turning_cells__CELL_SHARE + aside / length;
+    if ((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0)
+    {
+        stretch = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_RADIUS)) * (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0)));
+        share = bounds__YAWED_SHARE + bounds__STRETCHED_SHARE * stretch;
+        slid += stretch;
+    }
+    /* a foot may lie beyond the chord's ends */
+    rest = (*cspan_at(&tables, node + layout__SCAN_NODE_DEPARTURE)) + length * (0.2 * length * (*cspan_at(&tables, rail + layout__RAIL_CELL_WAVE)) + 0.4 * (*cspan_at(&tables, rail + layout__RAIL_CELL_KINKS)));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)) = turning_cells__LEAST_DEPARTURE + (1.0 + share) * rest + slid * fabs(change) + turning_cells__WHEEL_SHARE * (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0))) + 2.0 * turning_cells__DEEPEST * fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry)));
+    return INT64_C(0);
+}
+
+/* List the one deepest point in the open cell after the sample ``entry``, sought from where the cubic
+ * through both samples is zero; whether it was found.
+ */
+static OUT_OF_LINE bool turning_cells__list_from_samples(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
+{
+    double rise;
+    double start;
+    double end;
+    double t;
+    int64_t i;
+    double rest;
+    double curve;
+    double slope;
+    double low;
+    double high;
+    double slack;
+    double x;
+    int64_t meeting;
+    bool turned;
+    rise = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST));
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) - rise;
+    end = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) - rise;
+    t = (-(*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST))) / rise;
+    for (i = INT64_C(0); i < turning_cells__CUBIC_ITERATIONS; i += INT64_C(1))
+    {
+        rest = 1.0 - t;
+        curve = rest * start - t * end;
+        slope = rise + (rest - t) * curve - t * rest * (start + end);
+        if (slope > 0.0)
+        {
+            t -= ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) + t * (rise + rest * curve)) / slope;
+        }
+        t = double_min(2, double_max(2, t, 0.0), 1.0);
+    }
+    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry));
+    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + INT64_C(1))));
+    slack = turning_cells__FOOT_SHARE * double_max(2, fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry))), fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + INT64_C(1))))));
+    pressed__turning_point(&x, &turned, tables, work, pair, place, low - slack, high + slack, low + t * (high - low), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
+    meeting = place + layout__PLACE_MEETING;
+    turned = turned && ((*cspan_at(&work, meeting + layout__MEETING_RATE)) < 0.0);
+    if (turned && ((*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) > 0.0) && (!deep_points__is_listed(work, x)))
+    {
+        deep_points__append_point(work, x, meeting);
+    }
+    return turned;
 }
 
 

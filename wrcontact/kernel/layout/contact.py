@@ -263,6 +263,12 @@ class Samples:
     wheel: SampleRun
     rise: SampleRun                 # slope of the overlap [-]
     turn: SampleRun                 # what the rail's turning normal has taken from it [-]
+    node: SampleRun                 # its scan node
+    gap: SampleRun                  # vertical gap before the wheel has come down [m]
+    aside: SampleRun                # how far the normal through the wheel's point begins beside it [m]
+    bend: SampleRun                 # of the gap along the rail's normals, over the wheel [1/m]
+    rail_bend: SampleRun            # second derivative of the rail [1/m]
+    share: SampleRun                # and the share of it in the bend [-]
     adjacent: SampleRun             # Whether no scan node lies between it and the sample before it
 
 
@@ -295,6 +301,22 @@ class Stretch:
 
 
 @record
+class TurnCell:
+    """How the slope of the gap along the rail's normals runs from one sample to the next one."""
+
+    width: float                    # on the wheel [m]
+    first: float                    # the slope at both ends [-]
+    last: float
+    error: float                    # by which either may be wrong [-]
+    first_bend: float               # and its derivatives [1/m]
+    last_bend: float
+    departure: float                # how far that may depart from a straight line between, but for a joint
+    joint: float                    # where a joint of the rail is, as a share of the width; 1 without one
+    rail_jump: float                # by how much the rail's second derivative jumps there [1/m]
+    jump: float                     # and the bend
+
+
+@record
 class Overlap:
     """Where a pressed wheel overlaps its rail."""
 
@@ -302,4 +324,5 @@ class Overlap:
     height: float                   # vertical shift of the wheel [m]
     points: DeepPoint * DEEP_LIMIT
     samples: Samples
+    cell: TurnCell
     stretch: Stretch
