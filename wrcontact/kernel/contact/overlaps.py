@@ -15,7 +15,7 @@ from ..surface.locus import outline_point
 from ..surface.tables import height_slope
 from .deep_points import append_point, deepest_entry, is_listed, merge_points, sort_last
 from .overlap_samples import walk_overlap
-from .turning_cells import UNCLEAR, count_turns, list_from_samples
+from .turning_cells import UNCLEAR, count_turns, foot_aside, list_from_samples
 from .pressed import LINE_SHARP, NODE_SHARP, meet_wheel, turning_point
 
 #: Between two samples the overlap is examined in this many parts at most; in half as many where both samples
@@ -103,8 +103,11 @@ def open_stretch(pair: Pair, overlap: Overlap, place: Place, entry: int):
     down."""
     samples = overlap.samples
     stretch = overlap.stretch
-    set_point(stretch.first, samples.rail[entry], samples.rise[entry], 0.0)
-    set_point(stretch.last, samples.rail[entry + 1], samples.rise[entry + 1], 0.0)
+    # from foot to foot where cells beside it are judged from their samples
+    low = samples.rail[entry] + min(foot_aside(samples, entry), 0.0)
+    high = samples.rail[entry + 1] + max(foot_aside(samples, entry + 1), 0.0)
+    set_point(stretch.first, max(low, pair.rail.start), samples.rise[entry], 0.0)
+    set_point(stretch.last, min(high, pair.rail.stop), samples.rise[entry + 1], 0.0)
     stretch.wheel = 0.5 * (samples.wheel[entry] + samples.wheel[entry + 1])
     stretch.width = samples.wheel[entry + 1] - samples.wheel[entry]
     node = node_below(pair.scan, samples.wheel[entry])

@@ -57,7 +57,7 @@ def count_turns(pair: Pair, overlap: Overlap, place: Place, entry: int) -> int:
                                + (1.0 - cell.joint) * (after + cell.last_bend))
     if not fabs(cell.last - cell.first - rise) <= 2.0 * cell.error + cell.departure * cell.width:
         return UNCLEAR
-    turns = part_turns(cell.first, cell.last, cell.error, least, most, cell.width)
+    turns = part_turns(cell.first, cell.last, cell.error, cell.error, least, most, cell.width)
     if turns == UNCLEAR and cell.jump != 0.0:
         turns = joined_turns(cell, before, after, rise)
     if turns > 0:
@@ -68,19 +68,20 @@ def count_turns(pair: Pair, overlap: Overlap, place: Place, entry: int) -> int:
 
 
 @seldom
-def part_turns(first: float, last: float, error: float, least: float, most: float, width: float) -> int:
-    """The same of a ``width`` [m] in which F changes from ``first`` to ``last``, both but for an ``error``,
+def part_turns(first: float, last: float, first_error: float, last_error: float, least: float, most: float,
+               width: float) -> int:
+    """The same of a ``width`` [m] in which F changes from ``first`` to ``last``, both but for their errors,
     and F' lies between ``least`` and ``most`` [1/m]."""
     turns = UNCLEAR
     if most <= 0.0:
         turns = 0
-    elif first > error and last > error:
-        if only_rises_or_falls(least, most, width, first - error, last - error):
+    elif first > first_error and last > last_error:
+        if only_rises_or_falls(least, most, width, first - first_error, last - last_error):
             turns = 0
-    elif first < -error and last < -error:
-        if only_rises_or_falls(least, most, width, first + error, last + error):
+    elif first < -first_error and last < -last_error:
+        if only_rises_or_falls(least, most, width, first + first_error, last + last_error):
             turns = 0
-    elif first < -error and last > error and least > 0.0:
+    elif first < -first_error and last > last_error and least > 0.0:
         turns = 1
     return turns
 
@@ -95,9 +96,9 @@ def joined_turns(cell: TurnCell, before: float, after: float, rise: float) -> in
     error = cell.error + 0.5 * cell.departure * cell.width
     if not fabs(middle) > error:
         return UNCLEAR
-    turns = part_turns(cell.first, middle, error, min(cell.first_bend, before) - cell.departure,
+    turns = part_turns(cell.first, middle, cell.error, error, min(cell.first_bend, before) - cell.departure,
                        max(cell.first_bend, before) + cell.departure, share * cell.width)
-    turns += part_turns(middle, cell.last, error, min(after, cell.last_bend) - cell.departure,
+    turns += part_turns(middle, cell.last, error, cell.error, min(after, cell.last_bend) - cell.departure,
                         max(after, cell.last_bend) + cell.departure, (1.0 - share) * cell.width)
     return min(turns, UNCLEAR)
 
@@ -150,6 +151,15 @@ def foot_error(samples: Samples, entry: int):
     if samples.turn[entry] == 0.0:
         error += change
     return error
+
+
+@seldom
+def foot_aside(samples: Samples, entry: int):
+    """How far the foot of the sample ``entry`` may lie aside [m]; 0 where cells beside it are not judged."""
+    aside = (1.0 + FOOT_SHARE) * samples.aside[entry]
+    if fabs(aside) > (1.0 + FOOT_SHARE) * FARTHEST_FOOT:
+        aside = 0.0
+    return aside
 
 
 @seldom

@@ -100,9 +100,10 @@ static inline int64_t traces__trace_wheel(double* ordinate, double* rate, double
 static OUT_OF_LINE double turning_cells__foot_error(array_double_1d work, int64_t entry);
 static OUT_OF_LINE bool turning_cells__open_cell(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t entry);
 static OUT_OF_LINE int64_t turning_cells__bound_departure(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry);
-static OUT_OF_LINE int64_t turning_cells__part_turns(double first, double last, double error, double least, double most, double width);
+static OUT_OF_LINE int64_t turning_cells__part_turns(double first, double last, double first_error, double last_error, double least, double most, double width);
 static OUT_OF_LINE int64_t turning_cells__joined_turns(array_double_1d work, double before, double after, double rise);
 static OUT_OF_LINE int64_t turning_cells__count_turns(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
+static OUT_OF_LINE double turning_cells__foot_aside(array_double_1d work, int64_t entry);
 static OUT_OF_LINE bool turning_cells__list_from_samples(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
 
 /* contact/widths.py */
@@ -1242,9 +1243,14 @@ static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d tables, array_
  */
 static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
 {
+    double low;
+    double high;
     int64_t node;
-    overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)), 0.0);
-    overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1)))), 0.0);
+    /* from foot to foot where cells beside it are judged from their samples */
+    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) + double_min(2, turning_cells__foot_aside(work, entry), 0.0);
+    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) + double_max(2, turning_cells__foot_aside(work, entry + INT64_C(1)), 0.0);
+    overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST, double_max(2, low, (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)), 0.0);
+    overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, double_min(2, high, (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1)))), 0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)) = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
     node = bounds__node_below(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
@@ -2581,7 +2587,7 @@ static OUT_OF_LINE int64_t turning_cells__count_turns(array_double_1d tables, ar
     {
         return turning_cells__UNCLEAR;
     }
-    turns = turning_cells__part_turns((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)), least, most, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)));
+    turns = turning_cells__part_turns((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)), least, most, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)));
     if ((turns == turning_cells__UNCLEAR) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) != 0.0))
     {
         turns = turning_cells__joined_turns(work, before, after, rise);
@@ -2597,10 +2603,10 @@ static OUT_OF_LINE int64_t turning_cells__count_turns(array_double_1d tables, ar
     return turns;
 }
 
-/* The same of a ``width`` [m] in which F changes from ``first`` to ``last``, both but for an ``error``,
+/* The same of a ``width`` [m] in which F changes from ``first`` to ``last``, both but for their errors,
  * and F' lies between ``least`` and ``most`` [1/m].
  */
-static OUT_OF_LINE int64_t turning_cells__part_turns(double first, double last, double error, double least, double most, double width)
+static OUT_OF_LINE int64_t turning_cells__part_turns(double first, double last, double first_error, double last_error, double least, double most, double width)
 {
     int64_t turns;
     turns = turning_cells__UNCLEAR;
@@ -2608,21 +2614,21 @@ static OUT_OF_LINE int64_t turning_cells__part_turns(double first, double last, 
     {
         turns = INT64_C(0);
     }
-    else if ((first > error) && (last > error))
+    else if ((first > first_error) && (last > last_error))
     {
-        if (bounds__only_rises_or_falls(least, most, width, first - error, last - error))
+        if (bounds__only_rises_or_falls(least, most, width, first - first_error, last - last_error))
         {
             turns = INT64_C(0);
         }
     }
-    else if ((first < -error) && (last < -error))
+    else if ((first < -first_error) && (last < -last_error))
     {
-        if (bounds__only_rises_or_falls(least, most, width, first + error, last + error))
+        if (bounds__only_rises_or_falls(least, most, width, first + first_error, last + last_error))
         {
             turns = INT64_C(0);
         }
     }
-    else if ((first < -error) && (last > error) && (least > 0.0))
+    else if ((first < -first_error) && (last > last_error) && (least > 0.0))
     {
         turns = INT64_C(1);
     }
@@ -2646,8 +2652,8 @@ static OUT_OF_LINE int64_t turning_cells__joined_turns(array_double_1d work, dou
     {
         return turning_cells__UNCLEAR;
     }
-    turns = turning_cells__part_turns((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)), middle, error, double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), before) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), before) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)));
-    turns += turning_cells__part_turns(middle, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)), error, double_min(2, after, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), double_max(2, after, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), (1.0 - share) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)));
+    turns = turning_cells__part_turns((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)), middle, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)), error, double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), before) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), before) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)));
+    turns += turning_cells__part_turns(middle, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)), error, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)), double_min(2, after, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), double_max(2, after, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), (1.0 - share) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)));
     return int64_t_min(2, turns, turning_cells__UNCLEAR);
 }
 
@@ -2716,6 +2722,18 @@ static OUT_OF_LINE double turning_cells__foot_error(array_double_1d work, int64_
         error += change;
     }
     return error;
+}
+
+/* How far the foot of the sample ``entry`` may lie aside [m]; 0 where cells beside it are not judged. */
+static OUT_OF_LINE double turning_cells__foot_aside(array_double_1d work, int64_t entry)
+{
+    double aside;
+    aside = (1.0 + turning_cells__FOOT_SHARE) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry));
+    if (fabs(aside) > (1.0 + turning_cells__FOOT_SHARE) * turning_cells__FARTHEST_FOOT)
+    {
+        aside = 0.0;
+    }
+    return aside;
 }
 
 /* Write how far F' may depart from the straight line in the open cell. */
