@@ -8,7 +8,7 @@ from typing import Final
 from ..layout import EXPONENTS, OVERLAP_LIMIT, Pair, Place, Samples, seldom
 from ..search.bounds import clear_exponent
 from ..surface.gap import above_rail
-from ..surface.locus import outline_jet
+from ..surface.locus import outline_jet, outline_point
 from ..surface.tables import height_slope_bend
 
 #: In place of how far aside the foot is [m].
@@ -21,8 +21,7 @@ def sample_overlap(pair: Pair, samples: Samples, place: Place, node: int, height
     abscissa [m]."""
     point = pair.scan.nodes[node]
     y = point.y
-    y_track, z_track, outline_slope, stretch, rate = outline_jet(place, y, point.height, point.slope,
-                                                                 point.bend)
+    y_track, z_track, outline_slope = outline_point(place, y, point.height, point.slope)
     abscissa = y_track - pair.rail_y
     z_rail, m, bend = height_slope_bend(pair.rail, abscissa)
     gap = z_rail - z_track
@@ -37,8 +36,7 @@ def sample_overlap(pair: Pair, samples: Samples, place: Place, node: int, height
     samples.node[entry] = float(node)
     samples.gap[entry] = gap
     samples.aside[entry] = (height - gap) * m * square
-    samples.share[entry] = stretch * (1.0 + m * (outline_slope - m) * square)
-    samples.bend[entry] = samples.share[entry] * bend * (1.0 + max(height - gap, 0.0) * bend * square) - rate
+    samples.rail_slope[entry] = m
     samples.rail_bend[entry] = bend
     samples.turn[entry] = turn
     samples.rise[entry] = outline_slope - m - turn

@@ -50,11 +50,7 @@ def find_overlaps(pair: Pair, overlap: Overlap, side: SideSearch, height: float)
     stop = walk_overlap(pair, samples, place, node + 1, 1, height, OVERLAP_LIMIT)
     for entry in range(start, stop - 1):
         if samples.adjacent[entry + 1] == 1.0:
-            turns = count_turns(pair, overlap, place, entry)
-            if turns == 1 and not list_from_samples(pair, overlap, place, entry):
-                turns = UNCLEAR
-            if turns == UNCLEAR:
-                list_in_cell(pair, overlap, place, entry)
+            list_in_cell(pair, overlap, place, entry)
     list_beside_smallest_gap(pair, overlap, side)
     if overlap.count > 0:
         find_saddles(pair, overlap, place)
@@ -71,6 +67,17 @@ def list_in_cell(pair: Pair, overlap: Overlap, place: Place, entry: int):
     hidden = may_turn(pair, samples, place, entry)
     if not hidden and not (rise > 0.0 and following <= 0.0):
         return
+    turns = count_turns(pair, overlap, place, entry)
+    if turns == 1 and list_from_samples(pair, overlap, place, entry):
+        turns = 0
+    if turns > 0:
+        search_cell(pair, overlap, place, entry, hidden)
+
+
+@seldom
+def search_cell(pair: Pair, overlap: Overlap, place: Place, entry: int, hidden: bool):
+    """The same by a search, of a cell in which the overlap may turn unseen if ``hidden``."""
+    samples = overlap.samples
     open_stretch(pair, overlap, place, entry)
     stretch = overlap.stretch
     finest = OVERLAP_PART
@@ -110,8 +117,8 @@ def open_stretch(pair: Pair, overlap: Overlap, place: Place, entry: int):
     set_point(stretch.last, min(high, pair.rail.stop), samples.rise[entry + 1], 0.0)
     stretch.wheel = 0.5 * (samples.wheel[entry] + samples.wheel[entry + 1])
     stretch.width = samples.wheel[entry + 1] - samples.wheel[entry]
-    node = node_below(pair.scan, samples.wheel[entry])
-    stretch.least, stretch.most = bend_bounds(pair.scan, place, node, stretch.first.x)
+    node = int(samples.node[entry])
+    stretch.least, stretch.most = bend_bounds(pair.scan, place, node, samples.rail[entry])
 
 
 @seldom
@@ -143,7 +150,7 @@ def widen_bounds(pair: Pair, overlap: Overlap, place: Place, entry: int):
     """
     scan = pair.scan
     stretch = overlap.stretch
-    node = node_below(scan, overlap.samples.wheel[entry])
+    node = int(overlap.samples.node[entry])
     if node > 0:
         low, high = bend_bounds(scan, place, node - 1, stretch.first.x)
         stretch.least = min(stretch.least, low)
@@ -177,7 +184,7 @@ def may_turn(pair: Pair, samples: Samples, place: Place, entry: int) -> bool:
         # the bounds are those of the overlap straight down
         answer = True
     elif rise * following > 0.0:
-        node = node_below(pair.scan, samples.wheel[entry])
+        node = int(samples.node[entry])
         least, most = bend_bounds(pair.scan, place, node, samples.rail[entry])
         if least < 0.0:
             width = samples.wheel[entry + 1] - samples.wheel[entry]

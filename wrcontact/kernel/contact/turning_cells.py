@@ -6,7 +6,7 @@ overlap falls.  With Y' the outline's stretch,
 
     F' = z_rail''(x) x' - m_w',   x' = Y' (1 + m m_w) / (1 + m^2 - depth z_rail'')
 
-Every sample has F and F'.  Between two of them F' follows a straight line but for a departure that tables
+At every sample F and F' are known.  Between two of them F' follows a straight line but for a departure that tables
 bound (prepare/scan_bends.py), and for a jump where a joint of the rail lies between.  These bounds of F' say
 how often F can change its sign: not at all, once, or it is unclear and overlaps.py looks more closely.
 """
@@ -14,8 +14,9 @@ how often F can change its sign: not at all, once, or it is unclear and overlaps
 from math import fabs
 from typing import Final
 
-from ..layout import Overlap, Pair, Place, RailCell, Samples, Scan, TurnCell, seldom
+from ..layout import Overlap, Pair, Place, RailCell, Samples, Scan, TurnCell, inlined, seldom
 from ..search.bounds import STRETCHED_SHARE, YAWED_SHARE, only_rises_or_falls, rail_index, rail_place
+from ..surface.locus import outline_jet
 from .deep_points import append_point, is_listed
 from .pressed import turning_point
 
@@ -46,7 +47,7 @@ def count_turns(pair: Pair, overlap: Overlap, place: Place, entry: int) -> int:
     scan = pair.scan
     x = samples.rail[entry]
     rail = scan.rail[rail_index(scan, rail_place(scan, x))]
-    if not open_cell(scan, overlap, rail, entry):
+    if not open_cell(scan, overlap, rail, place, entry):
         return UNCLEAR
     bound_departure(scan, overlap, rail, place, entry)
     before = cell.first_bend + cell.joint * (cell.last_bend - cell.jump - cell.first_bend)
@@ -104,7 +105,7 @@ def joined_turns(cell: TurnCell, before: float, after: float, rise: float) -> in
 
 
 @seldom
-def open_cell(scan: Scan, overlap: Overlap, rail: RailCell, entry: int) -> bool:
+def open_cell(scan: Scan, overlap: Overlap, rail: RailCell, place: Place, entry: int) -> bool:
     """Write F, F' and a joint between the sample ``entry``, above the cell ``rail``, and the next one to the
     overlap's ``cell``; whether that can be judged."""
     samples = overlap.samples
@@ -120,8 +121,8 @@ def open_cell(scan: Scan, overlap: Overlap, rail: RailCell, entry: int) -> bool:
     cell.width = samples.wheel[entry + 1] - samples.wheel[entry]
     cell.first = -samples.rise[entry]
     cell.last = -samples.rise[entry + 1]
-    cell.first_bend = samples.bend[entry]
-    cell.last_bend = samples.bend[entry + 1]
+    cell.share, cell.first_bend = sample_bend(scan, overlap, place, entry)
+    share, cell.last_bend = sample_bend(scan, overlap, place, entry + 1)
     cell.error = SLOPE_STEP + max(foot_error(samples, entry), foot_error(samples, entry + 1))
     cell.joint = 1.0
     cell.jump = 0.0
@@ -137,12 +138,26 @@ def open_cell(scan: Scan, overlap: Overlap, rail: RailCell, entry: int) -> bool:
                 and scan.joints[index + 1].place > high):
             return False
         cell.rail_jump = scan.joints[index].jump
-        cell.jump = cell.rail_jump * samples.share[entry]
+        cell.jump = cell.rail_jump * cell.share
         cell.joint = (at - x - aside) / (length + next_aside - aside)
     return True
 
 
-@seldom
+@inlined
+def sample_bend(scan: Scan, overlap: Overlap, place: Place, entry: int):
+    """x' [-] and F' [1/m] at the sample ``entry``."""
+    samples = overlap.samples
+    node = scan.nodes[int(samples.node[entry])]
+    y_track, z_track, outline_slope, stretch, rate = outline_jet(place, node.y, node.height, node.slope,
+                                                                 node.bend)
+    m = samples.rail_slope[entry]
+    bend = samples.rail_bend[entry]
+    depth = max(overlap.height - samples.gap[entry], 0.0)
+    share = stretch * (1.0 + (m * (outline_slope - m) + depth * bend) / (1.0 + m * m))
+    return share, share * bend - rate
+
+
+@inlined
 def foot_error(samples: Samples, entry: int):
     """By how much F may differ from the one of the sample ``entry``, which has changed on the way to the foot
     by ``turn``, if it went there at all."""

@@ -60,6 +60,7 @@ static OUT_OF_LINE double overlaps__wheel_beside(array_double_1d work, double pa
 static OUT_OF_LINE bool overlaps__turns_once(array_double_1d work, double share);
 static OUT_OF_LINE int64_t overlaps__list_hidden_point(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
 static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t finest);
+static OUT_OF_LINE int64_t overlaps__search_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry, bool hidden);
 static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
 static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
@@ -97,8 +98,9 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
 static inline int64_t traces__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
 
 /* contact/turning_cells.py */
-static OUT_OF_LINE double turning_cells__foot_error(array_double_1d work, int64_t entry);
-static OUT_OF_LINE bool turning_cells__open_cell(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t entry);
+static ALWAYS_INLINE int64_t turning_cells__sample_bend(double* share, double* result_1, array_double_1d tables, array_double_1d work, int64_t scan, int64_t place, int64_t entry);
+static ALWAYS_INLINE double turning_cells__foot_error(array_double_1d work, int64_t entry);
+static OUT_OF_LINE bool turning_cells__open_cell(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t turning_cells__bound_departure(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t turning_cells__part_turns(double first, double last, double first_error, double last_error, double least, double most, double width);
 static OUT_OF_LINE int64_t turning_cells__joined_turns(array_double_1d work, double before, double after, double rise);
@@ -1003,8 +1005,6 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
     double y_track;
     double z_track;
     double outline_slope;
-    double stretch;
-    double rate;
     double z_rail;
     double m;
     double bend;
@@ -1012,7 +1012,7 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
     double turn;
     point = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))) + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * node;
     y = (*cspan_at(&tables, point + layout__SCAN_NODE_Y));
-    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, place, y, (*cspan_at(&tables, point + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, point + layout__SCAN_NODE_SLOPE)), (*cspan_at(&tables, point + layout__SCAN_NODE_BEND)));
+    locus__outline_point(&y_track, &z_track, &outline_slope, work, place, y, (*cspan_at(&tables, point + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, point + layout__SCAN_NODE_SLOPE)));
     (*abscissa) = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
     tables__height_slope_bend(&z_rail, &m, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*abscissa));
     (*gap) = z_rail - z_track;
@@ -1029,8 +1029,7 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)) = (double)(node);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry)) = (*gap);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry)) = (height - (*gap)) * m * square;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_SHARE + entry)) = stretch * (1.0 + m * (outline_slope - m) * square);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_BEND + entry)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_SHARE + entry)) * bend * (1.0 + double_max(2, height - (*gap), 0.0) * bend * square) - rate;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_SLOPE + entry)) = m;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry)) = bend;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + entry)) = turn;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = outline_slope - m - turn;
@@ -1141,7 +1140,6 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     int64_t start;
     int64_t stop;
     int64_t entry;
-    int64_t turns;
     int64_t result;
     place = side + layout__SIDE_SEARCH_PLACE;
     node = bounds__node_below(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
@@ -1154,15 +1152,7 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     {
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) == 1.0)
         {
-            turns = turning_cells__count_turns(tables, work, pair, place, entry);
-            if ((turns == INT64_C(1)) && (!turning_cells__list_from_samples(tables, work, pair, place, entry)))
-            {
-                turns = turning_cells__UNCLEAR;
-            }
-            if (turns == turning_cells__UNCLEAR)
-            {
-                overlaps__list_in_cell(tables, work, pair, place, entry);
-            }
+            overlaps__list_in_cell(tables, work, pair, place, entry);
         }
     }
     overlaps__list_beside_smallest_gap(tables, work, pair, side);
@@ -1181,10 +1171,7 @@ static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d tables, array_
     double rise;
     double following;
     bool hidden;
-    int64_t finest;
-    bool listed;
-    int64_t i_1;
-    int64_t i_2;
+    int64_t turns;
     rise = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry));
     following = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1))));
     hidden = overlaps__may_turn(tables, work, pair, place, entry);
@@ -1192,6 +1179,25 @@ static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d tables, array_
     {
         return INT64_C(0);
     }
+    turns = turning_cells__count_turns(tables, work, pair, place, entry);
+    if ((turns == INT64_C(1)) && turning_cells__list_from_samples(tables, work, pair, place, entry))
+    {
+        turns = INT64_C(0);
+    }
+    if (turns > INT64_C(0))
+    {
+        overlaps__search_cell(tables, work, pair, place, entry, hidden);
+    }
+    return INT64_C(0);
+}
+
+/* The same by a search, of a cell in which the overlap may turn unseen if ``hidden``. */
+static OUT_OF_LINE int64_t overlaps__search_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry, bool hidden)
+{
+    int64_t finest;
+    bool listed;
+    int64_t i_1;
+    int64_t i_2;
     overlaps__open_stretch(tables, work, pair, place, entry);
     finest = overlaps__OVERLAP_PART;
     listed = 0;
@@ -1253,8 +1259,8 @@ static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d tables, array_
     overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, double_min(2, high, (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1)))), 0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)) = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
-    node = bounds__node_below(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
-    bounds__bend_bounds(cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST), cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST), tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)));
+    node = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
+    bounds__bend_bounds(cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST), cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST), tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
     return INT64_C(0);
 }
 
@@ -1298,7 +1304,7 @@ static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d tables, array_
     double high;
     double share;
     scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
-    node = bounds__node_below(tables, scan, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+    node = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
     if (node > INT64_C(0))
     {
         bounds__bend_bounds(&low, &high, tables, work, scan, place, node - INT64_C(1), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)));
@@ -1352,7 +1358,7 @@ static OUT_OF_LINE bool overlaps__may_turn(array_double_1d tables, array_double_
     }
     else if (rise * following > 0.0)
     {
-        node = bounds__node_below(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+        node = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
         bounds__bend_bounds(&least, &most, tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
         if (least < 0.0)
         {
@@ -2552,7 +2558,7 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
  *
  *     F' = z_rail''(x) x' - m_w',   x' = Y' (1 + m m_w) / (1 + m^2 - depth z_rail'')
  *
- * Every sample has F and F'.  Between two of them F' follows a straight line but for a departure that tables
+ * At every sample F and F' are known.  Between two of them F' follows a straight line but for a departure that tables
  * bound (prepare/scan_bends.py), and for a jump where a joint of the rail lies between.  These bounds of F' say
  * how often F can change its sign: not at all, once, or it is unclear and overlaps.py looks more closely.
  */
@@ -2573,7 +2579,7 @@ static OUT_OF_LINE int64_t turning_cells__count_turns(array_double_1d tables, ar
     scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
     x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
     rail = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, bounds__rail_place(tables, scan, x));
-    if (!turning_cells__open_cell(tables, work, scan, rail, entry))
+    if (!turning_cells__open_cell(tables, work, scan, rail, place, entry))
     {
         return turning_cells__UNCLEAR;
     }
@@ -2660,12 +2666,13 @@ static OUT_OF_LINE int64_t turning_cells__joined_turns(array_double_1d work, dou
 /* Write F, F' and a joint between the sample ``entry``, above the cell ``rail``, and the next one to the
  * overlap's ``cell``; whether that can be judged.
  */
-static OUT_OF_LINE bool turning_cells__open_cell(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t entry)
+static OUT_OF_LINE bool turning_cells__open_cell(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry)
 {
     double x;
     double length;
     double aside;
     double next_aside;
+    double share;
     double low;
     double high;
     int64_t index;
@@ -2681,8 +2688,8 @@ static OUT_OF_LINE bool turning_cells__open_cell(array_double_1d tables, array_d
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) = -(*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)) = -(*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1))));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_BEND + entry));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_BEND + (entry + INT64_C(1))));
+    turning_cells__sample_bend(cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_SHARE), cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND), tables, work, scan, place, entry);
+    turning_cells__sample_bend(&share, cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND), tables, work, scan, place, entry + INT64_C(1));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)) = turning_cells__SLOPE_STEP + double_max(2, turning_cells__foot_error(work, entry), turning_cells__foot_error(work, entry + INT64_C(1)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT)) = 1.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) = 0.0;
@@ -2702,16 +2709,38 @@ static OUT_OF_LINE bool turning_cells__open_cell(array_double_1d tables, array_d
             return 0;
         }
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) = (*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * index + layout__RAIL_JOINT_JUMP));
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_SHARE + entry));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_SHARE));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT)) = (at - x - aside) / (length + next_aside - aside);
     }
     return 1;
 }
 
+/* x' [-] and F' [1/m] at the sample ``entry``. */
+static ALWAYS_INLINE int64_t turning_cells__sample_bend(double* share, double* result_1, array_double_1d tables, array_double_1d work, int64_t scan, int64_t place, int64_t entry)
+{
+    int64_t node;
+    double y_track;
+    double z_track;
+    double outline_slope;
+    double stretch;
+    double rate;
+    double m;
+    double bend;
+    double depth;
+    node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
+    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, place, (*cspan_at(&tables, node + layout__SCAN_NODE_Y)), (*cspan_at(&tables, node + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, node + layout__SCAN_NODE_SLOPE)), (*cspan_at(&tables, node + layout__SCAN_NODE_BEND)));
+    m = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_SLOPE + entry));
+    bend = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry));
+    depth = double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry)), 0.0);
+    (*share) = stretch * (1.0 + (m * (outline_slope - m) + depth * bend) / (1.0 + m * m));
+    (*result_1) = (*share) * bend - rate;
+    return 0;
+}
+
 /* By how much F may differ from the one of the sample ``entry``, which has changed on the way to the foot
  * by ``turn``, if it went there at all.
  */
-static OUT_OF_LINE double turning_cells__foot_error(array_double_1d work, int64_t entry)
+static ALWAYS_INLINE double turning_cells__foot_error(array_double_1d work, int64_t entry)
 {
     double change;
     double error;

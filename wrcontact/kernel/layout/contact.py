@@ -266,9 +266,8 @@ class Samples:
     node: SampleRun                 # its scan node
     gap: SampleRun                  # vertical gap before the wheel has come down [m]
     aside: SampleRun                # how far the normal through the wheel's point begins beside it [m]
-    bend: SampleRun                 # of the gap along the rail's normals, over the wheel [1/m]
-    rail_bend: SampleRun            # second derivative of the rail [1/m]
-    share: SampleRun                # and the share of it in the bend [-]
+    rail_slope: SampleRun           # of the rail [-]
+    rail_bend: SampleRun            # and its second derivative [1/m]
     adjacent: SampleRun             # Whether no scan node lies between it and the sample before it
 
 
@@ -312,6 +311,7 @@ class TurnCell:
     last_bend: float
     departure: float                # how far that may depart from a straight line between, but for a joint
     joint: float                    # where a joint of the rail is, as a share of the width; 1 without one
+    share: float                    # x' at the first end [-]
     rail_jump: float                # by how much the rail's second derivative jumps there [1/m]
     jump: float                     # and the bend
 
