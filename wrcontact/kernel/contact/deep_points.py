@@ -165,7 +165,8 @@ def follow_saddle(pair: Pair, place: Place, point: DeepPoint, following: DeepPoi
     """Find the saddle between two neighbouring points from where it was."""
     y = 0.5 * (point.wheel + following.wheel)
     reach = min(min(FOLLOWED, point.saddle - point.rail), following.rail - point.saddle)
-    x, turned = turning_point(pair, place, point.saddle - reach, point.saddle + reach, point.saddle, y, height, -1.0)
+    x, turned = turning_point(pair, place, point.saddle - reach, point.saddle + reach, point.saddle, y,
+                              height, -1.0)
     if not turned:
         x, turned = turning_point(pair, place, point.rail, following.rail,
                                   0.5 * (point.rail + following.rail), y, height, -1.0)

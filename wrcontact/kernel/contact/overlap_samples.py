@@ -48,8 +48,8 @@ def sample_end(pair: Pair, samples: Samples, direction: int, entry: int):
     """Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be
     searched.
 
-    Its foot is nowhere near.  It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not
-    sampled yet.
+    Its foot is nowhere near.  It keeps its own wheel abscissa, less than a cell away: it may be the first
+    one, whose neighbour is not sampled yet.
     """
     samples.rail[entry] = pair.rail.start
     samples.rise[entry] = 1.0

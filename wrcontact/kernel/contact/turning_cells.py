@@ -1,14 +1,14 @@
 """How often the overlap of a pressed wheel turns between two neighbouring samples, from both samples alone.
 
-Along the wheel's outline, the overlap along the rail's normals turns where F = m - m_w is zero: the slope m of
-the rail at the foot x of the normal through the wheel's point, less the wheel's m_w there.  F rises where the
-overlap falls.  With Y' the outline's stretch,
+Along the wheel's outline, the overlap along the rail's normals turns where F = m - m_w is zero: the slope m
+of the rail at the foot x of the normal through the wheel's point, less the wheel's m_w there.  F is positive
+where the overlap falls.  With Y' the outline's stretch,
 
     F' = z_rail''(x) x' - m_w',   x' = Y' (1 + m m_w) / (1 + m^2 - depth z_rail'')
 
-At every sample F and F' are known.  Between two of them F' follows a straight line but for a departure that tables
-bound (prepare/scan_bends.py), and for a jump where a joint of the rail lies between.  These bounds of F' say
-how often F can change its sign: not at all, once, or it is unclear and overlaps.py looks more closely.
+F and F' are known at every sample.  Between two of them F' follows a straight line but for a departure that
+tables bound (prepare/scan_bends.py), and for a jump where a joint of the rail lies between.  Bounds of F' say
+how often F comes up through zero: nowhere, once, or it is unclear and overlaps.py looks more closely.
 """
 
 from math import fabs

@@ -1040,8 +1040,8 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
 /* Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be
  * searched.
  *
- * Its foot is nowhere near.  It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not
- * sampled yet.
+ * Its foot is nowhere near.  It keeps its own wheel abscissa, less than a cell away: it may be the first
+ * one, whose neighbour is not sampled yet.
  */
 static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t direction, int64_t entry)
 {
@@ -1886,8 +1886,8 @@ static OUT_OF_LINE double pressed__limited(double step, double limit)
 }
 
 /* Rail abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
- * abscissae: Newton's method on its slope, bracketed, from ``x`` and ``y`` on; and whether the slope changes its
- * sign there: it may do so a little beyond the bracket.  The rest is the place's ``meeting``.
+ * abscissae: Newton's method on its slope, bracketed, from ``x`` and ``y`` on; and whether the slope changes
+ * its sign there: it may do so a little beyond the bracket.  The rest is the place's ``meeting``.
  *
  * The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
  * Newton's method can then alternate between two places.  Where a step has not halved the slope, the bracket
@@ -2552,15 +2552,15 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
  *
  * How often the overlap of a pressed wheel turns between two neighbouring samples, from both samples alone.
  *
- * Along the wheel's outline, the overlap along the rail's normals turns where F = m - m_w is zero: the slope m of
- * the rail at the foot x of the normal through the wheel's point, less the wheel's m_w there.  F rises where the
- * overlap falls.  With Y' the outline's stretch,
+ * Along the wheel's outline, the overlap along the rail's normals turns where F = m - m_w is zero: the slope m
+ * of the rail at the foot x of the normal through the wheel's point, less the wheel's m_w there.  F is positive
+ * where the overlap falls.  With Y' the outline's stretch,
  *
  *     F' = z_rail''(x) x' - m_w',   x' = Y' (1 + m m_w) / (1 + m^2 - depth z_rail'')
  *
- * At every sample F and F' are known.  Between two of them F' follows a straight line but for a departure that tables
- * bound (prepare/scan_bends.py), and for a jump where a joint of the rail lies between.  These bounds of F' say
- * how often F can change its sign: not at all, once, or it is unclear and overlaps.py looks more closely.
+ * F and F' are known at every sample.  Between two of them F' follows a straight line but for a departure that
+ * tables bound (prepare/scan_bends.py), and for a jump where a joint of the rail lies between.  Bounds of F' say
+ * how often F comes up through zero: nowhere, once, or it is unclear and overlaps.py looks more closely.
  */
 
 /* How many deepest points lie between the sample ``entry`` and the next one: 0, 1 or UNCLEAR. */
