@@ -112,6 +112,8 @@ static OUT_OF_LINE bool turning_cells__list_from_samples(array_double_1d tables,
 static inline double widths__width_limit(array_double_1d work, int64_t region, double direction);
 static inline double widths__width_tolerance(double estimate);
 static inline double widths__zone_width(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double direction, double level, double estimate);
+static inline int64_t widths__keep_widths(array_double_1d work, int64_t region);
+static inline int64_t widths__start_widths(array_double_1d work, int64_t region);
 static inline double widths__side_curvature(double reached, double own, double mean);
 static inline int64_t widths__measure_widths(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double local_penetration);
 
@@ -2909,7 +2911,11 @@ static inline double widths__zone_width(array_double_1d tables, array_double_1d 
     abscissa = (*cspan_at(&work, region + layout__REGION_RAIL));
     y = (*cspan_at(&work, region + layout__REGION_WHEEL));
     near = widths__WIDTH_SHARP;
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)
+    {
+        near = widths__SUNK_SHARP;
+    }
+    else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         near = widths__PRESSED_SHARP;
     }
@@ -2969,6 +2975,32 @@ static inline double widths__zone_width(array_double_1d tables, array_double_1d 
         width = following;
     }
     return width;
+}
+
+/* Note the half-widths of a region about the contact point. */
+static inline int64_t widths__keep_widths(array_double_1d work, int64_t region)
+{
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
+    return INT64_C(0);
+}
+
+/* Let a region whose minimum lies within the ``first`` widths begin with them. */
+static inline int64_t widths__start_widths(array_double_1d work, int64_t region)
+{
+    double low;
+    double high;
+    (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) + (*cspan_at(&work, region + layout__REGION_OFFSET));
+    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) - (*cspan_at(&work, region + layout__REGION_OFFSET));
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) > 0.0) && (low > widths__LEAST_LEFT * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW))) && (high > widths__LEAST_LEFT * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))))
+    {
+        (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION));
+        (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
+        (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
+    }
+    return INT64_C(0);
 }
 
 /* Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on

@@ -2601,7 +2601,11 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
     y_t = (*cspan_at(&work_t, region + layout__REGION_WHEEL));
     y = (*cspan_at(&work, region + layout__REGION_WHEEL));
     near = widths__WIDTH_SHARP;
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)
+    {
+        near = widths__SUNK_SHARP;
+    }
+    else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         near = widths__PRESSED_SHARP;
     }
@@ -2695,6 +2699,43 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
     (*result_0_0001) = width;
     (*result_1_0001) = width_t;
     return 0;
+}
+
+/* Derivative of ``keep_widths``. */
+static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_double_1d work_t, int64_t region)
+{
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) = (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
+    return INT64_C(0);
+}
+
+/* Derivative of ``start_widths``. */
+static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_double_1d work_t, int64_t region)
+{
+    double low_t;
+    double low;
+    double high_t;
+    double high;
+    (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+    low_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) + (*cspan_at(&work_t, region + layout__REGION_OFFSET));
+    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) + (*cspan_at(&work, region + layout__REGION_OFFSET));
+    high_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET));
+    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) - (*cspan_at(&work, region + layout__REGION_OFFSET));
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) > 0.0) && (low > widths__LEAST_LEFT * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW))) && (high > widths__LEAST_LEFT * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))))
+    {
+        (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION));
+        (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION));
+        (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) = low_t;
+        (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
+        (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)) = high_t;
+        (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
+    }
+    return INT64_C(0);
 }
 
 /* Derivative of ``measure_widths``. */

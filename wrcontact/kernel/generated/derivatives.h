@@ -532,6 +532,8 @@ static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d ta
 static inline int64_t derivative_widths__width_limit_t(double* limit, double* limit_t, array_double_1d work, array_double_1d work_t, int64_t region, double direction, double direction_t);
 static inline int64_t derivative_widths__width_tolerance_t(double* tolerance, double* tolerance_t, double estimate, double estimate_t);
 static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t);
+static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_double_1d work_t, int64_t region);
+static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_double_1d work_t, int64_t region);
 static inline int64_t derivative_widths__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t);
 static inline int64_t derivative_widths__width_rule_t(double* width, double* width_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t);
 static inline int64_t derivative_widths__side_curvature_t(double* curvature, double* curvature_t, double reached, double reached_t, double own, double own_t, double mean, double mean_t);

@@ -228,6 +228,16 @@ class Region:
     solve_count: float              # of the first region: iterations of the force solve
 
 
+@record
+class FirstWidths:
+    """Half-widths of the interpenetration about the contact point, from which those of a region beside it are
+    sought."""
+
+    penetration: float              # at which they were measured [m]; 0 if they were not
+    low: float                      # [m]
+    high: float
+
+
 #: The loaded regions of a wheel.
 Regions = Region * REGION_LIMIT
 
