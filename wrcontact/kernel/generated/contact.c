@@ -2065,6 +2065,7 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d table
     double abscissa;
     double height;
     double depth;
+    bool sunk;
     double aside;
     double shift;
     double Dummy_0000_0;
@@ -2076,6 +2077,7 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d table
     abscissa = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
     depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    sunk = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0;
     pressed_regions__touching_shift(&aside, &shift, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), point);
     frame__open_frame(&Dummy_0000_0, &Dummy_0000_1, &Dummy_0000_2, &Dummy_0000_3, &Dummy_0000_4, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), aside, shift);
     (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(1);
@@ -2083,6 +2085,7 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d table
     (*cspan_at(&work, region + layout__REGION_GAP)) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * depth - (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
     (*cspan_at(&work, region + layout__REGION_OFFSET)) = curves__rail_length(tables, pair, abscissa, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
     pressed_regions__press_frame(work, height, (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work, region + layout__REGION_GAP)));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(sunk);
     return INT64_C(0);
 }
 

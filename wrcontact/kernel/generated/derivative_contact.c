@@ -1647,6 +1647,7 @@ static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_
     double height;
     double depth_t;
     double depth;
+    bool sunk;
     double aside;
     double aside_t;
     double shift;
@@ -1672,6 +1673,7 @@ static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
     depth_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    sunk = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0;
     derivative_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), point);
     derivative_frame__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
     (*cspan_at(&work_t, region + layout__REGION_OWN)) = 0.0;
@@ -1685,6 +1687,8 @@ static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_
     (*cspan_at(&work_t, region + layout__REGION_OFFSET)) = v7_t;
     (*cspan_at(&work, region + layout__REGION_OFFSET)) = v7;
     derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work_t, region + layout__REGION_GAP)));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(sunk);
     return INT64_C(0);
 }
 
