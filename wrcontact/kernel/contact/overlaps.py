@@ -48,10 +48,13 @@ def find_overlaps(pair: Pair, overlap: Overlap, side: SideSearch, height: float)
     overlap.stretch.known = -1
     start = walk_overlap(pair, samples, place, node, -1, height, OVERLAP_LIMIT - 1) + 1
     stop = walk_overlap(pair, samples, place, node + 1, 1, height, OVERLAP_LIMIT)
+    searched = False
     for entry in range(start, stop - 1):
         if samples.adjacent[entry + 1] == 1.0:
-            list_in_cell(pair, overlap, place, entry)
-    list_beside_smallest_gap(pair, overlap, side)
+            if list_in_cell(pair, overlap, place, entry):
+                searched = True
+    if searched or overlap.count == 0:
+        list_beside_smallest_gap(pair, overlap, side)
     if overlap.count > 0:
         find_saddles(pair, overlap, place)
         merge_points(overlap)
@@ -59,19 +62,20 @@ def find_overlaps(pair: Pair, overlap: Overlap, side: SideSearch, height: float)
 
 
 @seldom
-def list_in_cell(pair: Pair, overlap: Overlap, place: Place, entry: int):
-    """List the deepest points between the sample ``entry`` and the next one."""
+def list_in_cell(pair: Pair, overlap: Overlap, place: Place, entry: int) -> bool:
+    """List the deepest points between the sample ``entry`` and the next one; whether that took a search."""
     samples = overlap.samples
     rise = samples.rise[entry]
     following = samples.rise[entry + 1]
     hidden = may_turn(pair, samples, place, entry)
     if not hidden and not (rise > 0.0 and following <= 0.0):
-        return
+        return False
     turns = count_turns(pair, overlap, place, entry)
     if turns == 1 and list_from_samples(pair, overlap, place, entry):
         turns = 0
     if turns > 0:
         search_cell(pair, overlap, place, entry, hidden)
+    return turns > 0
 
 
 @seldom

@@ -61,7 +61,7 @@ static OUT_OF_LINE bool overlaps__turns_once(array_double_1d work, double share)
 static OUT_OF_LINE int64_t overlaps__list_hidden_point(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
 static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t finest);
 static OUT_OF_LINE int64_t overlaps__search_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry, bool hidden);
-static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
+static OUT_OF_LINE bool overlaps__list_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
 static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
 static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double height);
@@ -1141,6 +1141,7 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     int64_t node;
     int64_t start;
     int64_t stop;
+    bool searched;
     int64_t entry;
     int64_t result;
     place = side + layout__SIDE_SEARCH_PLACE;
@@ -1150,14 +1151,21 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_KNOWN)) = (double)(-INT64_C(1));
     start = overlap_samples__walk_overlap(tables, work, pair, place, node, -INT64_C(1), height, layout__OVERLAP_LIMIT - INT64_C(1)) + INT64_C(1);
     stop = overlap_samples__walk_overlap(tables, work, pair, place, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);
+    searched = 0;
     for (entry = start; entry < stop - INT64_C(1); entry += INT64_C(1))
     {
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) == 1.0)
         {
-            overlaps__list_in_cell(tables, work, pair, place, entry);
+            if (overlaps__list_in_cell(tables, work, pair, place, entry))
+            {
+                searched = 1;
+            }
         }
     }
-    overlaps__list_beside_smallest_gap(tables, work, pair, side);
+    if (searched || ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) == INT64_C(0)))
+    {
+        overlaps__list_beside_smallest_gap(tables, work, pair, side);
+    }
     if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) > INT64_C(0))
     {
         overlaps__find_saddles(tables, work, pair, place);
@@ -1167,8 +1175,8 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     return result;
 }
 
-/* List the deepest points between the sample ``entry`` and the next one. */
-static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
+/* List the deepest points between the sample ``entry`` and the next one; whether that took a search. */
+static OUT_OF_LINE bool overlaps__list_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
 {
     double rise;
     double following;
@@ -1179,7 +1187,7 @@ static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d tables, array_
     hidden = overlaps__may_turn(tables, work, pair, place, entry);
     if ((!hidden) && (!((rise > 0.0) && (following <= 0.0))))
     {
-        return INT64_C(0);
+        return 0;
     }
     turns = turning_cells__count_turns(tables, work, pair, place, entry);
     if ((turns == INT64_C(1)) && turning_cells__list_from_samples(tables, work, pair, place, entry))
@@ -1190,7 +1198,7 @@ static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d tables, array_
     {
         overlaps__search_cell(tables, work, pair, place, entry, hidden);
     }
-    return INT64_C(0);
+    return turns > INT64_C(0);
 }
 
 /* The same by a search, of a cell in which the overlap may turn unseen if ``hidden``. */
