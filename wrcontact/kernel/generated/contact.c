@@ -1128,7 +1128,8 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d tables,
  * Where a pressed wheel overlaps its rail: the deepest point of every region, and the saddles between them.
  *
  * Between two samples (:mod:`overlap_samples`) where the overlap changes from rising to falling lies a deepest
- * point, which is located along the rail's normals (:mod:`pressed`, :mod:`pressed`).  Two with a low saddle
+ * point, which is located along the rail's normals (:mod:`pressed`).  Where more than one may lie between them,
+ * both samples say how many there are (:mod:`turning_cells`), or the stretch is searched.  Two with a low saddle
  * between them are one region (deep_points.MERGE).
  */
 
