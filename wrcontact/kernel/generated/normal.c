@@ -591,6 +591,7 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
     {
         by_penetration = 1;
     }
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = 0.0;
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         analyn_contact__solve_estimated(penetration, count, satisfied, tables, work, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, by_penetration);
@@ -599,6 +600,7 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
     if (!by_penetration)
     {
         (*penetration) = estimate__first_penetration(tables, work, pair, force);
+        widths__keep_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     }
     (*count) = INT64_C(0);
     (*satisfied) = 0;
@@ -647,10 +649,13 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d tables, arr
     int64_t count;
     for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
     count = pressed_regions__gather_overlaps(tables, work, pair);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        widths__start_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+    }
     estimate__start_penetrations(work, count, penetration);
     return count;
 }

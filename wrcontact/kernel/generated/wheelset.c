@@ -832,7 +832,7 @@ static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d tables, array_double_
     left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
     right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
     hold = trial__turn_to(tables, work, roll);
-    if (((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) != left) || ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) != right))
+    if ((fabs((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) - left) > elastic__SAME_GAP) || (fabs((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) - right) > elastic__SAME_GAP))
     {
         hold = 0;
     }

@@ -30,12 +30,14 @@ TRIALS: Final[int] = 25
 #: Height and roll are found when either wheel moves by less [m], and this move is still made. Patches are
 #: those before it: 1e-11 would let their differences over less than a micrometre miss their derivatives by up
 #: to 1e-4.
-ELASTIC_SHARP: Final[float] = 1e-13
+ELASTIC_SHARP: Final[float] = 3e-13
 #: Where the sum of both residuals is larger, brackets have found a jump and no equilibrium [m].
 UNBALANCED: Final[float] = 1e-9
 #: After a longer move a trial is not the last one: it leaves out the patches, and follows the deepest points
 #: of the one before instead of a search for all [m].
 NOT_LAST: Final[float] = 1e-10
+#: A smallest gap that has moved by less than this along the wheel is the same one, found anew [m].
+SAME_GAP: Final[float] = 1e-9
 #: Strips are solved coarsely in the first trials, until a move is shorter [m]: the coarse penetrations are
 #: about as much off.
 COARSE: Final[float] = 2e-6
@@ -158,7 +160,7 @@ def gaps_hold(tables: Tables, work: Work, roll: float) -> bool:
     left = work.sides[0].best_y
     right = work.sides[1].best_y
     hold = turn_to(tables, work, roll)
-    if work.sides[0].best_y != left or work.sides[1].best_y != right:
+    if fabs(work.sides[0].best_y - left) > SAME_GAP or fabs(work.sides[1].best_y - right) > SAME_GAP:
         hold = False
     return hold
 
