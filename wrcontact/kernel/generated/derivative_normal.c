@@ -4805,7 +4805,6 @@ static inline int64_t derivative_strip_pressures__tested_displacements_t(double*
     double v2_t;
     double v3;
     double v3_t;
-    double v4;
     near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
     facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
     (*front_t) = 0.0;
@@ -4840,10 +4839,11 @@ static inline int64_t derivative_strip_pressures__tested_displacements_t(double*
         for (j = INT64_C(0); j < j_end; j += INT64_C(1))
         {
             other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+            pushed_t = (*cspan_at(&work_t, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y)) + (*cspan_at(&work, facing + j)) * (*cspan_at(&work_t, other + layout__STRIP_Y));
+            pushed = (*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
             derivative_strip_pressures__influence_at_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), away * away, away_t * away + away * away_t, (*cspan_at(&work, other + layout__STRIP_SQUARE)), (*cspan_at(&work_t, other + layout__STRIP_SQUARE)));
-            v4 = (*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
-            (*front_t) = (*front_t) + (v3_t * v4 + v3 * ((*cspan_at(&work_t, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y)) + (*cspan_at(&work, facing + j)) * (*cspan_at(&work_t, other + layout__STRIP_Y))));
-            (*front) = (*front) + v3 * v4;
+            (*front_t) = (*front_t) + (v3_t * pushed + v3 * pushed_t);
+            (*front) = (*front) + v3 * pushed;
         }
         (*back_t) = (*front_t);
         (*back) = (*front);
@@ -4936,6 +4936,7 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
 {
     int64_t low;
     int64_t high;
+    int64_t region;
     int64_t k_end;
     int64_t k;
     int64_t run;
@@ -4960,7 +4961,8 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
     while(low < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))))
     {
         high = low;
-        while((high < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (high + INT64_C(1)) + layout__TRACED_STATION_REGION))) == (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION)))))
+        region = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION)));
+        while((high < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (high + INT64_C(1)) + layout__TRACED_STATION_REGION))) == region))
         {
             high = high + INT64_C(1);
         }

@@ -2280,8 +2280,8 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
  *
  * Each strip has a place s_j along the rail, a middle x_j and a half-length a_j along the track, and the
  * pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  Wheel and rail are traced once
- * (strip_surfaces); the strips lie in runs from edge to edge, which begin like ANALYN's patches (strip_runs).  One
- * round of
+ * (strip_surfaces); the strips lie in runs from edge to edge, which begin like ANALYN's patches (strip_runs).
+ * One round of
  *
  * 1. solve sum_j F_ij y_j = c_i penetration - g_i with y = p / (pi E*) and the given force, eq. (S5)
  *    (strip_pressures),
@@ -2461,8 +2461,8 @@ static inline double strip_lengths__corrected(double ratio, double power)
     return (less + more * ratio) / (more + less * ratio);
 }
 
-/* Axis of strip ``i`` of the run that begins with strip ``first``, by how much less the surfaces are displaced towards its ends than the gap rises;
- * its middle moves to where both ends are alike.
+/* Axis of strip ``i`` of the run that begins with strip ``first``, by how much less the surfaces are
+ * displaced towards its ends than the gap rises; its middle moves to where both ends are alike.
  */
 static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_double_1d tables, int64_t first, int64_t i, double penetration, bool yawed)
 {
@@ -2645,8 +2645,8 @@ static inline int64_t strip_lengths__finish_strips(array_double_1d work, array_d
  *
  * From corrected strips to patches: each run is a patch.
  *
- * Half-length and pressure between the strips of a run follow the cosines through them, at its fine strips; to the
- * pressure comes what the fine part of the gap adds, eq. (S13).
+ * Half-length and pressure between the strips of a run follow the cosines through them, at its fine strips; to
+ * the pressure comes what the fine part of the gap adds, eq. (S13).
  */
 
 /* Fill the patches of a side from the runs of strips, which lie in ``count`` regions. */
@@ -3303,7 +3303,8 @@ static inline int64_t strip_pressures__tested_displacements(double* front, doubl
         for (j = INT64_C(0); j < j_end; j += INT64_C(1))
         {
             other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            (*front) += strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), away * away, (*cspan_at(&work, other + layout__STRIP_SQUARE))) * ((*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y)));
+            pushed = (*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
+            (*front) += strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), away * away, (*cspan_at(&work, other + layout__STRIP_SQUARE))) * pushed;
         }
         (*back) = (*front);
     }
@@ -3382,6 +3383,7 @@ static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_doubl
 {
     int64_t low;
     int64_t high;
+    int64_t region;
     int64_t k_end;
     int64_t k;
     int64_t run;
@@ -3397,7 +3399,8 @@ static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_doubl
     while(low < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))))
     {
         high = low;
-        while((high < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (high + INT64_C(1)) + layout__TRACED_STATION_REGION))) == (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION)))))
+        region = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION)));
+        while((high < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (high + INT64_C(1)) + layout__TRACED_STATION_REGION))) == region))
         {
             high += INT64_C(1);
         }
@@ -3692,8 +3695,8 @@ static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_doubl
     return INT64_C(0);
 }
 
-/* The gap at the fine strips of a run that begins with strip ``first``, and under its strips what the first
- * cosines are of it.
+/* The gap at the fine strips of a run that begins with strip ``first``, and under its strips what the
+ * first cosines are of it.
  */
 static inline int64_t strip_runs__smooth_gaps(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first)
 {

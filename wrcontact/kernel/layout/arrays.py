@@ -10,7 +10,8 @@
 
 from typing import Final
 
-from .contact import (CubicTable, CurvatureTable, DeepPoints, FirstWidths, Frame, KeptFrames, Origin, Overlap, Profile,
+from .contact import (CubicTable, CurvatureTable, DeepPoints, FirstWidths, Frame, KeptFrames, Origin,
+                      Overlap, Profile,
                       Regions)
 from .creep import Rolling, RollingTable
 from .interface import Inputs, Outputs, Parameters, PatchOutputs, Resolution, SideOutputs

@@ -197,7 +197,8 @@ def tested_displacements(tables: Tables, problem: StripProblem, i: int, away: fl
     else:
         for j in range(problem.count):
             other = strips[j]
-            front += influence_at(tables.influence, near[j], away * away, other.square) * (facing[j] * other.y)
+            pushed = facing[j] * other.y
+            front += influence_at(tables.influence, near[j], away * away, other.square) * pushed
         back = front
     return front, back
 
