@@ -3001,44 +3001,27 @@ static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_d
  */
 static inline int64_t strip_pressures__eliminate(array_double_1d work, int64_t size)
 {
-    int64_t width;
-    int64_t pair;
     int64_t k;
-    int64_t first;
-    int64_t second;
+    int64_t pivot;
     double inverse;
-    double factor;
-    int64_t j;
-    double next_inverse;
     int64_t i;
     int64_t row;
-    double next_factor;
+    double factor;
+    int64_t j;
     int64_t back;
-    int64_t pivot;
     double one;
     double other;
-    width = size + INT64_C(2);
-    for (pair = INT64_C(0); pair < py_floor_div_int64_t(size, INT64_C(2)); pair += INT64_C(1))
+    for (k = INT64_C(0); k < size - INT64_C(1); k += INT64_C(1))
     {
-        /* two columns at a time, so that every row is read and written once for both */
-        k = INT64_C(2) * pair;
-        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
-        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * (k + INT64_C(1));
-        inverse = 1.0 / (*cspan_at(&work, first + k));
-        factor = (*cspan_at(&work, second + k)) * inverse;
-        for (j = k + INT64_C(1); j < width; j += INT64_C(1))
-        {
-            (*cspan_at(&work, second + j)) -= factor * (*cspan_at(&work, first + j));
-        }
-        next_inverse = 1.0 / (*cspan_at(&work, second + (k + INT64_C(1))));
-        for (i = k + INT64_C(2); i < size; i += INT64_C(1))
+        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
+        inverse = 1.0 / (*cspan_at(&work, pivot + k));
+        for (i = k + INT64_C(1); i < size; i += INT64_C(1))
         {
             row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
             factor = (*cspan_at(&work, row + k)) * inverse;
-            next_factor = ((*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))))) * next_inverse;
-            for (j = k + INT64_C(2); j < width; j += INT64_C(1))
+            for (j = k + INT64_C(1); j < size + INT64_C(2); j += INT64_C(1))
             {
-                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, first + j)) - next_factor * (*cspan_at(&work, second + j));
+                (*cspan_at(&work, row + j)) -= factor * (*cspan_at(&work, pivot + j));
             }
         }
     }
