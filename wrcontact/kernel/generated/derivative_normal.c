@@ -3108,7 +3108,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
         n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
         count = n1;
         derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
-        derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, INT64_C(0), sweeps, force, force_t, by_penetration);
+        derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, sweeps, force, force_t, by_penetration);
         penetration_t = v2_t;
         penetration = v2;
     }
@@ -3151,7 +3151,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
             }
         }
         derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
-        derivative_strip_contact__sweep_strips_t(&v7, &v7_t, tables, work, work_t, pair, INT64_C(0), sweeps, force, force_t, by_penetration);
+        derivative_strip_contact__sweep_strips_t(&v7, &v7_t, tables, work, work_t, pair, sweeps, force, force_t, by_penetration);
         penetration_t = v7_t;
         penetration = v7;
     }
@@ -3181,7 +3181,7 @@ static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetra
     n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
     (*count) = n1;
     derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
-    derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, INT64_C(0), strip_contact__FIRST_SWEEPS, force, force_t, 0);
+    derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, strip_contact__FIRST_SWEEPS, force, force_t, 0);
     (*penetration_t) = v2_t;
     (*penetration) = v2;
     (*satisfied) = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
@@ -3220,38 +3220,43 @@ static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tab
 }
 
 /* Derivative of ``sweep_strips``. */
-static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetration, double* penetration_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t first, int64_t last, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetration, double* penetration_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t sweeps, double force, double force_t, bool by_penetration)
 {
     bool yawed;
     int64_t sweep;
+    bool last;
     bool given;
     double v1;
     double v1_t;
-    double relaxed;
+    double share;
     yawed = frame__is_yawed(work);
     (*penetration_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    for (sweep = first; sweep < last; sweep += INT64_C(1))
+    for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
     {
-        if (sweep > INT64_C(0))
-        {
-            derivative_strip_runs__renew_runs_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
-        }
+        last = sweep == sweeps - INT64_C(1);
         given = by_penetration;
-        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)) && (sweep < last - INT64_C(1)))
+        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)) && (!last))
         {
             given = 1;
         }
-        derivative_strip_runs__lay_strips_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))), sweep >= last - strip_contact__SMOOTH_SWEEPS);
+        derivative_strip_runs__lay_strips_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))), sweep >= sweeps - strip_contact__SMOOTH_SWEEPS);
         derivative_strip_pressures__solve_pressures_t(&v1, &v1_t, work, work_t, tables, force, force_t, given, yawed);
         (*penetration_t) = v1_t;
         (*penetration) = v1;
-        relaxed = 0.5;
-        if (sweep < INT64_C(1))
+        if ((!last) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
         {
-            relaxed = 1.0;
+            share = strip_lengths__RELAXED;
+            if (sweep == INT64_C(0))
+            {
+                share = 1.0;
+            }
+            derivative_strip_lengths__correct_lengths_t(work, work_t, tables, (*penetration), (*penetration_t), yawed, share, 0.0);
         }
-        derivative_strip_lengths__correct_lengths_t(work, work_t, tables, (*penetration), (*penetration_t), yawed, relaxed, 0.0);
+        if (!last)
+        {
+            derivative_strip_runs__renew_runs_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+        }
     }
     return 0;
 }
@@ -3405,7 +3410,7 @@ static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d 
 }
 
 /* Derivative of ``correct_lengths``. */
-static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, bool yawed, double relaxed, double relaxed_t)
+static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, bool yawed, double share, double share_t)
 {
     int64_t waves;
     int64_t k_end;
@@ -3427,7 +3432,7 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
         }
         derivative_strip_lengths__end_axis_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(2)));
         derivative_strip_lengths__end_axis_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(2)));
-        derivative_strip_lengths__move_edges_t(tables, work, work_t, waves, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k, first, relaxed, relaxed_t);
+        derivative_strip_lengths__move_edges_t(tables, work, work_t, waves, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k, first, share, share_t);
         derivative_strip_lengths__finish_strips_t(work, work_t, tables, k);
     }
     return INT64_C(0);
@@ -3470,7 +3475,7 @@ static inline int64_t derivative_strip_lengths__end_axis_t(array_double_1d work,
 }
 
 /* Derivative of ``move_edges``. */
-static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t first, double relaxed, double relaxed_t)
+static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t first, double share, double share_t)
 {
     int64_t count;
     double start_t;
@@ -3587,7 +3592,7 @@ static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tab
     v8 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
     half_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START)));
     half = 0.5 * v8;
-    v10 = relaxed * start;
+    v10 = share * start;
     v11 = low;
     v11_t = low_t;
     if (least > v11)
@@ -3596,10 +3601,10 @@ static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tab
         v11_t = least_t;
     }
     v12 = v10 / v11;
-    derivative_strip_lengths__edge_move_t(&v9, &v9_t, half, half_t, v12, (relaxed_t * start + relaxed * start_t - v12 * v11_t) / v11);
+    derivative_strip_lengths__edge_move_t(&v9, &v9_t, half, half_t, v12, (share_t * start + share * start_t - v12 * v11_t) / v11);
     (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)) = (*cspan_at(&work_t, run + layout__STRIP_RUN_START)) - v9_t;
     (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = (*cspan_at(&work, run + layout__STRIP_RUN_START)) - v9;
-    v14 = relaxed * stop;
+    v14 = share * stop;
     v15 = high;
     v15_t = high_t;
     if (least > v15)
@@ -3608,7 +3613,7 @@ static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tab
         v15_t = least_t;
     }
     v16 = v14 / v15;
-    derivative_strip_lengths__edge_move_t(&v13, &v13_t, half, half_t, v16, (relaxed_t * stop + relaxed * stop_t - v16 * v15_t) / v15);
+    derivative_strip_lengths__edge_move_t(&v13, &v13_t, half, half_t, v16, (share_t * stop + share * stop_t - v16 * v15_t) / v15);
     (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) + v13_t;
     (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) + v13;
     k17 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START;
@@ -3637,20 +3642,20 @@ static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tab
 /* Derivative of ``edge_move``. */
 static inline int64_t derivative_strip_lengths__edge_move_t(double* v5, double* result_1, double half, double half_t, double away, double away_t)
 {
-    double share_t;
-    double share;
+    double far_t;
+    double far;
     double v1;
     double v2;
     double v3;
     double v4;
-    share_t = away_t / strip_lengths__FARTHEST_EDGE;
-    share = away / strip_lengths__FARTHEST_EDGE;
+    far_t = away_t / strip_lengths__FARTHEST_EDGE;
+    far = away / strip_lengths__FARTHEST_EDGE;
     v1 = strip_lengths__FARTHEST_EDGE * half;
-    v2 = v1 * share;
-    v3 = 1.0 + share * share;
+    v2 = v1 * far;
+    v3 = 1.0 + far * far;
     v4 = sqrt(v3);
     (*v5) = v2 / v4;
-    (*result_1) = (strip_lengths__FARTHEST_EDGE * half_t * share + v1 * share_t - (*v5) * derivative_rates__root_rate(v4, share_t * share + share * share_t)) / v4;
+    (*result_1) = (strip_lengths__FARTHEST_EDGE * half_t * far + v1 * far_t - (*v5) * derivative_rates__root_rate(v4, far_t * far + far * far_t)) / v4;
     return 0;
 }
 
@@ -4372,38 +4377,64 @@ static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d 
 /* Derivative of ``eliminate``. */
 static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d work, array_double_1d work_t, int64_t size)
 {
+    int64_t width;
+    int64_t pair;
     int64_t k;
-    int64_t pivot;
+    int64_t first;
+    int64_t second;
     double v1;
     double inverse_t;
     double inverse;
-    int64_t i;
-    int64_t row;
     double factor_t;
     double factor;
     int64_t j;
+    double v2;
+    double next_inverse_t;
+    double next_inverse;
+    int64_t i;
+    int64_t row;
+    double v3;
+    double next_factor_t;
+    double next_factor;
     int64_t back;
+    int64_t pivot;
     double one_t;
     double one;
     double other_t;
     double other;
-    double v2;
-    double v3;
-    for (k = INT64_C(0); k < size - INT64_C(1); k += INT64_C(1))
+    double v4;
+    double v5;
+    width = size + INT64_C(2);
+    for (pair = INT64_C(0); pair < py_floor_div_int64_t(size, INT64_C(2)); pair += INT64_C(1))
     {
-        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
-        v1 = 1.0 / (*cspan_at(&work, pivot + k));
-        inverse_t = (-v1) * (*cspan_at(&work_t, pivot + k)) / (*cspan_at(&work, pivot + k));
+        k = INT64_C(2) * pair;
+        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
+        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * (k + INT64_C(1));
+        v1 = 1.0 / (*cspan_at(&work, first + k));
+        inverse_t = (-v1) * (*cspan_at(&work_t, first + k)) / (*cspan_at(&work, first + k));
         inverse = v1;
-        for (i = k + INT64_C(1); i < size; i += INT64_C(1))
+        factor_t = (*cspan_at(&work_t, second + k)) * inverse + (*cspan_at(&work, second + k)) * inverse_t;
+        factor = (*cspan_at(&work, second + k)) * inverse;
+        for (j = k + INT64_C(1); j < width; j += INT64_C(1))
+        {
+            (*cspan_at(&work_t, second + j)) = (*cspan_at(&work_t, second + j)) - (factor_t * (*cspan_at(&work, first + j)) + factor * (*cspan_at(&work_t, first + j)));
+            (*cspan_at(&work, second + j)) = (*cspan_at(&work, second + j)) - factor * (*cspan_at(&work, first + j));
+        }
+        v2 = 1.0 / (*cspan_at(&work, second + (k + INT64_C(1))));
+        next_inverse_t = (-v2) * (*cspan_at(&work_t, second + (k + INT64_C(1)))) / (*cspan_at(&work, second + (k + INT64_C(1))));
+        next_inverse = v2;
+        for (i = k + INT64_C(2); i < size; i += INT64_C(1))
         {
             row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
             factor_t = (*cspan_at(&work_t, row + k)) * inverse + (*cspan_at(&work, row + k)) * inverse_t;
             factor = (*cspan_at(&work, row + k)) * inverse;
-            for (j = k + INT64_C(1); j < size + INT64_C(2); j += INT64_C(1))
+            v3 = (*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))));
+            next_factor_t = ((*cspan_at(&work_t, row + (k + INT64_C(1)))) - (factor_t * (*cspan_at(&work, first + (k + INT64_C(1)))) + factor * (*cspan_at(&work_t, first + (k + INT64_C(1)))))) * next_inverse + v3 * next_inverse_t;
+            next_factor = v3 * next_inverse;
+            for (j = k + INT64_C(2); j < width; j += INT64_C(1))
             {
-                (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, row + j)) - (factor_t * (*cspan_at(&work, pivot + j)) + factor * (*cspan_at(&work_t, pivot + j)));
-                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, pivot + j));
+                (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, row + j)) - (factor_t * (*cspan_at(&work, first + j)) + factor * (*cspan_at(&work_t, first + j))) - (next_factor_t * (*cspan_at(&work, second + j)) + next_factor * (*cspan_at(&work_t, second + j)));
+                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, first + j)) - next_factor * (*cspan_at(&work, second + j));
             }
         }
     }
@@ -4423,12 +4454,12 @@ static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d wo
             other_t = other_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1)))) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, row + (size + INT64_C(1)))));
             other = other - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1))));
         }
-        v2 = one / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work_t, pivot + size)) = (one_t - v2 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work, pivot + size)) = v2;
-        v3 = other / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work_t, pivot + (size + INT64_C(1)))) = (other_t - v3 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work, pivot + (size + INT64_C(1)))) = v3;
+        v4 = one / (*cspan_at(&work, pivot + k));
+        (*cspan_at(&work_t, pivot + size)) = (one_t - v4 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
+        (*cspan_at(&work, pivot + size)) = v4;
+        v5 = other / (*cspan_at(&work, pivot + k));
+        (*cspan_at(&work_t, pivot + (size + INT64_C(1)))) = (other_t - v5 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
+        (*cspan_at(&work, pivot + (size + INT64_C(1)))) = v5;
     }
     return INT64_C(0);
 }

@@ -402,7 +402,7 @@ static inline int64_t derivative_stiffness__stiffnesses_at_t(double* along, doub
 /* derivative_strip_contact.py */
 static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
 static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair);
-static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetration, double* penetration_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t first, int64_t last, double force, double force_t, bool by_penetration);
+static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetration, double* penetration_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t sweeps, double force, double force_t, bool by_penetration);
 static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t);
 static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t);
 
@@ -411,9 +411,9 @@ static inline int64_t derivative_strip_lengths__corrected_t(double* v3, double* 
 static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t first, int64_t i, double penetration, double penetration_t, bool yawed);
 static inline int64_t derivative_strip_lengths__end_axis_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t inner, int64_t second);
 static inline int64_t derivative_strip_lengths__edge_move_t(double* v5, double* result_1, double half, double half_t, double away, double away_t);
-static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t first, double relaxed, double relaxed_t);
+static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t first, double share, double share_t);
 static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t k);
-static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, bool yawed, double relaxed, double relaxed_t);
+static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, bool yawed, double share, double share_t);
 
 /* derivative_strip_patches.py */
 static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t index, double station, double station_t, double x, double x_t);
