@@ -231,15 +231,17 @@ TABLES = {
 }
 
 
+KINDS = {"ModelExchange": "model exchange", "CoSimulation": "co-simulation"}
+
+
 def _abilities(root):
     """Capabilities and log categories, as the model description declares them."""
-    abilities = dict(root.find("CoSimulation").attrib)
-    abilities.pop("modelIdentifier")
-    rows = "".join(f"<tr><td><code>{name}</code></td><td>{value}</td></tr>\n"
-                   for name, value in abilities.items())
+    rows = "".join(f"<tr><td>{words}</td><td><code>{name}</code></td><td>{value}</td></tr>\n"
+                   for kind, words in KINDS.items() for element in root.iter(kind)
+                   for name, value in element.attrib.items() if name != "modelIdentifier")
     logs = "".join(f"<tr><td><code>{category.get('name')}</code></td><td>{escape(category.get('description'))}</td></tr>\n"
                    for category in root.iter("Category"))
-    return (f"<h2>Capabilities</h2>\n<table>\n<tr><th>capability</th><th>declared</th></tr>\n{rows}</table>\n"
+    return (f"<h2>Capabilities</h2>\n<table>\n<tr><th>for</th><th>capability</th><th>declared</th></tr>\n{rows}</table>\n"
             f"<h2>Log categories</h2>\n<table>\n<tr><th>category</th><th>lines</th></tr>\n{logs}</table>\n")
 
 
