@@ -32,7 +32,7 @@ def moved(archive, duration, step, forces=None, derivative=None, **parameters):
 def test_description(archives):
     """Units have the SI exponents of the contact FMU's, so that masters see them fit."""
     assert validate_fmu(str(archives[1])) == []
-    contact, wheelset = ({unit.name: unit.baseUnit for unit in read_model_description(str(archive)).unitDefinitions}
+    contact, wheelset = ({unit.name: str(unit.baseUnit) for unit in read_model_description(str(archive)).unitDefinitions}
                          for archive in archives)
     assert {"m", "rad", "N", "N.m", "m/s", "rad/s", "1/m", "W"} <= set(contact) & set(wheelset)
     assert {name: wheelset[name] for name in set(contact) & set(wheelset)} == {
