@@ -122,7 +122,8 @@ def master(archives):
 def exchanged(archives):
     """One solver with a variable step beside co-simulation with fixed ones."""
     found = exchange.study(archives, exchange.build_exchange(archives[1].parent))
-    rows = [[words, str(run.steps), str(run.evaluations), f"{missed * 1e6:.2g}"] for words, run, missed in found]
+    rows = [[words, str(run.steps), str(run.evaluations), f"{missed * 1e6:.2g}"]
+            for words, run, missed in found]
     return [*table(["", "steps", "calls of the contact", "error [um]"], rows), "",
             f"Largest status {max(run.worst_status for _, run, _ in found)}."]
 

@@ -172,7 +172,8 @@ class Loop:
     def loads(wheelset, friction):
         """Inputs of the contact by name that its equilibrium needs, and that stay as they are."""
         return {"normal_force": wheelset.get("load", 157e3) / 2,
-                "lateral_shift": wheelset.get("start_lateral_shift", 0.0), "yaw": wheelset.get("start_yaw", 0.0),
+                "lateral_shift": wheelset.get("start_lateral_shift", 0.0),
+                "yaw": wheelset.get("start_yaw", 0.0),
                 "left.friction": friction, "right.friction": friction}
 
     @staticmethod

@@ -2,8 +2,9 @@
 
     python -m examples.hunting_wheelset.exchange [FOLDER]
 
-The wheelset has the states; its motion goes to the contact, whose forces go back, at every point that the solver
-tries.  ``wheelset_exchange.c`` has the equations of wheelset.py, whose tables become its model description.
+The wheelset has the states; its motion goes to the contact, whose forces go back, at every point that the
+solver tries.  ``wheelset_exchange.c`` has the equations of wheelset.py, whose tables become its model
+description.
 """
 
 import sys
@@ -36,7 +37,8 @@ NOMINAL = (1e-3, 1e-3, 1e-3, 1e-3, 1e-1, 1e-1, 1e-1, 1e-1, 1e2, 1.0)
 #: Beyond the critical speed, over the limit cycle between the flanges.
 HUNTS = SOFT | {"frame_speed": 45.0, "start_lateral_shift": LARGE}
 DURATION, GRID = 0.5, 2e-3          # [s] of three swings, and between rows of a run
-#: Of the table: relative tolerances of CVode, the last for comparison, and steps [s] without and with derivatives.
+#: Of the table: relative tolerances of CVode, the last for comparison, and steps [s] without and with
+#: derivatives.
 TOLERANCES, FINEST = (1e-3, 1e-4, 1e-5, 1e-6), 1e-9
 STEPS = {False: (4e-4, 2e-4, 1e-4, 5e-5, 2e-5), True: (4e-4, 2e-4, 1e-4)}
 
@@ -64,16 +66,19 @@ def header(guid):
 
 def description(guid):
     """The modelDescription.xml as bytes."""
-    root = Element("fmiModelDescription", fmiVersion="2.0", modelName=MODEL, guid=guid, numberOfEventIndicators="0",
+    root = Element("fmiModelDescription", fmiVersion="2.0", modelName=MODEL, guid=guid,
+                   numberOfEventIndicators="0",
                    description="Wheelset on its primary suspension, for model exchange")
     SubElement(root, "ModelExchange", modelIdentifier=MODEL, completedIntegratorStepNotNeeded="true")
     rows = variables()
     units = SubElement(root, "UnitDefinitions")
     for unit in dict.fromkeys(unit for _, unit, *_ in rows if unit):
-        SubElement(SubElement(units, "Unit", name=unit), "BaseUnit", {k: str(v) for k, v in BASE[unit].items()})
+        SubElement(SubElement(units, "Unit", name=unit), "BaseUnit",
+                   {base: str(exponent) for base, exponent in BASE[unit].items()})
     table, states = SubElement(root, "ModelVariables"), len(PARAMETERS) + len(FORCES)
     for place, (name, unit, start, causality) in enumerate(rows):
-        variable = SubElement(table, "ScalarVariable", name=name, valueReference=str(place), causality=causality,
+        variable = SubElement(table, "ScalarVariable", name=name, valueReference=str(place),
+                              causality=causality,
                               variability="fixed" if causality == "parameter" else "continuous")
         real = SubElement(variable, "Real", {"unit": unit} if unit else {})
         if start is not None:
@@ -89,7 +94,9 @@ def description(guid):
                                      ("InitialUnknowns", (*outputs, *derivatives), None)):
         parent = SubElement(structure, section)
         for place in places:
-            SubElement(parent, "Unknown", {"index": str(place + 1)} | ({"dependencies": follows} if follows else {}))
+            unknown = SubElement(parent, "Unknown", index=str(place + 1))
+            if follows:
+                unknown.set("dependencies", follows)
     return tostring(root, encoding="UTF-8", xml_declaration=True)
 
 
@@ -126,8 +133,8 @@ class Model(Unit):
 
 @dataclass
 class Travel:
-    """What a run saw: ``time`` (n,) [s], ``motion`` (n, 10), the states; ``evaluations`` of the contact, ``steps`` of
-    the solver, and the largest status at the end of a row."""
+    """What a run saw: ``time`` (n,) [s], ``motion`` (n, 10), the states; ``evaluations`` of the contact,
+    ``steps`` of the solver, and the largest status at the end of a row."""
 
     time: np.ndarray
     motion: np.ndarray
@@ -137,8 +144,8 @@ class Travel:
 
 
 class Coupled:
-    """The contact and the wheelset, both for model exchange; ``archives`` are those of the two FMUs, the rest is as in
-    :class:`~.coupling.Loop`."""
+    """The contact and the wheelset, both for model exchange; ``archives`` are those of the two FMUs, the rest
+    is as in :class:`~.coupling.Loop`."""
 
     def __init__(self, archives, wheelset=None, contact=None, friction=0.3):
         wheelset = dict(wheelset or {})
@@ -176,8 +183,8 @@ class Coupled:
         """A :class:`Travel` with a row every ``grid`` [s], by CVode with this relative tolerance."""
         slave, self.evaluations = self.wheelset.slave, 0
         solver = CVodeSolver(len(STATES), 0, slave.getContinuousStates, slave.setContinuousStates,
-                             self.get_derivatives, None, slave.getNominalsOfContinuousStates, self.set_time, None, 0.0,
-                             relativeTolerance=tolerance)
+                             self.get_derivatives, None, slave.getNominalsOfContinuousStates, self.set_time,
+                             None, 0.0, relativeTolerance=tolerance)
         CVodeSetMaxNumSteps(solver.cvode_mem, 100_000)
         motion, worst, now = [], 0, 0.0
         times, states = np.arange(round(duration / grid) + 1) * grid, self.wheelset.ports(STATES)
@@ -198,8 +205,8 @@ class Coupled:
 
 
 def stepped(archives, step, duration=DURATION, derivatives=False, wheelset=HUNTS, grid=GRID):
-    """The same by co-simulation with a fixed ``step`` [s]: a :class:`Travel`; each directional derivative counts as an
-    evaluation."""
+    """The same by co-simulation with a fixed ``step`` [s]: a :class:`Travel`; each directional derivative
+    counts as an evaluation."""
     with Loop(archives, wheelset, seen=("distance",)) as loop:
         run = loop.run(duration + grid, step, derivatives=derivatives, every=round(grid / step))
     count = round(duration / grid) + 1
@@ -220,8 +227,8 @@ def solved(archives, tolerance, duration=DURATION, wheelset=HUNTS):
 
 
 def study(archives, exchange):
-    """(words, :class:`Travel`, error [m]) of every row of the table; ``archives`` are those of co-simulation, ``exchange``
-    the wheelset for model exchange."""
+    """(words, :class:`Travel`, error [m]) of every row of the table; ``archives`` are those of co-simulation,
+    ``exchange`` the wheelset for model exchange."""
     pair = archives[0], exchange
     finest = solved(pair, FINEST)
     runs = [(f"CVode, tolerance {tolerance:.0e}", solved(pair, tolerance)) for tolerance in TOLERANCES]

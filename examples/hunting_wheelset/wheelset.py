@@ -165,9 +165,9 @@ class Wheelset(Fmi2Slave):
             setters[vr](value)
 
     def to_xml(self, model_options=None):
-        """The model description, with what PythonFMU leaves out: units, the unknowns at the start, and dependencies:
-        outputs follow from the state, which no input changes before the end of a step, and at the start from parameters
-        alone."""
+        """The model description, with what PythonFMU leaves out: units, the unknowns at the start, and
+        dependencies: outputs follow from the state, which no input changes before the end of a step, and at
+        the start from parameters alone."""
         root = super().to_xml(model_options or {})
         definitions = Element("UnitDefinitions")
         root.insert(list(root).index(root.find("CoSimulation")) + 1, definitions)

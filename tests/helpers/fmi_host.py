@@ -23,8 +23,8 @@ STATES = {2: {"take": "getFMUstate", "set": "setFMUstate", "free": "freeFMUstate
 
 
 class Fmu:
-    """An unpacked FMU: its description and where its variables are; ``exchange`` says whether its instances are for
-    model exchange, where a step is one that a solver has completed."""
+    """An unpacked FMU: its description and where its variables are; ``exchange`` says whether its instances
+    are for model exchange, where a step is one that a solver has completed."""
 
     exchange = False
 

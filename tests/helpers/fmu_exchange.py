@@ -2,11 +2,13 @@
 
 import fmpy
 import numpy as np
+
 from fmi_host import refused
 
 
 def points(fmu, rows, names, start=None):
-    """Outputs at every row of inputs, read in continuous-time mode and in event mode without any other call."""
+    """Outputs at every row of inputs, read in continuous-time mode and in event mode without any other
+    call."""
     instance = fmu.running(**(start or {}))
     seen = []
     for row in rows:
@@ -51,16 +53,19 @@ def foreign_states(fmu, rows):
         fmu.exchange = not exchange
         other = fmu.running("other")
         other.told()
-        answers[str(exchange)] = (refused(other.restore, saved), other.told(), other.go_on(rows)[-1] == before)
+        answers[str(exchange)] = (refused(other.restore, saved), other.told(),
+                                  other.go_on(rows)[-1] == before)
     return answers
 
 
 def simulated_exchange(fmu, rows, times, names, solver):
-    """simulate_fmu for model exchange: inputs are linear between the rows, whose times are those of the answer."""
+    """simulate_fmu for model exchange: inputs are linear between the rows, whose times are those of the
+    answer."""
     columns = [(name, "f8") for name in ("time", *rows[0])]
     signals = np.array([(time, *row.values()) for time, row in zip(times, rows)], dtype=columns)
-    result = fmpy.simulate_fmu(fmu.folder, fmi_type="ModelExchange", solver=solver, input=signals, output=names,
-                               start_time=times[0], stop_time=times[-1], output_interval=times[1] - times[0],
-                               step_size=times[1] - times[0])
+    interval = times[1] - times[0]
+    result = fmpy.simulate_fmu(fmu.folder, fmi_type="ModelExchange", solver=solver, input=signals,
+                               output=names, start_time=times[0], stop_time=times[-1],
+                               output_interval=interval, step_size=interval)
     return {"times": result["time"].tolist(),
             "seen": [dict(zip(result.dtype.names[1:], row[1:])) for row in result.tolist()]}

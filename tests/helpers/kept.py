@@ -38,8 +38,8 @@ def cache_folder(run):
 
 
 def kept_fmus(folder, output, maker, **chosen):
-    """The FMUs of a maker, "python" or "native", with ``chosen`` profiles and settings, as copies in the folder
-    ``output``; they are built where ``folder`` has none of these sources."""
+    """The FMUs of a maker, "python" or "native", with ``chosen`` profiles and settings, as copies in the
+    folder ``output``; they are built where ``folder`` has none of these sources."""
     place = folder / "fmus" / digest(maker, chosen)
     with locked(place):
         if not place.exists():

@@ -143,7 +143,8 @@ def creation(fmi):
     refused = {
         "empty name": {"name": b""}, "no name": {"name": None}, "wrong token": {"token": b"{0}"},
         "no token": {"token": b""},
-        "empty name, exchange": {"name": b"", "kind": 0}, "wrong token, exchange": {"token": b"{0}", "kind": 0},
+        "empty name, exchange": {"name": b"", "kind": 0},
+        "wrong token, exchange": {"token": b"{0}", "kind": 0},
         **({"another type": {"kind": 2}} if fmi.version == 2 else {"events": {"events": True},
                                                                    "intermediate": {"asked": 1}}),
     }

@@ -1,5 +1,5 @@
-"""Model exchange of native_raw.py: which function is permitted in which mode, lists of states, pointers that are
-none."""
+"""Model exchange of native_raw.py: which function is permitted in which mode, lists of states, pointers that
+are none."""
 
 from ctypes import byref, c_bool, c_double, c_int, c_size_t, c_void_p, create_string_buffer
 
@@ -9,14 +9,15 @@ MODES = ("new", "initialising", "event", "continuous", "terminated")
 
 
 def exchange_modes(fmi):
-    """The outcome and the lines of each function of model exchange, by its name and the mode in which it is called;
-    and of the same in co-simulation."""
+    """The outcome and the lines of each function of model exchange, by its name and the mode in which it is
+    called; and of the same in co-simulation."""
     answers = {f"{name}, {mode}": (call(c), fmi.told()) for name, call in calls(fmi).items() for mode in MODES
                for c in [brought_to(fmi, mode)]}
     steps = {name: (call(c), fmi.told()) for name, call in calls(fmi).items() for c in [fmi.ready()]}
     wanted, c = run(fmi, fmi.ready()), brought_to(fmi, "continuous")
     assert fmi.set(c, lateral_shift=3e-3) == OK
-    return {"exchange": answers, "steps": steps, "reset": fmi.plain("Reset", c) == OK, "again": same_run(fmi, c, wanted)}
+    return {"exchange": answers, "steps": steps, "reset": fmi.plain("Reset", c) == OK,
+            "again": same_run(fmi, c, wanted)}
 
 
 def brought_to(fmi, mode):
@@ -43,7 +44,7 @@ def same_run(fmi, c, wanted):
 
 
 def events(fmi, c):
-    """The function that ends an event, and the bytes of its answer behind its first, which say nothing is wanted."""
+    """The function that ends an event: its status, or a word if it wants something."""
     if fmi.version == 2:
         place = create_string_buffer(b"\xff" * 64)
         status = fmi.function("NewDiscreteStates")(c_void_p(c), place)

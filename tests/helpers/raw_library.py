@@ -60,7 +60,8 @@ class Library:
                                                 c_int(logging))
         if kind == 0:
             return self.function("InstantiateModelExchange")(
-                name, token, resources, c_bool(False), c_bool(logging), None, self.note if callbacks else None)
+                name, token, resources, c_bool(False), c_bool(logging), None,
+                self.note if callbacks else None)
         return self.function("InstantiateCoSimulation")(
             name, token, resources, c_bool(False), c_bool(logging), c_bool(events), c_bool(False),
             (c_uint32 * 1)(1), c_size_t(asked), None, self.note if callbacks else None, None)

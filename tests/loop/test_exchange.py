@@ -1,4 +1,5 @@
-"""Both FMUs for model exchange in one CVode: the wheelset's equations, the same motion as by fixed steps, and fewer calls."""
+"""Both FMUs for model exchange in one CVode: the wheelset's equations, the same motion as by fixed steps, and
+fewer calls."""
 
 import re
 from ctypes import c_double
@@ -7,12 +8,21 @@ import numpy as np
 import pytest
 from fmpy.validation import validate_fmu
 
-from examples.hunting_wheelset.exchange import HUNTS, NOMINAL, STATES, Model, build_exchange, error, solved, stepped
+from examples.hunting_wheelset.exchange import (
+    NOMINAL,
+    STATES,
+    Model,
+    build_exchange,
+    error,
+    solved,
+    stepped,
+)
 from examples.hunting_wheelset.wheelset import FORCES, PARAMETERS, Wheelset
 from tests.helpers.paths import ROOT
 
-CURVE = {"curve_curvature": 1 / 300, "curve_start": 2.0, "transition_length": 5.0, "canted": 0.3, "half_wheelbase": 1.2,
-         "longitudinal_stiffness": 4e5, "lateral_stiffness": 2e5, "vertical_stiffness": 1e6, "lateral_damping": 2e3,
+CURVE = {"curve_curvature": 1 / 300, "curve_start": 2.0, "transition_length": 5.0, "canted": 0.3,
+         "half_wheelbase": 1.2, "longitudinal_stiffness": 4e5, "lateral_stiffness": 2e5,
+         "vertical_stiffness": 1e6, "lateral_damping": 2e3,
          "longitudinal_damping": 1e3, "vertical_damping": 3e4, "frame_speed": 30.0}
 
 
@@ -61,8 +71,9 @@ def test_the_motion_is_that_of_small_steps(archives, exchange):
 
 
 def test_fewer_calls_for_a_smaller_error(archives, exchange):
-    """A row of the table in docs/closed_loop.md again: its calls within 10 %, which rounding may move; fewer than half as
-    many as by explicit steps of 0.1 ms, and a tenth of the error.  Largest status 1, a wheel without load for moments."""
+    """A row of the table in docs/closed_loop.md again: its calls within 10 %, which rounding may move; about
+    half as many as by explicit steps of 0.1 ms, and less than a tenth of the error.  Largest status 1, a
+    wheel without load for moments."""
     pair = archives[0], exchange
     finest, run, fixed = solved(pair, 1e-7), solved(pair, 1e-4), stepped(archives, 1e-4)
     assert run.evaluations < 0.6 * fixed.evaluations

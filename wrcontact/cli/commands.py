@@ -124,8 +124,8 @@ def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of th
               metavar="FILE", help="Rail profile, likewise")] = None,
           settings: Annotated[list[str] | None, typer.Option(
               "--set", metavar="NAME=VALUE",
-              help="Start value of a parameter, by its name in the FMU and in SI units, for tools that cannot set "
-                   "it: --set contact_mode=compliant; can be repeated")] = None,
+              help="Start value of a parameter, by its name in the FMU and in SI units, for tools that "
+                   "cannot set it: --set contact_mode=compliant; can be repeated")] = None,
           smoothing: Smoothing = None):
     """Pack the FMU of a wheelset on track and print its path.
 

@@ -39,8 +39,8 @@ def reads_files(command):
 
 
 def with_left_side(command):
-    """Decorator that adds the profiles of the left side to a command with ``--wheel`` and ``--rail``; the command receives
-    each as a pair (left, right)."""
+    """Decorator that adds the profiles of the left side to a command with ``--wheel`` and ``--rail``; the
+    command receives each as a pair (left, right)."""
 
     @wraps(command)
     def with_options(**given):
@@ -48,9 +48,9 @@ def with_left_side(command):
             given[kind] = given.pop(f"left_{kind}"), given[kind]
         return command(**given)
 
+    words = "{} profile of the left side, where it differs"
     options = [Parameter(f"left_{kind}", Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[
-        str | None, typer.Option(metavar="FILE", help=f"{kind.capitalize()} profile of the left side, where it differs")])
-        for kind in KINDS]
+        str | None, typer.Option(metavar="FILE", help=words.format(kind.capitalize()))]) for kind in KINDS]
     own = list(signature(command).parameters.values())
     with_options.__signature__ = Signature([p.replace(kind=Parameter.KEYWORD_ONLY) for p in own] + options)
     with_options.__annotations__ = {p.name: p.annotation for p in own + options}

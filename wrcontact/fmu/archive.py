@@ -20,7 +20,8 @@ TIMESTAMP = (1980, 1, 1, 0, 0, 0)
 
 
 def chosen_starts(smoothing=None, settings=None, **chosen):
-    """Start values of parameters, and the profiles that come from files, by file name; each file is read once.
+    """Start values of parameters, and the profiles that come from files, by file name; each file is read
+    once.
 
     ``settings`` are values of other parameters than profiles, by their names in the FMU;
     ``chosen`` are ``wheel_profile`` and ``rail_profile``, each a name, a file, or a pair (left, right).

@@ -190,6 +190,9 @@ results by rounding.</p>
 <p>A wrong call (an unknown value reference, a wrong type, a parameter set after initialisation, a call out of order) returns
 an error with one sentence in the log, without debug logging too, and the instance continues. An input that is not a number, or a contact off the
 profile, is not an error but a <code>status</code>.</p>
+<p>It is for co-simulation and for model exchange, with the same variables and values. In model exchange it has no states, no event
+indicators and no events of its own: outputs follow the inputs at every point that a solver tries. Where these have no valid result,
+outputs hold those of the last accepted point that had one.</p>
 <p>It has directional derivatives of all continuous outputs with respect to all inputs{ADJOINT[version]}. At a jump they are
 those of the side on which the pose lies. With status 1 the derivatives of the unloaded wheel's patch are zero; with status 2
 and higher, where outputs are held, all are zero.</p>

@@ -1,4 +1,5 @@
-"""Start values of parameters that a build fixes, by their names in the FMU: for tools that cannot set them."""
+"""Start values of parameters that a build fixes, by their names in the FMU, for tools that cannot set
+them."""
 
 from ..interface.parameters import PARAMETERS
 from ..interface.variables import PLACE, VARIABLES
@@ -38,7 +39,8 @@ def checked(settings):
     """The ``settings``, each of which is permitted by itself; ValueError in a sentence where one is not."""
     for name, value in settings.items():
         if name in ROWS and name not in SETTABLE:
-            raise ValueError(f"{name} is chosen by its own argument {ROWS[name].name}, which takes built-in names too")
+            raise ValueError(f"{name} is chosen by its own argument {ROWS[name].name}, which takes built-in "
+                             "names too")
         if name not in ROWS:
             raise ValueError(f"{name} is not a parameter of the FMU; permitted are {', '.join(SETTABLE)}"
                              f"{did_you_mean(name, SETTABLE)}")
@@ -49,7 +51,7 @@ def checked(settings):
 
 
 def keywords_of(settings):
-    """The keywords of :class:`~wrcontact.ContactSystem` for ``settings``; those of the left side with 0 are as on the
-    right."""
+    """The keywords of :class:`~wrcontact.ContactSystem` for ``settings``; those of the left side with 0 are
+    as on the right."""
     return {ROWS[name].name: ROWS[name].checked(value) for name, value in settings.items()
             if not (ROWS[name].right and value == 0)}

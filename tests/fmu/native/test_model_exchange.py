@@ -1,4 +1,5 @@
-"""Model exchange of the native FMUs: the bits of co-simulation at the same inputs, at every point of a solver."""
+"""Model exchange of the native FMUs: the bits of co-simulation at the same inputs, at every point of a
+solver."""
 
 import pytest
 
@@ -30,8 +31,10 @@ def test_outputs_follow_inputs_without_a_step(hosts, version, model):
 
 def test_derivatives_are_those_of_co_simulation(hosts, version):
     given = {"rows": moving_track(3, True), "start": MODELS["compliant"] | LEFT_SIDE,
-             "outputs": ["force.y", "moment.z", "left.area"], "inputs": ["lateral_shift", "yaw", "yaw_rate", "speed"]}
-    found, wanted = (hosts(version).ask("derivatives", exchange=exchange, **given) for exchange in (True, False))
+             "outputs": ["force.y", "moment.z", "left.area"],
+             "inputs": ["lateral_shift", "yaw", "yaw_rate", "speed"]}
+    found, wanted = (hosts(version).ask("derivatives", exchange=exchange, **given)
+                     for exchange in (True, False))
     assert found["seen"] == wanted["seen"] and any(map(any, found["seen"][0]["matrix"]))
     assert all(one["kept"] for one in found["seen"]) and found["after"]
     if version == 3:        # the adjoint of all outputs is the sum of each column
@@ -39,17 +42,16 @@ def test_derivatives_are_those_of_co_simulation(hosts, version):
             assert one["adjoint"] == pytest.approx([sum(column) for column in one["matrix"]], rel=1e-12)
 
 
-@pytest.mark.parametrize("invalid, status", [({"lateral_shift": 0.05}, 2), ({"lateral_shift": float("nan")}, 4)],
-                         ids=["off the profile", "nan"])
+@pytest.mark.parametrize("invalid, status", [(0.05, 2), (float("nan"), 4)], ids=["off the profile", "nan"])
 def test_invalid_points_hold_to_the_accepted_one(hosts, version, invalid, status):
-    """And not to one that the solver has tried; also after the state was saved and set elsewhere.  Only completed
-    steps are told."""
+    """And not to one that the solver has tried; also after the state was saved and set elsewhere.  Only
+    completed steps are told."""
     accepted, tried = poses(3)[1:]
-    seen = hosts(version).ask("tries", accepted=accepted, tried=tried, invalid=invalid, names=OUTPUT_NAMES,
-                              exchange=True)
+    seen = hosts(version).ask("tries", accepted=accepted, tried=tried,
+                              invalid={"lateral_shift": invalid}, names=OUTPUT_NAMES, exchange=True)
     codes = {name: row.pop("status") for name, row in seen.items() if isinstance(row, dict)}
-    assert codes == {"accepted": 0, "tried": 0, "invalid": status, "elsewhere": status, "still invalid elsewhere": status,
-                     "again": 0}
+    assert codes == {"accepted": 0, "tried": 0, "invalid": status, "elsewhere": status,
+                     "still invalid elsewhere": status, "again": 0}
     assert abs(seen["tried"]["right.area"] - seen["accepted"]["right.area"]) > 1e-6
     for name in ("invalid", "elsewhere", "still invalid elsewhere"):
         assert_same(seen[name], seen["accepted"], WARM_START)
@@ -70,8 +72,8 @@ def test_a_state_belongs_to_its_kind(hosts, version):
     answers = hosts(version).ask("foreign_states", rows=poses(3))
     for exchange, (refused, lines, works) in answers.items():
         kinds = ("model exchange", "co-simulation")[:: 1 if exchange == "True" else -1]
-        assert refused and works and lines == [[ERROR, "logStatusError", "the saved state is one of {}, and this instance "
-                                                "is for {}; the present state is kept".format(*kinds)]]
+        words = "the saved state is one of {}, and this instance is for {}; the present state is kept"
+        assert refused and works and lines == [[ERROR, "logStatusError", words.format(*kinds)]]
 
 
 @pytest.mark.parametrize("solver", ["CVode", "Euler"])
@@ -81,5 +83,6 @@ def test_simulated_by_fmpy(hosts, version, solver):
     host = hosts(version)
     found = host.ask("simulated_exchange", rows=rows, times=times, names=NAMES, solver=solver)
     assert found["times"] == pytest.approx(times)
-    for one, wanted in zip(found["seen"], host.ask("trajectory", rows=rows, names=NAMES)["seen"], strict=True):
+    steps = host.ask("trajectory", rows=rows, names=NAMES)["seen"]
+    for one, wanted in zip(found["seen"], steps, strict=True):
         assert_same(one, wanted, 1e-6)      # a time that was added up moves the inputs

@@ -20,7 +20,7 @@ def test_set_parameters_are_the_start_values_and_the_model(kept, tmp_path, kind)
     files = kept("python" if kind == "python" else "native", settings=SETTINGS)
     file = files[0 if kind == "python" else kind - 2]
     described = {v.name: v.start for v in read_model_description(str(file)).modelVariables}
-    assert {name: described[name] for name in SETTINGS} == {name: str(value) for name, value in SETTINGS.items()}
+    assert {name: described[name] for name in SETTINGS} == {name: str(SETTINGS[name]) for name in SETTINGS}
     assert (described["gauge_depth"], described["wheel_profile"]) == ("0.014", "S1002")
     host, rows = Host(file, tmp_path / "host"), moving_track(4, compliant=True)
     seen = host.ask("trajectory", rows=rows, names=OUTPUT_NAMES)["seen"]
@@ -29,20 +29,22 @@ def test_set_parameters_are_the_start_values_and_the_model(kept, tmp_path, kind)
         assert_same(found, stepped(made, row), WARM_START)
         assert abs(found["force.y"] - stepped(usual, row)["force.y"]) > 1.0
     # the importer may still choose another value
-    other = host.ask("trajectory", rows=rows, names=["force.y"], start={"contact_mode": "rigid", "gauge": 1.435})
+    start = {"contact_mode": "rigid", "gauge": 1.435}
+    other = host.ask("trajectory", rows=rows, names=["force.y"], start=start)
     assert other["seen"][0]["force.y"] != seen[0]["force.y"]
     host.end()
 
 
 REFUSED = {
-    "contact_mod=compliant": "contact_mod is not a parameter of the FMU; permitted are rail_inclination, gauge,",
+    "contact_mod=compliant": "contact_mod is not a parameter of the FMU; permitted are rail_inclination",
     "contact_mode=bouncy": "contact_mode is 'bouncy'; permitted are 'rigid', 'elastic', 'compliant'",
     "normal_model=halfspace": "normal_model is 'halfspace'; permitted are 'analyn', 'analyn_strip', 'hertz'",
     "gauge=wide": "gauge is 'wide'; permitted is a number, in SI units",
     "gauge=14.35": "gauge is 14.35; permitted is 0.5 ... 2 m",
     "gauge=nan": "gauge is nan; permitted is 0.5 ... 2 m",
     "left_nominal_radius=0.01": "left_nominal_radius is 0.01; permitted is 0.1 ... 1 m",
-    "wheel_profile=cone20": "wheel_profile is chosen by its own argument wheel, which takes built-in names too",
+    "wheel_profile=cone20": "wheel_profile is chosen by its own argument wheel, which takes built-in names "
+                            "too",
     "gauge": "'gauge' has no =; permitted is NAME=VALUE",
     "lateral_shift=1": "lateral_shift is not a parameter of the FMU",
 }
