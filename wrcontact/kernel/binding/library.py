@@ -159,15 +159,15 @@ class CompiledKernel:
         return self._library.wrcontact_step_many(self._handle, count,
                                                  *(block.ctypes.data for block in blocks))
 
-    def derivative(self, seed):
-        """Status of the step at the inputs, and how its outputs move where the inputs move at
-        the rates in ``seed``."""
+    def derivatives(self, seeds):
+        """Status of the step at the inputs, and how its outputs move (k, outputs) where the inputs move at
+        the rates in each row of ``seeds`` (k, inputs)."""
         if self._room is None:
             self._room = np.empty(self._library.wrcontact_derivative_room())
-        rates = np.empty(self._size)
-        seed = checked("seed", seed, INPUT_COUNT)
-        status = self._library.wrcontact_derivative(self._handle, seed.ctypes.data, rates.ctypes.data,
-                                                 self._room.ctypes.data)
+        rates = np.empty((len(seeds), self._size))
+        flat = checked("seeds", seeds, len(seeds) * INPUT_COUNT)
+        status = self._library.wrcontact_derivatives(self._handle, len(seeds), flat.ctypes.data,
+                                                     rates.ctypes.data, self._room.ctypes.data)
         return status, rates
 
 
@@ -239,7 +239,8 @@ def declare(library):
     library.wrcontact_cut_patch.argtypes = [Span]
     library.wrcontact_solve_creep_force.argtypes = [Span] * 2
     library.wrcontact_cut_patch.restype = library.wrcontact_solve_creep_force.restype = None
-    library.wrcontact_derivative.argtypes, library.wrcontact_derivative.restype = [address] * 4, ctypes.c_int
+    library.wrcontact_derivatives.argtypes = [address, ctypes.c_int64, address, address, address]
+    library.wrcontact_derivatives.restype = ctypes.c_int
     library.wrcontact_derivative_room.argtypes, library.wrcontact_derivative_room.restype = [], ctypes.c_int64
 
 

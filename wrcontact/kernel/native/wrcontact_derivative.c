@@ -59,7 +59,18 @@ static bool all_finite(const double *values, int64_t count)
     return true;
 }
 
-int wrcontact_derivative(const wrcontact_handle *handle, const double *seed, double *rates, double *room)
+/* The own step at the handle's inputs, which starts where the handle's state says; its status. */
+static int step_as(const wrcontact_handle *own, const wrcontact_handle *handle)
+{
+    memcpy(own->state.data, handle->state.data, layout__STATE_SIZE * sizeof(double));
+    memcpy(own->inputs.data, handle->inputs.data, layout__INPUT_COUNT * sizeof(double));
+    if (own->state.data[layout__STATE_WARM] == 1.0 && isfinite(own->inputs.data[layout__IN_ROLL_GUESS]))
+        own->inputs.data[layout__IN_ROLL_GUESS] = 0.0;  /* the search starts where the wheelset stands */
+    own->workspace.data[layout__WORK_KNOWN] = 0.0;
+    return wrcontact_step(own);
+}
+
+int wrcontact_derivatives(const wrcontact_handle *handle, int64_t count, const double *seeds, double *rates, double *room)
 {
     const array_double_1d work = span_of(room, layout__WORK_SIZE);
     const array_double_1d work_t = span_of(work.data + layout__WORK_SIZE, layout__WORK_SIZE);
@@ -67,21 +78,27 @@ int wrcontact_derivative(const wrcontact_handle *handle, const double *seed, dou
     const array_double_1d inputs = span_of(state.data + layout__STATE_SIZE, layout__INPUT_COUNT);
     const array_double_1d outputs = span_of(inputs.data + layout__INPUT_COUNT, outline__row_size(handle->tables));
     const wrcontact_handle own = {handle->tables, state, work, inputs, outputs};
-    memcpy(state.data, handle->state.data, layout__STATE_SIZE * sizeof(double));
-    memcpy(inputs.data, handle->inputs.data, layout__INPUT_COUNT * sizeof(double));
-    if (state.data[layout__STATE_WARM] == 1.0 && isfinite(inputs.data[layout__IN_ROLL_GUESS]))
-        inputs.data[layout__IN_ROLL_GUESS] = 0.0;       /* the search starts where the wheelset stands */
-    work.data[layout__WORK_KNOWN] = 0.0;
-    memset(rates, 0, outputs.shape[0] * sizeof(double));
-    const int status = wrcontact_step(&own);
-    if (status <= layout__UNLOADED)
+    const int64_t size = outputs.shape[0];
+    memset(rates, 0, count * size * sizeof(double));
+    int status = step_as(&own, handle);
+    for (int64_t row = 0; row < count && status <= layout__UNLOADED; row += 1)
     {
+        const double *seed = seeds + row * layout__INPUT_COUNT;
+        double *found = rates + row * size;
         memset(work_t.data, 0, layout__WORK_SIZE * sizeof(double));
         memcpy(work_t.data + layout__WORK_INPUTS, seed, layout__INPUT_COUNT * sizeof(double));
         const bool reported = derivative_wheelset_rules__differentiate_t(handle->tables, work, work_t) == 0;
-        memcpy(rates, work_t.data + layout__WORK_OUTPUTS, outputs.shape[0] * sizeof(double));
-        if (!reported || !all_finite(rates, outputs.shape[0]))
-            difference(&own, handle, seed, rates);
+        memcpy(found, work_t.data + layout__WORK_OUTPUTS, size * sizeof(double));
+        if (!reported || !all_finite(found, size))
+        {
+            difference(&own, handle, seed, found);
+            status = step_as(&own, handle);
+        }
     }
     return status;
+}
+
+int wrcontact_derivative(const wrcontact_handle *handle, const double *seed, double *rates, double *room)
+{
+    return wrcontact_derivatives(handle, 1, seed, rates, room);
 }
