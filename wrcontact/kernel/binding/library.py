@@ -163,10 +163,10 @@ class CompiledKernel:
         """Status of the step at the inputs, and how its outputs move (k, outputs) where the inputs move at
         the rates in each row of ``seeds`` (k, inputs)."""
         if self._room is None:
-            self._room = np.empty(self._library.wrcontact_derivative_room())
+            self._room = np.empty(self._library.wrcontact_jacobian_room())
         rates = np.empty((len(seeds), self._size))
         flat = checked("seeds", seeds, len(seeds) * INPUT_COUNT)
-        status = self._library.wrcontact_derivatives(self._handle, len(seeds), flat.ctypes.data,
+        status = self._library.wrcontact_jacobian(self._handle, len(seeds), flat.ctypes.data,
                                                      rates.ctypes.data, self._room.ctypes.data)
         return status, rates
 
@@ -239,9 +239,9 @@ def declare(library):
     library.wrcontact_cut_patch.argtypes = [Span]
     library.wrcontact_solve_creep_force.argtypes = [Span] * 2
     library.wrcontact_cut_patch.restype = library.wrcontact_solve_creep_force.restype = None
-    library.wrcontact_derivatives.argtypes = [address, ctypes.c_int64, address, address, address]
-    library.wrcontact_derivatives.restype = ctypes.c_int
-    library.wrcontact_derivative_room.argtypes, library.wrcontact_derivative_room.restype = [], ctypes.c_int64
+    library.wrcontact_jacobian.argtypes = [address, ctypes.c_int64, address, address, address]
+    library.wrcontact_jacobian.restype = ctypes.c_int
+    library.wrcontact_jacobian_room.argtypes, library.wrcontact_jacobian_room.restype = [], ctypes.c_int64
 
 
 def span(array):

@@ -8,176 +8,176 @@
  */
 
 /* Derivative of ``region_influence``. */
-static inline int64_t derivative_analyn__region_influence_t(double* result, double* result_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t one, int64_t other)
+static inline int64_t derivative_analyn__region_influence_t(double* result, lanes* result_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t one, int64_t other)
 {
-    double distance_t;
+    lanes distance_t;
     double distance;
     double v1;
-    double v1_t;
-    double lead_t;
+    lanes v1_t;
+    lanes lead_t;
     double lead;
-    double squares_t;
+    lanes squares_t;
     double squares;
     double v2;
     double v3;
-    double apart_t;
+    lanes apart_t;
     double apart;
     double v4;
     double v5;
     double v6;
     double v7;
-    double v7_t;
-    distance_t = (*cspan_at(&work_t, one + layout__REGION_OFFSET)) + (*cspan_at(&work_t, one + layout__REGION_MIDDLE)) - (*cspan_at(&work_t, other + layout__REGION_OFFSET)) - (*cspan_at(&work_t, other + layout__REGION_MIDDLE));
+    lanes v7_t;
+    EACH_LANE each(distance_t) = each((*lanes_at(&work_t, one + layout__REGION_OFFSET))) + each((*lanes_at(&work_t, one + layout__REGION_MIDDLE))) - each((*lanes_at(&work_t, other + layout__REGION_OFFSET))) - each((*lanes_at(&work_t, other + layout__REGION_MIDDLE)));
     distance = (*cspan_at(&work, one + layout__REGION_OFFSET)) + (*cspan_at(&work, one + layout__REGION_MIDDLE)) - (*cspan_at(&work, other + layout__REGION_OFFSET)) - (*cspan_at(&work, other + layout__REGION_MIDDLE));
     derivative_analyn__region_lead_t(&v1, &v1_t, work, work_t, one, other);
-    lead_t = v1_t;
+    EACH_LANE each(lead_t) = each(v1_t);
     lead = v1;
-    squares_t = (*cspan_at(&work_t, one + layout__REGION_SQUARE)) + (*cspan_at(&work_t, other + layout__REGION_SQUARE));
+    EACH_LANE each(squares_t) = each((*lanes_at(&work_t, one + layout__REGION_SQUARE))) + each((*lanes_at(&work_t, other + layout__REGION_SQUARE)));
     squares = (*cspan_at(&work, one + layout__REGION_SQUARE)) + (*cspan_at(&work, other + layout__REGION_SQUARE));
     v2 = distance * distance + lead * lead + analyn__ELONGATED * squares;
     v3 = sqrt(v2);
-    apart_t = derivative_rates__root_rate(v3, distance_t * distance + distance * distance_t + (lead_t * lead + lead * lead_t) + analyn__ELONGATED * squares_t);
+    EACH_LANE each(apart_t) = derivative_rates__root_rate(v3, each(distance_t) * distance + distance * each(distance_t) + (each(lead_t) * lead + lead * each(lead_t)) + analyn__ELONGATED * each(squares_t));
     apart = v3;
     v4 = M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
     v5 = v4 * apart;
     v6 = 1.0 / v5;
-    (*result_t) = (-v6) * (v4 * apart_t) / v5;
+    EACH_LANE each((*result_t)) = (-v6) * (v4 * each(apart_t)) / v5;
     (*result) = v6;
     derivative_analyn__planes_cosine_t(&v7, &v7_t, work, work_t, one, other);
-    (*result_t) = (*result_t) * v7 + (*result) * v7_t;
+    EACH_LANE each((*result_t)) = each((*result_t)) * v7 + (*result) * each(v7_t);
     (*result) = (*result) * v7;
     return 0;
 }
 
 /* Derivative of ``region_lead``. */
-static inline int64_t derivative_analyn__region_lead_t(double* lead, double* lead_t, array_double_1d work, array_double_1d work_t, int64_t one, int64_t other)
+static inline int64_t derivative_analyn__region_lead_t(double* lead, lanes* lead_t, array_double_1d work, array_lanes_1d work_t, int64_t one, int64_t other)
 {
-    (*lead_t) = 0.0;
+    (*lead_t) = all_lanes(0.0);
     (*lead) = 0.0;
     if (analyn__planes_cosine(work, one, other) < analyn__INCLINED)
     {
-        (*lead_t) = (*cspan_at(&work_t, one + layout__REGION_X_TRACK)) - (*cspan_at(&work_t, other + layout__REGION_X_TRACK));
+        EACH_LANE each((*lead_t)) = each((*lanes_at(&work_t, one + layout__REGION_X_TRACK))) - each((*lanes_at(&work_t, other + layout__REGION_X_TRACK)));
         (*lead) = (*cspan_at(&work, one + layout__REGION_X_TRACK)) - (*cspan_at(&work, other + layout__REGION_X_TRACK));
     }
     return 0;
 }
 
 /* Derivative of ``planes_cosine``. */
-static inline int64_t derivative_analyn__planes_cosine_t(double* cosine, double* cosine_t, array_double_1d work, array_double_1d work_t, int64_t one, int64_t other)
+static inline int64_t derivative_analyn__planes_cosine_t(double* cosine, lanes* cosine_t, array_double_1d work, array_lanes_1d work_t, int64_t one, int64_t other)
 {
     double v1;
-    double v1_t;
-    (*cosine_t) = 0.0;
+    lanes v1_t;
+    (*cosine_t) = all_lanes(0.0);
     (*cosine) = 1.0;
     if (((*cspan_at(&work, one + layout__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + layout__REGION_OWN)) == 1.0))
     {
         v1 = (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN));
-        v1_t = (*cspan_at(&work_t, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work_t, other + layout__REGION_COS)) + ((*cspan_at(&work_t, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work_t, other + layout__REGION_SIN)));
+        EACH_LANE each(v1_t) = each((*lanes_at(&work_t, one + layout__REGION_COS))) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_COS)) * each((*lanes_at(&work_t, other + layout__REGION_COS))) + (each((*lanes_at(&work_t, one + layout__REGION_SIN))) * (*cspan_at(&work, other + layout__REGION_SIN)) + (*cspan_at(&work, one + layout__REGION_SIN)) * each((*lanes_at(&work_t, other + layout__REGION_SIN))));
         if (0.0 > v1)
         {
             v1 = 0.0;
-            v1_t = 0.0;
+            v1_t = all_lanes(0.0);
         }
-        (*cosine_t) = v1_t;
+        EACH_LANE each((*cosine_t)) = each(v1_t);
         (*cosine) = v1;
     }
     return 0;
 }
 
 /* Derivative of ``clip_to_bound``. */
-static inline int64_t derivative_analyn__clip_to_bound_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t region, int64_t k, int64_t outward, double stop, double stop_t)
+static inline int64_t derivative_analyn__clip_to_bound_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t k, int64_t outward, double stop, lanes stop_t)
 {
     double v1;
     double v2;
-    double reach_t;
+    lanes reach_t;
     double reach;
     double v3;
     double v4;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
-    double v6_t;
+    lanes v6_t;
     v1 = (*cspan_at(&work, region + layout__REGION_HIGH)) - (*cspan_at(&work, region + layout__REGION_STATION));
     v2 = v1 / (*cspan_at(&work, region + layout__REGION_SPACING));
-    reach_t = ((*cspan_at(&work_t, region + layout__REGION_HIGH)) - (*cspan_at(&work_t, region + layout__REGION_STATION)) - v2 * (*cspan_at(&work_t, region + layout__REGION_SPACING))) / (*cspan_at(&work, region + layout__REGION_SPACING));
+    EACH_LANE each(reach_t) = (each((*lanes_at(&work_t, region + layout__REGION_HIGH))) - each((*lanes_at(&work_t, region + layout__REGION_STATION))) - v2 * each((*lanes_at(&work_t, region + layout__REGION_SPACING)))) / (*cspan_at(&work, region + layout__REGION_SPACING));
     reach = v2 - (double)(k);
     if (outward < INT64_C(0))
     {
         v3 = (*cspan_at(&work, region + layout__REGION_STATION)) - (*cspan_at(&work, region + layout__REGION_LOW));
         v4 = v3 / (*cspan_at(&work, region + layout__REGION_SPACING));
-        reach_t = ((*cspan_at(&work_t, region + layout__REGION_STATION)) - (*cspan_at(&work_t, region + layout__REGION_LOW)) - v4 * (*cspan_at(&work_t, region + layout__REGION_SPACING))) / (*cspan_at(&work, region + layout__REGION_SPACING));
+        EACH_LANE each(reach_t) = (each((*lanes_at(&work_t, region + layout__REGION_STATION))) - each((*lanes_at(&work_t, region + layout__REGION_LOW))) - v4 * each((*lanes_at(&work_t, region + layout__REGION_SPACING)))) / (*cspan_at(&work, region + layout__REGION_SPACING));
         reach = v4 + (double)(k);
     }
     v5 = stop;
-    v5_t = stop_t;
+    EACH_LANE each(v5_t) = each(stop_t);
     if (reach < v5)
     {
         v5 = reach;
-        v5_t = reach_t;
+        EACH_LANE each(v5_t) = each(reach_t);
     }
     v6 = v5;
-    v6_t = v5_t;
+    EACH_LANE each(v6_t) = each(v5_t);
     if (0.0 > v6)
     {
         v6 = 0.0;
-        v6_t = 0.0;
+        v6_t = all_lanes(0.0);
     }
-    stop_t = v6_t;
+    EACH_LANE each(stop_t) = each(v6_t);
     stop = v6;
     (*result_0) = stop;
-    (*result_1) = stop_t;
+    EACH_LANE each((*result_1)) = each(stop_t);
     return 0;
 }
 
 /* Derivative of ``region_load``. */
-static inline int64_t derivative_analyn__region_load_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t)
+static inline int64_t derivative_analyn__region_load_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes, double local_penetration, lanes local_penetration_t)
 {
-    double load_t;
+    lanes load_t;
     double load;
-    double stiffness_t;
+    lanes stiffness_t;
     double stiffness;
     int64_t outward;
     int64_t last;
-    double d_before_t;
+    lanes d_before_t;
     double d_before;
-    double c_before_t;
+    lanes c_before_t;
     double c_before;
-    double d_low_t;
+    lanes d_low_t;
     double d_low;
-    double c_low_t;
+    lanes c_low_t;
     double c_low;
     int64_t k;
     int64_t at;
-    double d_high_t;
+    lanes d_high_t;
     double d_high;
-    double c_high_t;
+    lanes c_high_t;
     double c_high;
-    double f_low_t;
+    lanes f_low_t;
     double f_low;
-    double f_high_t;
+    lanes f_high_t;
     double f_high;
     double v1;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     double start;
-    double start_t;
+    lanes start_t;
     double stop;
-    double stop_t;
+    lanes stop_t;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
-    double v6_t;
+    lanes v6_t;
     double v7;
     double v8;
     double v9;
     double v10;
     double v11;
-    load_t = 0.0;
+    load_t = all_lanes(0.0);
     load = 0.0;
-    stiffness_t = 0.0;
+    stiffness_t = all_lanes(0.0);
     stiffness = 0.0;
     if (local_penetration > 0.0)
     {
@@ -188,33 +188,35 @@ static inline int64_t derivative_analyn__region_load_t(double* result_0, double*
             {
                 last = -(int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)));
             }
-            d_before_t = local_penetration_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + (-outward)));
+            EACH_LANE each(d_before_t) = each(local_penetration_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + (-outward))));
             d_before = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + (-outward)));
-            c_before_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + (-outward)));
+            EACH_LANE each(c_before_t) = each((*lanes_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + (-outward))));
             c_before = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + (-outward)));
-            d_low_t = local_penetration_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + INT64_C(0)));
+            EACH_LANE each(d_low_t) = each(local_penetration_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + INT64_C(0))));
             d_low = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + INT64_C(0)));
-            c_low_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + INT64_C(0)));
+            EACH_LANE each(c_low_t) = each((*lanes_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + INT64_C(0))));
             c_low = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + INT64_C(0)));
             for (k = INT64_C(0); k < last; k += INT64_C(1))
             {
                 at = outward * (k + INT64_C(1));
-                d_high_t = local_penetration_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + at));
+                EACH_LANE each(d_high_t) = each(local_penetration_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + at)));
                 d_high = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + at));
-                c_high_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + at));
+                EACH_LANE each(c_high_t) = each((*lanes_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + at)));
                 c_high = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + at));
-                f_low_t = c_low_t * d_low + c_low * d_low_t;
+                EACH_LANE each(f_low_t) = each(c_low_t) * d_low + c_low * each(d_low_t);
                 f_low = c_low * d_low;
-                f_high_t = c_high_t * d_high + c_high * d_high_t;
+                EACH_LANE each(f_high_t) = each(c_high_t) * d_high + c_high * each(d_high_t);
                 f_high = c_high * d_high;
                 if ((d_low > 0.0) && (d_high > 0.0) && (k < last - INT64_C(1)))
                 {
                     v1 = f_low + f_high;
-                    derivative_quadrature__bend_of_t(&v2, &v2_t, c_before * d_before, c_before_t * d_before + c_before * d_before_t, f_low, f_low_t, f_high, f_high_t);
-                    load_t = load_t + (0.5 * (f_low_t + f_high_t) - v2_t / 6.0);
+                    lanes rates_1;
+                    EACH_LANE each(rates_1) = each(c_before_t) * d_before + c_before * each(d_before_t);
+                    derivative_quadrature__bend_of_t(&v2, &v2_t, c_before * d_before, rates_1, f_low, f_low_t, f_high, f_high_t);
+                    EACH_LANE each(load_t) = each(load_t) + (0.5 * (each(f_low_t) + each(f_high_t)) - each(v2_t) / 6.0);
                     load = load + (0.5 * v1 - v2 / 6.0);
                     v3 = c_low + c_high;
-                    stiffness_t = stiffness_t + 0.5 * (c_low_t + c_high_t);
+                    EACH_LANE each(stiffness_t) = each(stiffness_t) + 0.5 * (each(c_low_t) + each(c_high_t));
                     stiffness = stiffness + 0.5 * v3;
                 }
                 else if ((d_low > 0.0) || (d_high > 0.0))
@@ -223,191 +225,197 @@ static inline int64_t derivative_analyn__region_load_t(double* result_0, double*
                     if (k == last - INT64_C(1))
                     {
                         derivative_analyn__clip_to_bound_t(&v4, &v4_t, work, work_t, region, outward * k, outward, stop, stop_t);
-                        stop_t = v4_t;
+                        EACH_LANE each(stop_t) = each(v4_t);
                         stop = v4;
                     }
                     if (stop > start)
                     {
-                        derivative_quadrature__quadratic_integral_t(&v5, &v5_t, c_before * d_before, c_before_t * d_before + c_before * d_before_t, f_low, f_low_t, f_high, f_high_t, stop, stop_t);
-                        derivative_quadrature__quadratic_integral_t(&v6, &v6_t, c_before * d_before, c_before_t * d_before + c_before * d_before_t, f_low, f_low_t, f_high, f_high_t, start, start_t);
-                        load_t = load_t + (v5_t - v6_t);
+                        lanes rates_2;
+                        EACH_LANE each(rates_2) = each(c_before_t) * d_before + c_before * each(d_before_t);
+                        derivative_quadrature__quadratic_integral_t(&v5, &v5_t, c_before * d_before, rates_2, f_low, f_low_t, f_high, f_high_t, stop, stop_t);
+                        lanes rates_3;
+                        EACH_LANE each(rates_3) = each(c_before_t) * d_before + c_before * each(d_before_t);
+                        derivative_quadrature__quadratic_integral_t(&v6, &v6_t, c_before * d_before, rates_3, f_low, f_low_t, f_high, f_high_t, start, start_t);
+                        EACH_LANE each(load_t) = each(load_t) + (each(v5_t) - each(v6_t));
                         load = load + (v5 - v6);
                         v7 = stop - start;
                         v8 = stop + start;
                         v9 = 0.5 * v8;
                         v10 = c_high - c_low;
                         v11 = c_low + v9 * v10;
-                        stiffness_t = stiffness_t + ((stop_t - start_t) * v11 + v7 * (c_low_t + (0.5 * (stop_t + start_t) * v10 + v9 * (c_high_t - c_low_t))));
+                        EACH_LANE each(stiffness_t) = each(stiffness_t) + ((each(stop_t) - each(start_t)) * v11 + v7 * (each(c_low_t) + (0.5 * (each(stop_t) + each(start_t)) * v10 + v9 * (each(c_high_t) - each(c_low_t)))));
                         stiffness = stiffness + v7 * v11;
                     }
                 }
-                d_before_t = d_low_t;
+                EACH_LANE each(d_before_t) = each(d_low_t);
                 d_before = d_low;
-                c_before_t = c_low_t;
+                EACH_LANE each(c_before_t) = each(c_low_t);
                 c_before = c_low;
-                d_low_t = d_high_t;
+                EACH_LANE each(d_low_t) = each(d_high_t);
                 d_low = d_high;
-                c_low_t = c_high_t;
+                EACH_LANE each(c_low_t) = each(c_high_t);
                 c_low = c_high;
             }
         }
     }
     (*result_0) = load * (*cspan_at(&work, region + layout__REGION_SPACING));
-    (*result_1) = load_t * (*cspan_at(&work, region + layout__REGION_SPACING)) + load * (*cspan_at(&work_t, region + layout__REGION_SPACING));
+    EACH_LANE each((*result_1)) = each(load_t) * (*cspan_at(&work, region + layout__REGION_SPACING)) + load * each((*lanes_at(&work_t, region + layout__REGION_SPACING)));
     (*result_2) = stiffness * (*cspan_at(&work, region + layout__REGION_SPACING));
-    (*result_3) = stiffness_t * (*cspan_at(&work, region + layout__REGION_SPACING)) + stiffness * (*cspan_at(&work_t, region + layout__REGION_SPACING));
+    EACH_LANE each((*result_3)) = each(stiffness_t) * (*cspan_at(&work, region + layout__REGION_SPACING)) + stiffness * each((*lanes_at(&work_t, region + layout__REGION_SPACING)));
     return 0;
 }
 
 /* Derivative of ``load_regions``. */
-static inline int64_t derivative_analyn__load_regions_t(double* total, double* total_t, array_double_1d work, array_double_1d work_t, int64_t count)
+static inline int64_t derivative_analyn__load_regions_t(double* total, lanes* total_t, array_double_1d work, array_lanes_1d work_t, int64_t count)
 {
     int64_t i;
     int64_t region;
     double load;
-    double load_t;
+    lanes load_t;
     double stiffness;
-    double stiffness_t;
-    (*total_t) = 0.0;
+    lanes stiffness_t;
+    (*total_t) = all_lanes(0.0);
     (*total) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        derivative_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
-        (*cspan_at(&work_t, region + layout__REGION_LOAD)) = load_t;
+        derivative_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_LOAD))) = each(load_t);
         (*cspan_at(&work, region + layout__REGION_LOAD)) = load;
-        (*cspan_at(&work_t, region + layout__REGION_STIFFNESS)) = stiffness_t;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_STIFFNESS))) = each(stiffness_t);
         (*cspan_at(&work, region + layout__REGION_STIFFNESS)) = stiffness;
-        (*total_t) = (*total_t) + ((*cspan_at(&work_t, region + layout__REGION_SHARE)) * load + (*cspan_at(&work, region + layout__REGION_SHARE)) * load_t);
+        EACH_LANE each((*total_t)) = each((*total_t)) + (each((*lanes_at(&work_t, region + layout__REGION_SHARE))) * load + (*cspan_at(&work, region + layout__REGION_SHARE)) * each(load_t));
         (*total) = (*total) + (*cspan_at(&work, region + layout__REGION_SHARE)) * load;
     }
     return 0;
 }
 
 /* Derivative of ``penetrations_rule``. */
-static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, double* result_1, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, double penetration, double penetration_t, bool prescribed)
+static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, lanes* result_1, bool* satisfied, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool prescribed)
 {
-    double given_t;
+    lanes given_t;
     double given;
     int64_t size;
     int64_t i;
     int64_t region;
     double v1;
-    double v1_t;
-    double total_t;
+    lanes v1_t;
+    lanes total_t;
     double total;
     int64_t last;
     int64_t block;
     int64_t row;
-    double pushed_t;
+    lanes pushed_t;
     double pushed;
     int64_t j;
-    double share_t;
+    lanes share_t;
     double share;
     double v2;
-    double v2_t;
-    double rest_t;
+    lanes v2_t;
+    lanes rest_t;
     double rest;
     double load;
-    double load_t;
+    lanes load_t;
     double stiffness;
-    double stiffness_t;
+    lanes stiffness_t;
     double per_level;
     double n3;
-    double n4;
-    given_t = penetration_t;
+    lanes n4;
+    EACH_LANE each(given_t) = each(penetration_t);
     given = penetration;
     analyn__solve_penetrations(&penetration, satisfied, work, tables, count, force, penetration, prescribed);
-    penetration_t = 0.0;
+    penetration_t = all_lanes(0.0);
     if (!(*satisfied))
     {
         (*result_0) = penetration;
-        (*result_1) = penetration_t;
+        EACH_LANE each((*result_1)) = each(penetration_t);
         return 0;
     }
     size = count + INT64_C(1);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = 0.0;
+        (*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = all_lanes(0.0);
     }
     derivative_analyn__load_regions_t(&v1, &v1_t, work, work_t, count);
-    total_t = v1_t;
+    EACH_LANE each(total_t) = each(v1_t);
     total = v1;
     last = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * count;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i;
-        pushed_t = 0.0;
+        pushed_t = all_lanes(0.0);
         pushed = 0.0;
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
-            share_t = 0.0;
+            share_t = all_lanes(0.0);
             share = 0.0;
             if (j != i)
             {
                 derivative_analyn__region_influence_t(&v2, &v2_t, work, work_t, tables, block, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j);
-                share_t = v2_t;
+                EACH_LANE each(share_t) = each(v2_t);
                 share = v2;
             }
-            pushed_t = pushed_t + (share_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)) + share * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)));
+            EACH_LANE each(pushed_t) = each(pushed_t) + (each(share_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)) + share * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD))));
             pushed = pushed + share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
-            (*cspan_at(&work_t, row + j)) = 0.0;
+            (*lanes_at(&work_t, row + j)) = all_lanes(0.0);
             (*cspan_at(&work, row + j)) = share;
         }
-        rest_t = (*cspan_at(&work_t, block + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work_t, block + layout__REGION_GAP)) - pushed_t;
+        EACH_LANE each(rest_t) = each((*lanes_at(&work_t, block + layout__REGION_ALIGNMENT))) * penetration - each((*lanes_at(&work_t, block + layout__REGION_GAP))) - each(pushed_t);
         rest = (*cspan_at(&work, block + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, block + layout__REGION_GAP)) - pushed;
-        (*cspan_at(&work_t, row + count)) = 0.0;
+        (*lanes_at(&work_t, row + count)) = all_lanes(0.0);
         (*cspan_at(&work, row + count)) = -(*cspan_at(&work, block + layout__REGION_ALIGNMENT));
-        (*cspan_at(&work_t, row + size)) = 0.0;
-        (*cspan_at(&work, row + size)) = rest_t;
-        (*cspan_at(&work_t, row + (size + INT64_C(1)))) = 0.0;
+        EACH_LANE each((*lanes_at(&work_t, row + size))) = each(rest_t);
+        (*cspan_at(&work, row + size)) = 0.0;
+        (*lanes_at(&work_t, row + (size + INT64_C(1)))) = all_lanes(0.0);
         (*cspan_at(&work, row + (size + INT64_C(1)))) = 0.0;
     }
     for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
         block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j;
-        derivative_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, block, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * j, (*cspan_at(&work, block + layout__REGION_LOCAL_PENETRATION)), 1.0);
-        per_level = load_t - (*cspan_at(&work_t, block + layout__REGION_LOAD));
+        derivative_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, block, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * j, (*cspan_at(&work, block + layout__REGION_LOCAL_PENETRATION)), all_lanes(1.0));
+        lanes rates_1;
+        EACH_LANE each(rates_1) = each(load_t) - each((*lanes_at(&work_t, block + layout__REGION_LOAD)));
+        per_level = derivative_rates__common_rate(rates_1);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i + j)) = 0.0;
+            (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i + j)) = all_lanes(0.0);
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i + j)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i + j)) * per_level;
         }
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j + j)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j + j)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j + j)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j + j)) + 1.0;
-        (*cspan_at(&work_t, last + j)) = 0.0;
+        (*lanes_at(&work_t, last + j)) = all_lanes(0.0);
         (*cspan_at(&work, last + j)) = 0.0;
         if (!prescribed)
         {
-            (*cspan_at(&work_t, last + j)) = 0.0;
+            (*lanes_at(&work_t, last + j)) = all_lanes(0.0);
             (*cspan_at(&work, last + j)) = (*cspan_at(&work, block + layout__REGION_SHARE)) * per_level;
         }
     }
-    (*cspan_at(&work_t, last + count)) = 0.0;
+    (*lanes_at(&work_t, last + count)) = all_lanes(0.0);
     (*cspan_at(&work, last + count)) = 0.0;
-    (*cspan_at(&work_t, last + size)) = 0.0;
-    (*cspan_at(&work, last + size)) = force_t - total_t;
-    (*cspan_at(&work_t, last + (size + INT64_C(1)))) = 0.0;
+    EACH_LANE each((*lanes_at(&work_t, last + size))) = each(force_t) - each(total_t);
+    (*cspan_at(&work, last + size)) = 0.0;
+    (*lanes_at(&work_t, last + (size + INT64_C(1)))) = all_lanes(0.0);
     (*cspan_at(&work, last + (size + INT64_C(1)))) = 0.0;
     if (prescribed)
     {
-        (*cspan_at(&work_t, last + count)) = 0.0;
+        (*lanes_at(&work_t, last + count)) = all_lanes(0.0);
         (*cspan_at(&work, last + count)) = 1.0;
-        (*cspan_at(&work_t, last + size)) = 0.0;
-        (*cspan_at(&work, last + size)) = given_t;
+        EACH_LANE each((*lanes_at(&work_t, last + size))) = each(given_t);
+        (*cspan_at(&work, last + size)) = 0.0;
     }
-    strip_pressures__eliminate(work, size);
+    derivative_strip_pressures__eliminate_t(work, work_t, size);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i + size));
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i + size)));
     }
     derivative_analyn__load_regions_t(&n3, &n4, work, work_t, count);
-    penetration_t = (*cspan_at(&work, last + size));
+    EACH_LANE each(penetration_t) = each((*lanes_at(&work_t, last + size)));
     (*result_0) = penetration;
-    (*result_1) = penetration_t;
+    EACH_LANE each((*result_1)) = each(penetration_t);
     return 0;
 }
 
@@ -418,7 +426,7 @@ static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, d
  */
 
 /* Derivative of ``analyn_contact``. */
-static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, lanes* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
     derivative_analyn_contact__solve_analyn_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
     if ((*satisfied) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
@@ -430,17 +438,17 @@ static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetr
 }
 
 /* Derivative of ``solve_analyn``. */
-static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, lanes* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
     bool by_penetration;
     double v1;
-    double v1_t;
+    lanes v1_t;
     int64_t repeat;
-    double estimate_t;
+    lanes estimate_t;
     double estimate;
     int64_t n2;
     by_penetration = 0;
-    (*penetration_t) = prescribed_t;
+    EACH_LANE each((*penetration_t)) = each(prescribed_t);
     (*penetration) = prescribed;
     if (isfinite(prescribed))
     {
@@ -448,20 +456,20 @@ static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetrat
     }
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, force_t, by_penetration);
+        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, force_t, by_penetration);
         return 0;
     }
     if (!by_penetration)
     {
         derivative_estimate__first_penetration_t(&v1, &v1_t, tables, work, work_t, pair, force, force_t);
-        (*penetration_t) = v1_t;
+        EACH_LANE each((*penetration_t)) = each(v1_t);
         (*penetration) = v1;
     }
     (*count) = INT64_C(0);
     (*satisfied) = 0;
     for (repeat = INT64_C(0); repeat < analyn_contact__ESTIMATE_REPEATS; repeat += INT64_C(1))
     {
-        estimate_t = (*penetration_t);
+        EACH_LANE each(estimate_t) = each((*penetration_t));
         estimate = (*penetration);
         n2 = derivative_pressed_regions__sink_wheel_t(tables, work, work_t, pair, side, estimate, estimate_t);
         if (n2 == INT64_C(0))
@@ -480,7 +488,7 @@ static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetrat
 }
 
 /* Derivative of ``solve_estimated``. */
-static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double estimate, double estimate_t, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penetration, lanes* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double estimate, lanes estimate_t, double force, lanes force_t, bool by_penetration)
 {
     int64_t n1;
     int64_t n2;
@@ -498,16 +506,16 @@ static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penet
 }
 
 /* Derivative of ``gather_regions``. */
-static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double penetration, double penetration_t)
+static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double penetration, lanes penetration_t)
 {
     int64_t i;
     int64_t n1;
     int64_t count;
     for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
     n1 = derivative_pressed_regions__gather_overlaps_t(tables, work, work_t, pair);
@@ -517,25 +525,25 @@ static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1
 }
 
 /* Derivative of ``solve_fine``. */
-static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, bool* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double force, double force_t, double penetration, double penetration_t, bool by_penetration)
+static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0001, lanes* result_1_0001, bool* result_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool by_penetration)
 {
-    double start_t;
+    lanes start_t;
     double start;
     double enlarge;
     bool satisfied;
     int64_t repeat;
-    start_t = penetration_t;
+    EACH_LANE each(start_t) = each(penetration_t);
     start = penetration;
     enlarge = 1.0;
     satisfied = 0;
     for (repeat = INT64_C(0); repeat < analyn_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
-        derivative_nodes__prepare_regions_t(tables, work, work_t, pair, count, enlarge, 0.0);
+        derivative_nodes__prepare_regions_t(tables, work, work_t, pair, count, enlarge, all_lanes(0.0));
         derivative_analyn__penetrations_rule_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, start, start_t, by_penetration);
         if (!satisfied)
         {
             (*result_0_0001) = start;
-            (*result_1_0001) = start_t;
+            EACH_LANE each((*result_1_0001)) = each(start_t);
             (*result_2) = satisfied;
             return 0;
         }
@@ -546,13 +554,13 @@ static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0
         if (repeat < analyn_contact__COVER_REPEATS - INT64_C(1))
         {
             enlarge = enlarge * analyn_contact__ENLARGED;
-            start_t = penetration_t;
+            EACH_LANE each(start_t) = each(penetration_t);
             start = penetration;
-            derivative_estimate__start_penetrations_t(work, work_t, count, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
+            derivative_estimate__start_penetrations_t(work, work_t, count, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
         }
     }
     (*result_0_0001) = penetration;
-    (*result_1_0001) = penetration_t;
+    EACH_LANE each((*result_1_0001)) = each(penetration_t);
     (*result_2) = satisfied;
     return 0;
 }
@@ -564,122 +572,124 @@ static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0
  */
 
 /* Derivative of ``table_value``. */
-static inline int64_t derivative_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double ratio, double ratio_t)
+static inline int64_t derivative_coefficients__table_value_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t column, double ratio, lanes ratio_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     int64_t octave;
     double v3;
     double v4;
     double v5;
-    double place_t;
+    lanes place_t;
     double place;
     int64_t cell;
-    double u_t;
+    lanes u_t;
     double u;
     int64_t at;
     double v6;
-    double high_t;
+    lanes high_t;
     double high;
     double v7;
     double v8;
     v1 = coefficients__LEAST_RATIO;
-    v1_t = 0.0;
+    v1_t = all_lanes(0.0);
     if (ratio > v1)
     {
         v1 = ratio;
-        v1_t = ratio_t;
+        EACH_LANE each(v1_t) = each(ratio_t);
     }
     v2 = v1;
-    v2_t = v1_t;
+    EACH_LANE each(v2_t) = each(v1_t);
     if (coefficients__MOST_RATIO < v2)
     {
         v2 = coefficients__MOST_RATIO;
-        v2_t = 0.0;
+        v2_t = all_lanes(0.0);
     }
-    ratio_t = v2_t;
+    EACH_LANE each(ratio_t) = each(v2_t);
     ratio = v2;
     octave = binary__exponent(ratio);
     v3 = (double)(layout__HERTZ_CELLS);
     v4 = binary__power_of_two(-octave);
     v5 = ratio * v4 - 1.0;
-    place_t = v3 * (ratio_t * v4);
+    EACH_LANE each(place_t) = v3 * (each(ratio_t) * v4);
     place = v3 * v5;
     cell = (int64_t)(place);
-    u_t = place_t;
+    EACH_LANE each(u_t) = each(place_t);
     u = place - (double)(cell);
     at = layout__HERTZ_ROW * (layout__HERTZ_CELLS * (octave + layout__HERTZ_OCTAVES) + cell) + column;
     v6 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5))));
-    high_t = u_t * v6 + u * (u_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
+    EACH_LANE each(high_t) = each(u_t) * v6 + u * (each(u_t) * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
     high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * v6;
     v7 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high;
     v8 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * v7;
     (*result_0) = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * v8;
-    (*result_1) = u_t * v8 + u * (u_t * v7 + u * (u_t * high + u * high_t));
+    EACH_LANE each((*result_1)) = each(u_t) * v8 + u * (each(u_t) * v7 + u * (each(u_t) * high + u * each(high_t)));
     return 0;
 }
 
 /* Derivative of ``hertz_coefficients``. */
-static inline int64_t derivative_coefficients__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v5, double* v5_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t)
+static inline int64_t derivative_coefficients__hertz_coefficients_t(double* v2, lanes* v2_t, double* v3, lanes* v3_t, double* v5, lanes* v5_t, array_double_1d tables, int64_t table, double A, lanes A_t, double B, lanes B_t)
 {
     double v1;
-    double ratio_t;
+    lanes ratio_t;
     double ratio;
     double v4;
     v1 = B / A;
-    ratio_t = (B_t - v1 * A_t) / A;
+    EACH_LANE each(ratio_t) = (each(B_t) - v1 * each(A_t)) / A;
     ratio = v1;
     derivative_coefficients__table_value_t(v2, v2_t, tables, table, INT64_C(0), ratio, ratio_t);
     v4 = A / B;
-    derivative_coefficients__table_value_t(v3, v3_t, tables, table, INT64_C(0), v4, (A_t - v4 * B_t) / B);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = (each(A_t) - v4 * each(B_t)) / B;
+    derivative_coefficients__table_value_t(v3, v3_t, tables, table, INT64_C(0), v4, rates_1);
     derivative_coefficients__table_value_t(v5, v5_t, tables, table, INT64_C(6), ratio, ratio_t);
     return 0;
 }
 
 /* Derivative of ``skewed_coefficients``. */
-static inline int64_t derivative_coefficients__skewed_coefficients_t(double* v17, double* result_1, double* v18, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t)
+static inline int64_t derivative_coefficients__skewed_coefficients_t(double* v17, lanes* result_1, double* v18, lanes* result_3, double* result_4, lanes* result_5, array_double_1d tables, int64_t table, double A, lanes A_t, double B, lanes B_t, double slant, lanes slant_t)
 {
     double v1;
     double v2;
     double v3;
-    double cross_t;
+    lanes cross_t;
     double cross;
-    double diagonal_t;
+    lanes diagonal_t;
     double diagonal;
     double v4;
-    double half_t;
+    lanes half_t;
     double half;
     double v5;
     double v6;
-    double spread_t;
+    lanes spread_t;
     double spread;
     double v7;
-    double large_t;
+    lanes large_t;
     double large;
     double v8;
     double v9;
-    double small_t;
+    lanes small_t;
     double small;
     double along;
-    double along_t;
+    lanes along_t;
     double across;
-    double across_t;
+    lanes across_t;
     double nr;
-    double nr_t;
-    double cosine_t;
+    lanes nr_t;
+    lanes cosine_t;
     double cosine;
     double v10;
     double v11;
     double v12;
-    double length_t;
+    lanes length_t;
     double length;
     double v13;
     double v14;
     double v15;
     double v16;
-    double width_t;
+    lanes width_t;
     double width;
     double v19;
     double v20;
@@ -688,63 +698,63 @@ static inline int64_t derivative_coefficients__skewed_coefficients_t(double* v17
         v1 = coefficients__STEEPEST_SLANT * B;
         v2 = v1 / A;
         v3 = sqrt(v2);
-        slant_t = derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * B_t - v2 * A_t) / A);
+        EACH_LANE each(slant_t) = derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * each(B_t) - v2 * each(A_t)) / A);
         slant = v3;
     }
-    cross_t = A_t * slant + A * slant_t;
+    EACH_LANE each(cross_t) = each(A_t) * slant + A * each(slant_t);
     cross = A * slant;
-    diagonal_t = B_t + (cross_t * slant + cross * slant_t);
+    EACH_LANE each(diagonal_t) = each(B_t) + (each(cross_t) * slant + cross * each(slant_t));
     diagonal = B + cross * slant;
     v4 = A - diagonal;
-    half_t = 0.5 * (A_t - diagonal_t);
+    EACH_LANE each(half_t) = 0.5 * (each(A_t) - each(diagonal_t));
     half = 0.5 * v4;
     v5 = half * half + cross * cross;
     v6 = sqrt(v5);
-    spread_t = derivative_rates__root_rate(v6, half_t * half + half * half_t + (cross_t * cross + cross * cross_t));
+    EACH_LANE each(spread_t) = derivative_rates__root_rate(v6, each(half_t) * half + half * each(half_t) + (each(cross_t) * cross + cross * each(cross_t)));
     spread = v6;
     v7 = A + diagonal;
-    large_t = 0.5 * (A_t + diagonal_t) + spread_t;
+    EACH_LANE each(large_t) = 0.5 * (each(A_t) + each(diagonal_t)) + each(spread_t);
     large = 0.5 * v7 + spread;
     v8 = A * B;
     v9 = v8 / large;
-    small_t = (A_t * B + A * B_t - v9 * large_t) / large;
+    EACH_LANE each(small_t) = (each(A_t) * B + A * each(B_t) - v9 * each(large_t)) / large;
     small = v9;
     derivative_coefficients__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, table, small, small_t, large, large_t);
-    along_t = along_t * small + along * small_t;
+    EACH_LANE each(along_t) = each(along_t) * small + along * each(small_t);
     along = along * small;
-    across_t = across_t * large + across * large_t;
+    EACH_LANE each(across_t) = each(across_t) * large + across * each(large_t);
     across = across * large;
-    cosine_t = 0.0;
+    cosine_t = all_lanes(0.0);
     cosine = 0.5;
     if (spread > coefficients__TILTED * large)
     {
         v10 = 0.5 * half;
         v11 = v10 / spread;
-        cosine_t = -((0.5 * half_t - v11 * spread_t) / spread);
+        EACH_LANE each(cosine_t) = -((0.5 * each(half_t) - v11 * each(spread_t)) / spread);
         cosine = 0.5 - v11;
     }
     v12 = 1.0 - cosine;
-    length_t = cosine_t * along + cosine * along_t + ((-cosine_t) * across + v12 * across_t);
+    EACH_LANE each(length_t) = each(cosine_t) * along + cosine * each(along_t) + ((-each(cosine_t)) * across + v12 * each(across_t));
     length = cosine * along + v12 * across;
     v13 = along * across;
     v14 = 1.0 - cosine;
     v15 = cosine * along + v14 * across;
     v16 = v13 / v15;
-    width_t = (along_t * across + along * across_t - v16 * (cosine_t * along + cosine * along_t + ((-cosine_t) * across + v14 * across_t))) / v15;
+    EACH_LANE each(width_t) = (each(along_t) * across + along * each(across_t) - v16 * (each(cosine_t) * along + cosine * each(along_t) + ((-each(cosine_t)) * across + v14 * each(across_t)))) / v15;
     width = v16;
     (*v17) = length / A;
     (*v18) = width / B;
     v19 = length / along;
     v20 = sqrt(v19);
-    (*result_1) = (length_t - (*v17) * A_t) / A;
-    (*result_3) = (width_t - (*v18) * B_t) / B;
+    EACH_LANE each((*result_1)) = (each(length_t) - (*v17) * each(A_t)) / A;
+    EACH_LANE each((*result_3)) = (each(width_t) - (*v18) * each(B_t)) / B;
     (*result_4) = nr * v20;
-    (*result_5) = nr_t * v20 + nr * derivative_rates__root_rate(v20, (length_t - v19 * along_t) / along);
+    EACH_LANE each((*result_5)) = each(nr_t) * v20 + nr * derivative_rates__root_rate(v20, (each(length_t) - v19 * each(along_t)) / along);
     return 0;
 }
 
 /* Derivative of ``middle_slant``. */
-static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t)
+static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, double A, lanes A_t, double B, lanes B_t, double slant, lanes slant_t)
 {
     double v1;
     double v2;
@@ -752,36 +762,36 @@ static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, 
     double v4;
     double v5;
     double v6;
-    double cross_t;
+    lanes cross_t;
     double cross;
-    double diagonal_t;
+    lanes diagonal_t;
     double diagonal;
     double v7;
-    double half_t;
+    lanes half_t;
     double half;
     double v8;
     double v9;
-    double spread_t;
+    lanes spread_t;
     double spread;
     double v10;
-    double large_t;
+    lanes large_t;
     double large;
     double v11;
     double v12;
-    double small_t;
+    lanes small_t;
     double small;
     double along;
-    double along_t;
+    lanes along_t;
     double across;
-    double across_t;
+    lanes across_t;
     double nr;
-    double nr_t;
+    lanes nr_t;
     double v13;
     double v14;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
     double v15;
-    double length_t;
+    lanes length_t;
     double length;
     double v16;
     double v17;
@@ -796,44 +806,44 @@ static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, 
         v4 = v3 * slant;
         v5 = fabs(slant);
         v6 = v4 / v5;
-        slant_t = (derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * B_t - v2 * A_t) / A) * slant + v3 * slant_t - v6 * derivative_rates__size_rate(slant, slant_t)) / v5;
+        EACH_LANE each(slant_t) = (derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * each(B_t) - v2 * each(A_t)) / A) * slant + v3 * each(slant_t) - v6 * derivative_rates__size_rate(slant, each(slant_t))) / v5;
         slant = v6;
     }
-    cross_t = A_t * slant + A * slant_t;
+    EACH_LANE each(cross_t) = each(A_t) * slant + A * each(slant_t);
     cross = A * slant;
-    diagonal_t = B_t + (cross_t * slant + cross * slant_t);
+    EACH_LANE each(diagonal_t) = each(B_t) + (each(cross_t) * slant + cross * each(slant_t));
     diagonal = B + cross * slant;
     v7 = A - diagonal;
-    half_t = 0.5 * (A_t - diagonal_t);
+    EACH_LANE each(half_t) = 0.5 * (each(A_t) - each(diagonal_t));
     half = 0.5 * v7;
     v8 = half * half + cross * cross;
     v9 = sqrt(v8);
-    spread_t = derivative_rates__root_rate(v9, half_t * half + half * half_t + (cross_t * cross + cross * cross_t));
+    EACH_LANE each(spread_t) = derivative_rates__root_rate(v9, each(half_t) * half + half * each(half_t) + (each(cross_t) * cross + cross * each(cross_t)));
     spread = v9;
     v10 = A + diagonal;
-    large_t = 0.5 * (A_t + diagonal_t) + spread_t;
+    EACH_LANE each(large_t) = 0.5 * (each(A_t) + each(diagonal_t)) + each(spread_t);
     large = 0.5 * v10 + spread;
     v11 = A * B;
     v12 = v11 / large;
-    small_t = (A_t * B + A * B_t - v12 * large_t) / large;
+    EACH_LANE each(small_t) = (each(A_t) * B + A * each(B_t) - v12 * each(large_t)) / large;
     small = v12;
     if (!(spread > coefficients__TILTED * large))
     {
         (*result_0) = slant;
-        (*result_1) = slant_t;
+        EACH_LANE each((*result_1)) = each(slant_t);
         return 0;
     }
     derivative_coefficients__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, table, small, small_t, large, large_t);
-    along_t = along_t * small + along * small_t;
+    EACH_LANE each(along_t) = each(along_t) * small + along * each(small_t);
     along = along * small;
-    across_t = across_t * large + across * large_t;
+    EACH_LANE each(across_t) = each(across_t) * large + across * each(large_t);
     across = across * large;
     v13 = 0.5 * half;
     v14 = v13 / spread;
-    cosine_t = -((0.5 * half_t - v14 * spread_t) / spread);
+    EACH_LANE each(cosine_t) = -((0.5 * each(half_t) - v14 * each(spread_t)) / spread);
     cosine = 0.5 - v14;
     v15 = 1.0 - cosine;
-    length_t = cosine_t * along + cosine * along_t + ((-cosine_t) * across + v15 * across_t);
+    EACH_LANE each(length_t) = each(cosine_t) * along + cosine * each(along_t) + ((-each(cosine_t)) * across + v15 * each(across_t));
     length = cosine * along + v15 * across;
     v16 = across - along;
     v17 = cross * v16;
@@ -841,12 +851,12 @@ static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, 
     v19 = v18 * length;
     v20 = v17 / v19;
     (*result_0) = v20;
-    (*result_1) = (cross_t * v16 + cross * (across_t - along_t) - v20 * ((large_t - small_t) * length + v18 * length_t)) / v19;
+    EACH_LANE each((*result_1)) = (each(cross_t) * v16 + cross * (each(across_t) - each(along_t)) - v20 * ((each(large_t) - each(small_t)) * length + v18 * each(length_t))) / v19;
     return 0;
 }
 
 /* Derivative of ``hertz_stiffness``. */
-static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, double* result_1, double one_beta, double one_beta_t, double nr, double nr_t, double B, double B_t, double contact_modulus, double contact_modulus_t)
+static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, lanes* result_1, double one_beta, lanes one_beta_t, double nr, lanes nr_t, double B, lanes B_t, double contact_modulus, lanes contact_modulus_t)
 {
     double v1;
     double v2;
@@ -859,43 +869,43 @@ static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, dou
     v4 = sqrt(v3);
     v5 = nr * v4;
     (*v6) = v2 / v5;
-    (*result_1) = (v1 * contact_modulus_t - (*v6) * (nr_t * v4 + nr * derivative_rates__root_rate(v4, one_beta_t * B + one_beta * B_t))) / v5;
+    EACH_LANE each((*result_1)) = (v1 * each(contact_modulus_t) - (*v6) * (each(nr_t) * v4 + nr * derivative_rates__root_rate(v4, each(one_beta_t) * B + one_beta * each(B_t)))) / v5;
     return 0;
 }
 
 /* Derivative of ``second_difference``. */
-static inline int64_t derivative_coefficients__second_difference_t(double* v5, double* result_1, array_double_1d work, array_double_1d work_t, int64_t values, int64_t k, double spacing, double spacing_t, int64_t window)
+static inline int64_t derivative_coefficients__second_difference_t(double* v5, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t values, int64_t k, double spacing, lanes spacing_t, int64_t window)
 {
     double v1;
-    double width_t;
+    lanes width_t;
     double width;
     double v2;
     double v3;
     double v4;
     v1 = (double)(window);
-    width_t = spacing_t * v1;
+    EACH_LANE each(width_t) = each(spacing_t) * v1;
     width = spacing * v1;
     v2 = (*cspan_at(&work, values + INT64_C(128) + (k + window))) - 2.0 * (*cspan_at(&work, values + INT64_C(128) + k)) + (*cspan_at(&work, values + INT64_C(128) + (k - window)));
     v3 = 2.0 * width;
     v4 = v3 * width;
     (*v5) = v2 / v4;
-    (*result_1) = ((*cspan_at(&work_t, values + INT64_C(128) + (k + window))) - 2.0 * (*cspan_at(&work_t, values + INT64_C(128) + k)) + (*cspan_at(&work_t, values + INT64_C(128) + (k - window))) - (*v5) * (2.0 * width_t * width + v3 * width_t)) / v4;
+    EACH_LANE each((*result_1)) = (each((*lanes_at(&work_t, values + INT64_C(128) + (k + window)))) - 2.0 * each((*lanes_at(&work_t, values + INT64_C(128) + k))) + each((*lanes_at(&work_t, values + INT64_C(128) + (k - window)))) - (*v5) * (2.0 * each(width_t) * width + v3 * each(width_t))) / v4;
     return 0;
 }
 
 /* Derivative of ``secant_curvature``. */
-static inline int64_t derivative_coefficients__secant_curvature_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t gaps, int64_t k, double spacing, double spacing_t, int64_t window, double middle, double middle_t)
+static inline int64_t derivative_coefficients__secant_curvature_t(double* v3, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t gaps, int64_t k, double spacing, lanes spacing_t, int64_t window, double middle, lanes middle_t)
 {
     double v1;
-    double s_t;
+    lanes s_t;
     double s;
     double v2;
     double v4;
-    double width_t;
+    lanes width_t;
     double width;
     double v5;
     double v6;
-    double edge_t;
+    lanes edge_t;
     double edge;
     double v7;
     double v8;
@@ -906,25 +916,25 @@ static inline int64_t derivative_coefficients__secant_curvature_t(double* v3, do
     if ((k >= window) || (k <= -window))
     {
         v1 = (double)(k);
-        s_t = spacing_t * v1;
+        EACH_LANE each(s_t) = each(spacing_t) * v1;
         s = spacing * v1;
         v2 = s * s;
         (*v3) = (*cspan_at(&work, gaps + INT64_C(128) + k)) / v2;
-        (*result_1) = ((*cspan_at(&work_t, gaps + INT64_C(128) + k)) - (*v3) * (s_t * s + s * s_t)) / v2;
+        EACH_LANE each((*result_1)) = (each((*lanes_at(&work_t, gaps + INT64_C(128) + k))) - (*v3) * (each(s_t) * s + s * each(s_t))) / v2;
         return 0;
     }
     v4 = (double)(window);
-    width_t = spacing_t * v4;
+    EACH_LANE each(width_t) = each(spacing_t) * v4;
     width = spacing * v4;
     v5 = width * width;
     v6 = (*cspan_at(&work, gaps + INT64_C(128) + window)) / v5;
-    edge_t = ((*cspan_at(&work_t, gaps + INT64_C(128) + window)) - v6 * (width_t * width + width * width_t)) / v5;
+    EACH_LANE each(edge_t) = (each((*lanes_at(&work_t, gaps + INT64_C(128) + window))) - v6 * (each(width_t) * width + width * each(width_t))) / v5;
     edge = v6;
     if (k < INT64_C(0))
     {
         v7 = width * width;
         v8 = (*cspan_at(&work, gaps + INT64_C(128) + (-window))) / v7;
-        edge_t = ((*cspan_at(&work_t, gaps + INT64_C(128) + (-window))) - v8 * (width_t * width + width * width_t)) / v7;
+        EACH_LANE each(edge_t) = (each((*lanes_at(&work_t, gaps + INT64_C(128) + (-window)))) - v8 * (each(width_t) * width + width * each(width_t))) / v7;
         edge = v8;
     }
     v9 = edge - middle;
@@ -932,220 +942,220 @@ static inline int64_t derivative_coefficients__secant_curvature_t(double* v3, do
     v11 = v9 * v10;
     v12 = (double)(window);
     (*v3) = middle + v11 / v12;
-    (*result_1) = middle_t + (edge_t - middle_t) * v10 / v12;
+    EACH_LANE each((*result_1)) = each(middle_t) + (each(edge_t) - each(middle_t)) * v10 / v12;
     return 0;
 }
 
 /* Derivative of ``windowed_curvature``. */
-static inline int64_t derivative_coefficients__windowed_curvature_t(double* v6, double* result_1, double averaged, double averaged_t, double secant, double secant_t, double share, double share_t)
+static inline int64_t derivative_coefficients__windowed_curvature_t(double* v6, lanes* result_1, double averaged, lanes averaged_t, double secant, lanes secant_t, double share, lanes share_t)
 {
     double v1;
     double v2;
-    double v2_t;
-    double grown_t;
+    lanes v2_t;
+    lanes grown_t;
     double grown;
     double v3;
     double v4;
     double v5;
     v1 = coefficients__WINDOW_FLOOR * secant;
     v2 = averaged;
-    v2_t = averaged_t;
+    EACH_LANE each(v2_t) = each(averaged_t);
     if (v1 > v2)
     {
         v2 = v1;
-        v2_t = coefficients__WINDOW_FLOOR * secant_t;
+        EACH_LANE each(v2_t) = coefficients__WINDOW_FLOOR * each(secant_t);
     }
-    averaged_t = v2_t;
+    EACH_LANE each(averaged_t) = each(v2_t);
     averaged = v2;
-    grown_t = secant_t;
+    EACH_LANE each(grown_t) = each(secant_t);
     grown = secant;
     if (averaged > secant)
     {
         v3 = coefficients__GROWTH * share;
         v4 = averaged - secant;
-        grown_t = grown_t + (coefficients__GROWTH * share_t * v4 + v3 * (averaged_t - secant_t));
+        EACH_LANE each(grown_t) = each(grown_t) + (coefficients__GROWTH * each(share_t) * v4 + v3 * (each(averaged_t) - each(secant_t)));
         grown = grown + v3 * v4;
     }
     v5 = averaged * grown;
     (*v6) = sqrt(v5);
-    (*result_1) = derivative_rates__root_rate((*v6), averaged_t * grown + averaged * grown_t);
+    EACH_LANE each((*result_1)) = derivative_rates__root_rate((*v6), each(averaged_t) * grown + averaged * each(grown_t));
     return 0;
 }
 
 /* Derivative of ``adaptive_curvatures``. */
-static inline int64_t derivative_coefficients__adaptive_curvatures_t(double* secant, double* secant_t, double* side, double* side_t, double* B, double* B_t, array_double_1d work, array_double_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double middle_t, double mean, double mean_t, double least, double least_t)
+static inline int64_t derivative_coefficients__adaptive_curvatures_t(double* secant, lanes* secant_t, double* side, lanes* side_t, double* B, lanes* B_t, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, lanes middle_t, double mean, lanes mean_t, double least, lanes least_t)
 {
-    double spacing_t;
+    lanes spacing_t;
     double spacing;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     double v4;
     double v5;
     double v6;
-    double v6_t;
-    double share_t;
+    lanes v6_t;
+    lanes share_t;
     double share;
     double v8;
-    double v8_t;
+    lanes v8_t;
     double v7;
-    double v7_t;
+    lanes v7_t;
     double v9;
-    double v9_t;
+    lanes v9_t;
     double v10;
-    double v10_t;
-    spacing_t = (*cspan_at(&work_t, region + layout__REGION_SPACING));
+    lanes v10_t;
+    EACH_LANE each(spacing_t) = each((*lanes_at(&work_t, region + layout__REGION_SPACING)));
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
     derivative_coefficients__secant_curvature_t(&v1, &v1_t, work, work_t, gaps, k, spacing, spacing_t, window, middle, middle_t);
     v2 = v1;
-    v2_t = v1_t;
+    EACH_LANE each(v2_t) = each(v1_t);
     if (least > v2)
     {
         v2 = least;
-        v2_t = least_t;
+        EACH_LANE each(v2_t) = each(least_t);
     }
-    (*secant_t) = v2_t;
+    EACH_LANE each((*secant_t)) = each(v2_t);
     (*secant) = v2;
     v3 = fabs((double)(k));
     v4 = v3 * spacing;
     v5 = v4 / mean;
     v6 = v5;
-    v6_t = (v3 * spacing_t - v5 * mean_t) / mean;
+    EACH_LANE each(v6_t) = (v3 * each(spacing_t) - v5 * each(mean_t)) / mean;
     if (1.0 < v6)
     {
         v6 = 1.0;
-        v6_t = 0.0;
+        v6_t = all_lanes(0.0);
     }
-    share_t = v6_t;
+    EACH_LANE each(share_t) = each(v6_t);
     share = v6;
     derivative_coefficients__second_difference_t(&v8, &v8_t, work, work_t, gaps, k, spacing, spacing_t, window);
     derivative_coefficients__windowed_curvature_t(&v7, &v7_t, v8, v8_t, (*secant), (*secant_t), share, share_t);
     v9 = v7;
-    v9_t = v7_t;
+    EACH_LANE each(v9_t) = each(v7_t);
     if (least > v9)
     {
         v9 = least;
-        v9_t = least_t;
+        EACH_LANE each(v9_t) = each(least_t);
     }
-    (*B_t) = v9_t;
+    EACH_LANE each((*B_t)) = each(v9_t);
     (*B) = v9;
-    (*side_t) = (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH));
+    EACH_LANE each((*side_t)) = each((*lanes_at(&work_t, region + layout__REGION_SIDE_HIGH)));
     (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
     if (k < INT64_C(0))
     {
-        (*side_t) = (*cspan_at(&work_t, region + layout__REGION_SIDE_LOW));
+        EACH_LANE each((*side_t)) = each((*lanes_at(&work_t, region + layout__REGION_SIDE_LOW)));
         (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_LOW));
     }
     v10 = (*side);
-    v10_t = (*side_t);
+    EACH_LANE each(v10_t) = each((*side_t));
     if (least > v10)
     {
         v10 = least;
-        v10_t = least_t;
+        EACH_LANE each(v10_t) = each(least_t);
     }
-    (*side_t) = v10_t;
+    EACH_LANE each((*side_t)) = each(v10_t);
     (*side) = v10;
     return 0;
 }
 
 /* Derivative of ``weigh_nodes``. */
-static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed)
+static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed)
 {
     int64_t table;
     bool prepared;
-    double alpha_factor_t;
+    lanes alpha_factor_t;
     double alpha_factor;
-    double beta_factor_t;
+    lanes beta_factor_t;
     double beta_factor;
-    double nr_factor_t;
+    lanes nr_factor_t;
     double nr_factor;
     double v1;
-    double mean_t;
+    lanes mean_t;
     double mean;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
-    double middle_t;
+    lanes v3_t;
+    lanes middle_t;
     double middle;
     int64_t k_end;
     int64_t k;
-    double A_t;
+    lanes A_t;
     double A;
-    double least_t;
+    lanes least_t;
     double least;
     double v4;
-    double v4_t;
-    double B_t;
+    lanes v4_t;
+    lanes B_t;
     double B;
-    double secant_t;
+    lanes secant_t;
     double secant;
-    double side_t;
+    lanes side_t;
     double side;
     double v6;
     double v5;
-    double v5_t;
-    double alpha_t;
+    lanes v5_t;
+    lanes alpha_t;
     double alpha;
     double v8;
     double v7;
-    double v7_t;
-    double beta_t;
+    lanes v7_t;
+    lanes beta_t;
     double beta;
     double v10;
     double v9;
-    double v9_t;
-    double nr_t;
+    lanes v9_t;
+    lanes nr_t;
     double nr;
     double v11;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     prepared = (int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE;
-    alpha_factor_t = 0.0;
+    alpha_factor_t = all_lanes(0.0);
     alpha_factor = 1.0;
-    beta_factor_t = 0.0;
+    beta_factor_t = all_lanes(0.0);
     beta_factor = 1.0;
-    nr_factor_t = 0.0;
+    nr_factor_t = all_lanes(0.0);
     nr_factor = 1.0;
     if (yawed)
     {
-        derivative_coefficients__skew_factors_t(&alpha_factor, &alpha_factor_t, &beta_factor, &beta_factor_t, &nr_factor, &nr_factor_t, work, work_t, tables, region, (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))), (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))));
+        derivative_coefficients__skew_factors_t(&alpha_factor, &alpha_factor_t, &beta_factor, &beta_factor_t, &nr_factor, &nr_factor_t, work, work_t, tables, region, (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))), (*lanes_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))));
     }
     v1 = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
-    mean_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)));
+    EACH_LANE each(mean_t) = 0.5 * (each((*lanes_at(&work_t, region + layout__REGION_WIDTH_LOW))) + each((*lanes_at(&work_t, region + layout__REGION_WIDTH_HIGH))));
     mean = 0.5 * v1;
-    derivative_coefficients__second_difference_t(&v2, &v2_t, work, work_t, nodes + layout__NODES_GAP, INT64_C(0), (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)), window);
+    derivative_coefficients__second_difference_t(&v2, &v2_t, work, work_t, nodes + layout__NODES_GAP, INT64_C(0), (*cspan_at(&work, region + layout__REGION_SPACING)), (*lanes_at(&work_t, region + layout__REGION_SPACING)), window);
     v3 = v2;
-    v3_t = v2_t;
+    EACH_LANE each(v3_t) = each(v2_t);
     if (0.0 > v3)
     {
         v3 = 0.0;
-        v3_t = 0.0;
+        v3_t = all_lanes(0.0);
     }
-    middle_t = v3_t;
+    EACH_LANE each(middle_t) = each(v3_t);
     middle = v3;
     k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
-        A_t = (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + k));
+        EACH_LANE each(A_t) = each((*lanes_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + k)));
         A = (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
-        least_t = coefficients__FLOOR * A_t;
+        EACH_LANE each(least_t) = coefficients__FLOOR * each(A_t);
         least = coefficients__FLOOR * A;
         if (prepared)
         {
             v4 = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k));
-            v4_t = (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + k));
+            EACH_LANE each(v4_t) = each((*lanes_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + k)));
             if (least > v4)
             {
                 v4 = least;
-                v4_t = least_t;
+                EACH_LANE each(v4_t) = each(least_t);
             }
-            B_t = v4_t;
+            EACH_LANE each(B_t) = each(v4_t);
             B = v4;
-            secant_t = B_t;
+            EACH_LANE each(secant_t) = each(B_t);
             secant = B;
-            side_t = B_t;
+            EACH_LANE each(side_t) = each(B_t);
             side = B;
         }
         else
@@ -1153,81 +1163,87 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
             derivative_coefficients__adaptive_curvatures_t(&secant, &secant_t, &side, &side_t, &B, &B_t, work, work_t, region, nodes + layout__NODES_GAP, k, window, middle, middle_t, mean, mean_t, least, least_t);
         }
         v6 = secant / A;
-        derivative_coefficients__table_value_t(&v5, &v5_t, tables, table, INT64_C(0), v6, (secant_t - v6 * A_t) / A);
-        alpha_t = v5_t;
+        lanes rates_1;
+        EACH_LANE each(rates_1) = (each(secant_t) - v6 * each(A_t)) / A;
+        derivative_coefficients__table_value_t(&v5, &v5_t, tables, table, INT64_C(0), v6, rates_1);
+        EACH_LANE each(alpha_t) = each(v5_t);
         alpha = v5;
         v8 = A / side;
-        derivative_coefficients__table_value_t(&v7, &v7_t, tables, table, INT64_C(0), v8, (A_t - v8 * side_t) / side);
-        beta_t = v7_t;
+        lanes rates_2;
+        EACH_LANE each(rates_2) = (each(A_t) - v8 * each(side_t)) / side;
+        derivative_coefficients__table_value_t(&v7, &v7_t, tables, table, INT64_C(0), v8, rates_2);
+        EACH_LANE each(beta_t) = each(v7_t);
         beta = v7;
         v10 = B / A;
-        derivative_coefficients__table_value_t(&v9, &v9_t, tables, table, INT64_C(6), v10, (B_t - v10 * A_t) / A);
-        nr_t = v9_t;
+        lanes rates_3;
+        EACH_LANE each(rates_3) = (each(B_t) - v10 * each(A_t)) / A;
+        derivative_coefficients__table_value_t(&v9, &v9_t, tables, table, INT64_C(6), v10, rates_3);
+        EACH_LANE each(nr_t) = each(v9_t);
         nr = v9;
         if (yawed)
         {
-            alpha_t = alpha_t * alpha_factor + alpha * alpha_factor_t;
+            EACH_LANE each(alpha_t) = each(alpha_t) * alpha_factor + alpha * each(alpha_factor_t);
             alpha = alpha * alpha_factor;
-            beta_t = beta_t * beta_factor + beta * beta_factor_t;
+            EACH_LANE each(beta_t) = each(beta_t) * beta_factor + beta * each(beta_factor_t);
             beta = beta * beta_factor;
-            nr_t = nr_t * nr_factor + nr * nr_factor_t;
+            EACH_LANE each(nr_t) = each(nr_t) * nr_factor + nr * each(nr_factor_t);
             nr = nr * nr_factor;
         }
-        (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + k)) = B_t;
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + k))) = each(B_t);
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k)) = B;
-        (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k)) = beta_t * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)) + beta * (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k));
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k))) = each(beta_t) * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)) + beta * each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k)));
         (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k)) = beta * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k));
         v11 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
-        (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k)) = (-v11) * nr_t / nr;
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k))) = (-v11) * each(nr_t) / nr;
         (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) = v11;
-        (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) = alpha_t * A + alpha * A_t;
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k))) = each(alpha_t) * A + alpha * each(A_t);
         (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) = alpha * A;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``skew_factors``. */
-static inline int64_t derivative_coefficients__skew_factors_t(double* v4, double* result_1, double* v5, double* result_3, double* v6, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t)
+static inline int64_t derivative_coefficients__skew_factors_t(double* v4, lanes* result_1, double* v5, lanes* result_3, double* v6, lanes* result_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t)
 {
     int64_t table;
     double v1;
     double v2;
     double v3;
-    double v3_t;
-    double B_t;
+    lanes v3_t;
+    lanes B_t;
     double B;
     double alpha;
-    double alpha_t;
+    lanes alpha_t;
     double beta;
-    double beta_t;
+    lanes beta_t;
     double nr;
-    double nr_t;
+    lanes nr_t;
     double skewed_alpha;
-    double skewed_alpha_t;
+    lanes skewed_alpha_t;
     double skewed_beta;
-    double skewed_beta_t;
+    lanes skewed_beta_t;
     double skewed_nr;
-    double skewed_nr_t;
+    lanes skewed_nr_t;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     v1 = (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
     v2 = coefficients__FLOOR * A;
     v3 = 0.5 * v1;
-    v3_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)));
+    EACH_LANE each(v3_t) = 0.5 * (each((*lanes_at(&work_t, region + layout__REGION_SIDE_LOW))) + each((*lanes_at(&work_t, region + layout__REGION_SIDE_HIGH))));
     if (v2 > v3)
     {
         v3 = v2;
-        v3_t = coefficients__FLOOR * A_t;
+        EACH_LANE each(v3_t) = coefficients__FLOOR * each(A_t);
     }
-    B_t = v3_t;
+    EACH_LANE each(B_t) = each(v3_t);
     B = v3;
     derivative_coefficients__hertz_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
-    derivative_coefficients__skewed_coefficients_t(&skewed_alpha, &skewed_alpha_t, &skewed_beta, &skewed_beta_t, &skewed_nr, &skewed_nr_t, tables, table, A, A_t, B, B_t, (*cspan_at(&work, region + layout__REGION_SLANT)), (*cspan_at(&work_t, region + layout__REGION_SLANT)));
+    derivative_coefficients__skewed_coefficients_t(&skewed_alpha, &skewed_alpha_t, &skewed_beta, &skewed_beta_t, &skewed_nr, &skewed_nr_t, tables, table, A, A_t, B, B_t, (*cspan_at(&work, region + layout__REGION_SLANT)), (*lanes_at(&work_t, region + layout__REGION_SLANT)));
     (*v4) = skewed_alpha / alpha;
     (*v5) = skewed_beta / beta;
     (*v6) = skewed_nr / nr;
-    (*result_1) = (skewed_alpha_t - (*v4) * alpha_t) / alpha;
-    (*result_3) = (skewed_beta_t - (*v5) * beta_t) / beta;
-    (*result_5) = (skewed_nr_t - (*v6) * nr_t) / nr;
+    EACH_LANE each((*result_1)) = (each(skewed_alpha_t) - (*v4) * each(alpha_t)) / alpha;
+    EACH_LANE each((*result_3)) = (each(skewed_beta_t) - (*v5) * each(beta_t)) / beta;
+    EACH_LANE each((*result_5)) = (each(skewed_nr_t) - (*v6) * each(nr_t)) / nr;
     return 0;
 }
 
@@ -1238,129 +1254,135 @@ static inline int64_t derivative_coefficients__skew_factors_t(double* v4, double
  */
 
 /* Derivative of ``guess_penetration``. */
-static inline int64_t derivative_estimate__guess_penetration_t(double* v3, double* v3_t, double force, double force_t, double A, double A_t, double contact_modulus, double contact_modulus_t)
+static inline int64_t derivative_estimate__guess_penetration_t(double* v3, lanes* v3_t, double force, lanes force_t, double A, lanes A_t, double contact_modulus, lanes contact_modulus_t)
 {
     double v1;
     double v2;
-    double share_t;
+    lanes share_t;
     double share;
     double v4;
     double v5;
     double v6;
     v1 = 0.75 * force;
     v2 = v1 / contact_modulus;
-    share_t = (0.75 * force_t - v2 * contact_modulus_t) / contact_modulus;
+    EACH_LANE each(share_t) = (0.75 * each(force_t) - v2 * each(contact_modulus_t)) / contact_modulus;
     share = v2;
     v4 = share * share;
     v5 = 1.0 + estimate__TYPICAL_RATIO;
     v6 = v4 * v5;
-    derivative_powers__cube_root_rule_t(v3, v3_t, v6 * A, (share_t * share + share * share_t) * v5 * A + v6 * A_t);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = (each(share_t) * share + share * each(share_t)) * v5 * A + v6 * each(A_t);
+    derivative_powers__cube_root_rule_t(v3, v3_t, v6 * A, rates_1);
     return 0;
 }
 
 /* Derivative of ``estimate_penetration``. */
-static inline int64_t derivative_estimate__estimate_penetration_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t)
+static inline int64_t derivative_estimate__estimate_penetration_t(double* result_0, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t)
 {
-    double A_t;
+    lanes A_t;
     double A;
     double v1;
-    double v1_t;
-    double guess_t;
+    lanes v1_t;
+    lanes guess_t;
     double guess;
     double v2;
-    double width_t;
+    lanes width_t;
     double width;
-    double B_t;
+    lanes B_t;
     double B;
     double v3;
     double v4;
     double one_alpha;
-    double one_alpha_t;
+    lanes one_alpha_t;
     double one_beta;
-    double one_beta_t;
+    lanes one_beta_t;
     double nr;
-    double nr_t;
+    lanes nr_t;
     double v5;
-    double v5_t;
-    double stiffness_t;
+    lanes v5_t;
+    lanes stiffness_t;
     double stiffness;
     double v7;
     double v6;
-    double v6_t;
-    double root_t;
+    lanes v6_t;
+    lanes root_t;
     double root;
-    A_t = 0.5 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
+    EACH_LANE each(A_t) = 0.5 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE)));
     A = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
-    derivative_estimate__guess_penetration_t(&v1, &v1_t, force, force_t, A, A_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
-    guess_t = v1_t;
+    derivative_estimate__guess_penetration_t(&v1, &v1_t, force, force_t, A, A_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), all_lanes(0.0));
+    EACH_LANE each(guess_t) = each(v1_t);
     guess = v1;
     derivative_widths__measure_widths_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess, guess_t);
     v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH));
-    width_t = 0.5 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH)));
+    EACH_LANE each(width_t) = 0.5 * (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW))) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH))));
     width = 0.5 * v2;
-    B_t = coefficients__FLOOR * A_t;
+    EACH_LANE each(B_t) = coefficients__FLOOR * each(A_t);
     B = coefficients__FLOOR * A;
     if (guess > estimate__CEILING * A * width * width)
     {
-        B_t = estimate__CEILING * A_t;
+        EACH_LANE each(B_t) = estimate__CEILING * each(A_t);
         B = estimate__CEILING * A;
     }
     else if (guess > B * width * width)
     {
         v3 = width * width;
         v4 = guess / v3;
-        B_t = (guess_t - v4 * (width_t * width + width * width_t)) / v3;
+        EACH_LANE each(B_t) = (each(guess_t) - v4 * (each(width_t) * width + width * each(width_t))) / v3;
         B = v4;
     }
     derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
-    derivative_coefficients__hertz_stiffness_t(&v5, &v5_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
-    stiffness_t = v5_t;
+    derivative_coefficients__hertz_stiffness_t(&v5, &v5_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), all_lanes(0.0));
+    EACH_LANE each(stiffness_t) = each(v5_t);
     stiffness = v5;
     v7 = force / stiffness;
-    derivative_powers__cube_root_rule_t(&v6, &v6_t, v7, (force_t - v7 * stiffness_t) / stiffness);
-    root_t = v6_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = (each(force_t) - v7 * each(stiffness_t)) / stiffness;
+    derivative_powers__cube_root_rule_t(&v6, &v6_t, v7, rates_1);
+    EACH_LANE each(root_t) = each(v6_t);
     root = v6;
     (*result_0) = root * root;
-    (*result_1) = root_t * root + root * root_t;
+    EACH_LANE each((*result_1)) = each(root_t) * root + root * each(root_t);
     return 0;
 }
 
 /* Derivative of ``first_penetration``. */
-static inline int64_t derivative_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t)
+static inline int64_t derivative_estimate__first_penetration_t(double* v1, lanes* v1_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t)
 {
     double v2;
     derivative_frame__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     v2 = force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE));
-    derivative_estimate__estimate_penetration_t(v1, v1_t, tables, work, work_t, pair, v2, (force_t - v2 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
+    lanes rates_1;
+    EACH_LANE each(rates_1) = (each(force_t) - v2 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE));
+    derivative_estimate__estimate_penetration_t(v1, v1_t, tables, work, work_t, pair, v2, rates_1);
     return 0;
 }
 
 /* Derivative of ``start_penetrations``. */
-static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d work, array_double_1d work_t, int64_t count, double penetration, double penetration_t)
+static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d work, array_lanes_1d work_t, int64_t count, double penetration, lanes penetration_t)
 {
     int64_t i;
     int64_t region;
     double v1;
     double v2;
-    double v2_t;
-    double local_t;
+    lanes v2_t;
+    lanes local_t;
     double local;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         v1 = estimate__LEAST_SHARE * penetration;
         v2 = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
-        v2_t = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * penetration + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration_t - (*cspan_at(&work_t, region + layout__REGION_GAP));
+        EACH_LANE each(v2_t) = each((*lanes_at(&work_t, region + layout__REGION_ALIGNMENT))) * penetration + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * each(penetration_t) - each((*lanes_at(&work_t, region + layout__REGION_GAP)));
         if (v1 > v2)
         {
             v2 = v1;
-            v2_t = estimate__LEAST_SHARE * penetration_t;
+            EACH_LANE each(v2_t) = estimate__LEAST_SHARE * each(penetration_t);
         }
-        local_t = v2_t;
+        EACH_LANE each(local_t) = each(v2_t);
         local = v2;
-        (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = local_t;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION))) = each(local_t);
         (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) = local;
     }
     return INT64_C(0);
@@ -1373,38 +1395,38 @@ static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d 
  */
 
 /* Derivative of ``hertz_contact``. */
-static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetration, lanes* penetration_t, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
     int64_t point;
-    double A_t;
+    lanes A_t;
     double A;
     double v1;
     double v2;
-    double v2_t;
-    double B_t;
+    lanes v2_t;
+    lanes B_t;
     double B;
     double half_length;
-    double half_length_t;
+    lanes half_length_t;
     double half_width;
-    double half_width_t;
+    lanes half_width_t;
     double stiffness;
-    double stiffness_t;
+    lanes stiffness_t;
     double low;
-    double low_t;
+    lanes low_t;
     double high;
-    double high_t;
+    lanes high_t;
     double v3;
     double v4;
-    double v4_t;
-    double widest_t;
+    lanes v4_t;
+    lanes widest_t;
     double widest;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
-    double v6_t;
+    lanes v6_t;
     double v7;
     double v8;
-    double load_t;
+    lanes load_t;
     double load;
     double v9;
     double v10;
@@ -1413,79 +1435,81 @@ static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetrat
     double v12;
     double v13;
     double v14;
-    double pressure_t;
+    lanes pressure_t;
     double pressure;
     derivative_frame__locate_along_track_t(tables, work, work_t, pair, INT64_C(1));
     point = side + layout__SIDE_SEARCH_POINT;
-    A_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X));
+    EACH_LANE each(A_t) = 0.5 * each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X)));
     A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
     v1 = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
     v2 = coefficients__FLOOR * A;
-    v2_t = coefficients__FLOOR * A_t;
+    EACH_LANE each(v2_t) = coefficients__FLOOR * each(A_t);
     if (v1 > v2)
     {
         v2 = v1;
-        v2_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
+        EACH_LANE each(v2_t) = 0.5 * each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y)));
     }
-    B_t = v2_t;
+    EACH_LANE each(B_t) = each(v2_t);
     B = v2;
     derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, penetration, penetration_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
     derivative_hertz_contact__profile_ends_t(&low, &low_t, &high, &high_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     v3 = high - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL));
     v4 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL)) - low;
-    v4_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL)) - low_t;
+    EACH_LANE each(v4_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL))) - each(low_t);
     if (v3 < v4)
     {
         v4 = v3;
-        v4_t = high_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL));
+        EACH_LANE each(v4_t) = each(high_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL)));
     }
-    widest_t = v4_t;
+    EACH_LANE each(widest_t) = each(v4_t);
     widest = v4;
     if (half_width > widest)
     {
         derivative_hertz_contact__widest_ellipse_t(&v5, &v5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS, low, low_t, high, high_t);
-        widest_t = v5_t;
+        EACH_LANE each(widest_t) = each(v5_t);
         widest = v5;
     }
     if (half_width > widest)
     {
         derivative_hertz_contact__narrow_ellipse_t(&v6, &v6_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t, widest, widest_t);
-        B_t = v6_t;
+        EACH_LANE each(B_t) = each(v6_t);
         B = v6;
         derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, penetration, penetration_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
     }
     v7 = stiffness * (*penetration);
     v8 = sqrt((*penetration));
-    load_t = (stiffness_t * (*penetration) + stiffness * (*penetration_t)) * v8 + v7 * derivative_rates__root_rate(v8, (*penetration_t));
+    EACH_LANE each(load_t) = (each(stiffness_t) * (*penetration) + stiffness * each((*penetration_t))) * v8 + v7 * derivative_rates__root_rate(v8, each((*penetration_t)));
     load = v7 * v8;
     v9 = 1.5 * stiffness;
     v10 = sqrt((*penetration));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness_t * v10 + v9 * derivative_rates__root_rate(v10, (*penetration_t));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS))) = 1.5 * each(stiffness_t) * v10 + v9 * derivative_rates__root_rate(v10, each((*penetration_t)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = v9 * v10;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED))) = each(load_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration_t);
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION))) = each((*penetration_t));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
     derivative_filling__clear_patches_t(work, work_t, side);
-    n11 = derivative_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, -half_width_t, INT64_C(0), layout__RULE_ELLIPSE);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = -each(half_width_t);
+    n11 = derivative_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, rates_1, INT64_C(0), layout__RULE_ELLIPSE);
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n11;
-    derivative_filling__add_load_t(work, work_t, patch, INT64_C(0), load, load_t, 0.0, 0.0);
+    derivative_filling__add_load_t(work, work_t, patch, INT64_C(0), load, load_t, 0.0, all_lanes(0.0));
     v12 = M_PI * half_length;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length_t * half_width + v12 * half_width_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) = M_PI * each(half_length_t) * half_width + v12 * each(half_width_t);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v12 * half_width;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP))) = each(half_width_t);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
     v13 = 1.5 * load;
     v14 = v13 / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    pressure_t = (1.5 * load_t - v14 * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    EACH_LANE each(pressure_t) = (1.5 * each(load_t) - v14 * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
     pressure = v14;
-    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE))) = each(pressure_t) * pressure + pressure * each(pressure_t);
     (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
-    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length_t * half_length + half_length * half_length_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE))) = each(half_length_t) * half_length + half_length * each(half_length_t);
     (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
     derivative_filling__finish_patch_t(work, work_t, side);
     derivative_filling__finish_patches_t(work, work_t, side);
@@ -1495,40 +1519,42 @@ static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetrat
 }
 
 /* Derivative of ``press_ellipse``. */
-static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v7, double* result_1, double* v10, double* result_3, double* stiffness, double* stiffness_t, double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v7, lanes* result_1, double* v10, lanes* result_3, double* stiffness, lanes* stiffness_t, double* penetration, lanes* penetration_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t, double B, lanes B_t, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
     double one_alpha;
-    double one_alpha_t;
+    lanes one_alpha_t;
     double one_beta;
-    double one_beta_t;
+    lanes one_beta_t;
     double nr;
-    double nr_t;
+    lanes nr_t;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v3;
     double v4;
     double v2;
-    double v2_t;
-    double root_t;
+    lanes v2_t;
+    lanes root_t;
     double root;
     double v5;
     double v6;
     double v8;
     double v9;
     derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
-    derivative_coefficients__hertz_stiffness_t(&v1, &v1_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
-    (*stiffness_t) = v1_t;
+    derivative_coefficients__hertz_stiffness_t(&v1, &v1_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), all_lanes(0.0));
+    EACH_LANE each((*stiffness_t)) = each(v1_t);
     (*stiffness) = v1;
-    (*penetration_t) = prescribed_t;
+    EACH_LANE each((*penetration_t)) = each(prescribed_t);
     (*penetration) = prescribed;
     if (!isfinite(prescribed))
     {
         v3 = (*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness);
         v4 = force / v3;
-        derivative_powers__cube_root_rule_t(&v2, &v2_t, v4, (force_t - v4 * ((*cspan_at(&work_t, region + layout__REGION_SHARE)) * (*stiffness) + (*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness_t))) / v3);
-        root_t = v2_t;
+        lanes rates_1;
+        EACH_LANE each(rates_1) = (each(force_t) - v4 * (each((*lanes_at(&work_t, region + layout__REGION_SHARE))) * (*stiffness) + (*cspan_at(&work, region + layout__REGION_SHARE)) * each((*stiffness_t)))) / v3;
+        derivative_powers__cube_root_rule_t(&v2, &v2_t, v4, rates_1);
+        EACH_LANE each(root_t) = each(v2_t);
         root = v2;
-        (*penetration_t) = root_t * root + root * root_t;
+        EACH_LANE each((*penetration_t)) = each(root_t) * root + root * each(root_t);
         (*penetration) = root * root;
     }
     v5 = one_alpha * A;
@@ -1537,135 +1563,135 @@ static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v7, doub
     v8 = one_beta * B;
     v9 = (*penetration) / v8;
     (*v10) = sqrt(v9);
-    (*result_1) = derivative_rates__root_rate((*v7), ((*penetration_t) - v6 * (one_alpha_t * A + one_alpha * A_t)) / v5);
-    (*result_3) = derivative_rates__root_rate((*v10), ((*penetration_t) - v9 * (one_beta_t * B + one_beta * B_t)) / v8);
+    EACH_LANE each((*result_1)) = derivative_rates__root_rate((*v7), (each((*penetration_t)) - v6 * (each(one_alpha_t) * A + one_alpha * each(A_t))) / v5);
+    EACH_LANE each((*result_3)) = derivative_rates__root_rate((*v10), (each((*penetration_t)) - v9 * (each(one_beta_t) * B + one_beta * each(B_t))) / v8);
     return 0;
 }
 
 /* Derivative of ``profile_ends``. */
-static inline int64_t derivative_hertz_contact__profile_ends_t(double* low, double* low_t, double* high, double* high_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region)
+static inline int64_t derivative_hertz_contact__profile_ends_t(double* low, lanes* low_t, double* high, lanes* high_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region)
 {
     double v1;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     double v4;
-    double v4_t;
+    lanes v4_t;
     v1 = (*cspan_at(&work, region + layout__REGION_RAIL)) - ((*cspan_at(&work, region + layout__REGION_WHEEL)) - (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_START)));
     v2 = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START));
-    v2_t = 0.0;
+    v2_t = all_lanes(0.0);
     if (v1 > v2)
     {
         v2 = v1;
-        v2_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) - (*cspan_at(&work_t, region + layout__REGION_WHEEL));
+        EACH_LANE each(v2_t) = each((*lanes_at(&work_t, region + layout__REGION_RAIL))) - each((*lanes_at(&work_t, region + layout__REGION_WHEEL)));
     }
-    (*low_t) = v2_t;
+    EACH_LANE each((*low_t)) = each(v2_t);
     (*low) = v2;
     v3 = (*cspan_at(&work, region + layout__REGION_RAIL)) + ((*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_STOP)) - (*cspan_at(&work, region + layout__REGION_WHEEL)));
     v4 = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP));
-    v4_t = 0.0;
+    v4_t = all_lanes(0.0);
     if (v3 < v4)
     {
         v4 = v3;
-        v4_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) + (-(*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+        EACH_LANE each(v4_t) = each((*lanes_at(&work_t, region + layout__REGION_RAIL))) + (-each((*lanes_at(&work_t, region + layout__REGION_WHEEL))));
     }
-    (*high_t) = v4_t;
+    EACH_LANE each((*high_t)) = each(v4_t);
     (*high) = v4;
     return 0;
 }
 
 /* Derivative of ``widest_ellipse``. */
-static inline int64_t derivative_hertz_contact__widest_ellipse_t(double* v7, double* v7_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double low, double low_t, double high, double high_t)
+static inline int64_t derivative_hertz_contact__widest_ellipse_t(double* v7, lanes* v7_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double low, lanes low_t, double high, lanes high_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
-    double widest_t;
+    lanes v3_t;
+    lanes widest_t;
     double widest;
     double v4;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        derivative_curves__rail_length_t(&v1, &v1_t, tables, pair, low, low_t, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
-        derivative_curves__rail_length_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), high, high_t);
+        derivative_curves__rail_length_t(&v1, &v1_t, tables, pair, low, low_t, (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)));
+        derivative_curves__rail_length_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), high, high_t);
         v3 = v1;
-        v3_t = v1_t;
+        EACH_LANE each(v3_t) = each(v1_t);
         if (v2 < v3)
         {
             v3 = v2;
-            v3_t = v2_t;
+            EACH_LANE each(v3_t) = each(v2_t);
         }
-        widest_t = v3_t;
+        EACH_LANE each(widest_t) = each(v3_t);
         widest = v3;
     }
     else
     {
         v4 = high - (*cspan_at(&work, region + layout__REGION_RAIL));
         v5 = (*cspan_at(&work, region + layout__REGION_RAIL)) - low;
-        v5_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) - low_t;
+        EACH_LANE each(v5_t) = each((*lanes_at(&work_t, region + layout__REGION_RAIL))) - each(low_t);
         if (v4 < v5)
         {
             v5 = v4;
-            v5_t = high_t - (*cspan_at(&work_t, region + layout__REGION_RAIL));
+            EACH_LANE each(v5_t) = each(high_t) - each((*lanes_at(&work_t, region + layout__REGION_RAIL)));
         }
         v6 = v5 / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        widest_t = (v5_t - v6 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        EACH_LANE each(widest_t) = (each(v5_t) - v6 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         widest = v6;
     }
     (*v7) = widest;
-    (*v7_t) = widest_t;
+    EACH_LANE each((*v7_t)) = each(widest_t);
     if (hertz_contact__NARROWEST > (*v7))
     {
         (*v7) = hertz_contact__NARROWEST;
-        (*v7_t) = 0.0;
+        (*v7_t) = all_lanes(0.0);
     }
     return 0;
 }
 
 /* Derivative of ``narrow_ellipse``. */
-static inline int64_t derivative_hertz_contact__narrow_ellipse_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t, double widest, double widest_t)
+static inline int64_t derivative_hertz_contact__narrow_ellipse_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t, double B, lanes B_t, double force, lanes force_t, double prescribed, lanes prescribed_t, double widest, lanes widest_t)
 {
     int64_t narrowing;
     double half_length;
-    double half_length_t;
+    lanes half_length_t;
     double half_width;
-    double half_width_t;
+    lanes half_width_t;
     double stiffness;
-    double stiffness_t;
+    lanes stiffness_t;
     double penetration;
-    double penetration_t;
+    lanes penetration_t;
     double v1;
-    double share_t;
+    lanes share_t;
     double share;
     double v2;
     double v3;
     double v4;
-    double v4_t;
+    lanes v4_t;
     for (narrowing = INT64_C(0); narrowing < hertz_contact__NARROWINGS; narrowing += INT64_C(1))
     {
         derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, &penetration, &penetration_t, work, work_t, tables, region, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
         v1 = half_width / widest;
-        share_t = (half_width_t - v1 * widest_t) / widest;
+        EACH_LANE each(share_t) = (each(half_width_t) - v1 * each(widest_t)) / widest;
         share = v1;
         v2 = B * share;
         v3 = hertz_contact__SHARPEST * A;
         v4 = v2 * share;
-        v4_t = (B_t * share + B * share_t) * share + v2 * share_t;
+        EACH_LANE each(v4_t) = (each(B_t) * share + B * each(share_t)) * share + v2 * each(share_t);
         if (v3 < v4)
         {
             v4 = v3;
-            v4_t = hertz_contact__SHARPEST * A_t;
+            EACH_LANE each(v4_t) = hertz_contact__SHARPEST * each(A_t);
         }
-        B_t = v4_t;
+        EACH_LANE each(B_t) = each(v4_t);
         B = v4;
     }
     (*result_0) = B;
-    (*result_1) = B_t;
+    EACH_LANE each((*result_1)) = each(B_t);
     return 0;
 }
 
@@ -1676,7 +1702,7 @@ static inline int64_t derivative_hertz_contact__narrow_ellipse_t(double* result_
  */
 
 /* Derivative of ``fill_from_nodes``. */
-static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t count)
+static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t count)
 {
     int64_t strips;
     int64_t index;
@@ -1688,13 +1714,13 @@ static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = 0.0;
+        (*lanes_at(&work_t, region + layout__REGION_CARRIED)) = all_lanes(0.0);
         (*cspan_at(&work, region + layout__REGION_CARRIED)) = 0.0;
-        (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = 0.0;
+        (*lanes_at(&work_t, region + layout__REGION_MOMENT)) = all_lanes(0.0);
         (*cspan_at(&work, region + layout__REGION_MOMENT)) = 0.0;
         if ((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > 0.0)
         {
-            (*cspan_at(&work_t, region + layout__REGION_STRIP)) = 0.0;
+            (*lanes_at(&work_t, region + layout__REGION_STRIP)) = all_lanes(0.0);
             (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
             derivative_node_patches__fill_strips_t(work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index);
             strips = strips + ((int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))) + INT64_C(1));
@@ -1711,124 +1737,124 @@ static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d
 }
 
 /* Derivative of ``fill_strips``. */
-static inline int64_t derivative_node_patches__fill_strips_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes)
+static inline int64_t derivative_node_patches__fill_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes)
 {
-    double deepest_t;
+    lanes deepest_t;
     double deepest;
     int64_t middle;
-    double spacing_t;
+    lanes spacing_t;
     double spacing;
-    double origin_t;
+    lanes origin_t;
     double origin;
-    double along_t;
+    lanes along_t;
     double along;
-    double slant_t;
+    lanes slant_t;
     double slant;
     int64_t k_end;
     int64_t k;
     int64_t strip;
-    double d_t;
+    lanes d_t;
     double d;
-    double load_t;
+    lanes load_t;
     double load;
     double v1;
     double v2;
     double v3;
     double v4;
     double v5;
-    double away_t;
+    lanes away_t;
     double away;
     int64_t k6;
     int64_t k7;
-    deepest_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION));
+    EACH_LANE each(deepest_t) = each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
     deepest = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
     middle = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
-    spacing_t = (*cspan_at(&work_t, region + layout__REGION_SPACING));
+    EACH_LANE each(spacing_t) = each((*lanes_at(&work_t, region + layout__REGION_SPACING)));
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
-    origin_t = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
+    EACH_LANE each(origin_t) = each((*lanes_at(&work_t, region + layout__REGION_OFFSET))) + each((*lanes_at(&work_t, region + layout__REGION_STATION)));
     origin = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    along_t = (*cspan_at(&work_t, region + layout__REGION_X_TRACK));
+    EACH_LANE each(along_t) = each((*lanes_at(&work_t, region + layout__REGION_X_TRACK)));
     along = (*cspan_at(&work, region + layout__REGION_X_TRACK));
-    slant_t = (*cspan_at(&work_t, region + layout__REGION_SLANT));
+    EACH_LANE each(slant_t) = each((*lanes_at(&work_t, region + layout__REGION_SLANT)));
     slant = (*cspan_at(&work, region + layout__REGION_SLANT));
     k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + k);
-        d_t = deepest_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k));
+        EACH_LANE each(d_t) = each(deepest_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k)));
         d = deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k));
-        load_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d + (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d_t;
+        EACH_LANE each(load_t) = each((*lanes_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k))) * d + (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * each(d_t);
         load = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d;
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_LINE_LOAD)) = load_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__SOLVED_STRIP_LINE_LOAD))) = each(load_t);
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_LINE_LOAD)) = load;
         v1 = d / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (d_t - v1 * (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k))) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE))) = (each(d_t) - v1 * each((*lanes_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k)))) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = v1;
         v2 = 4.0 / (M_PI * M_PI);
         v3 = v2 * (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k));
         v4 = v3 * load;
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (v2 * (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k)) * load + v3 * load_t) * (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) + v4 * (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE))) = (v2 * each((*lanes_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k))) * load + v3 * each(load_t)) * (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) + v4 * each((*lanes_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k)));
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = v4 * (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
         v5 = (double)(k);
-        away_t = spacing_t * v5;
+        EACH_LANE each(away_t) = each(spacing_t) * v5;
         away = spacing * v5;
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_STATION)) = origin_t + away_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__SOLVED_STRIP_STATION))) = each(origin_t) + each(away_t);
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_STATION)) = origin + away;
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_WIDTH)) = spacing_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__SOLVED_STRIP_WIDTH))) = each(spacing_t);
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_WIDTH)) = spacing;
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_X)) = along_t + (slant_t * away + slant * away_t);
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__SOLVED_STRIP_X))) = each(along_t) + (each(slant_t) * away + slant * each(away_t));
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_X)) = along + slant * away;
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + k));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__SOLVED_STRIP_CURVATURE))) = 2.0 * each((*lanes_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + k)));
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
     }
     k6 = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) + layout__SOLVED_STRIP_WIDTH;
-    (*cspan_at(&work_t, k6)) = 0.5 * spacing_t;
+    EACH_LANE each((*lanes_at(&work_t, k6))) = 0.5 * each(spacing_t);
     (*cspan_at(&work, k6)) = 0.5 * spacing;
     k7 = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))) + layout__SOLVED_STRIP_WIDTH;
-    (*cspan_at(&work_t, k7)) = 0.5 * spacing_t;
+    EACH_LANE each((*lanes_at(&work_t, k7))) = 0.5 * each(spacing_t);
     (*cspan_at(&work, k7)) = 0.5 * spacing;
     return INT64_C(0);
 }
 
 /* Derivative of ``add_cell``. */
-static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t number, int64_t k)
+static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t number, int64_t k)
 {
     int64_t region;
     int64_t nodes;
-    double spacing_t;
+    lanes spacing_t;
     double spacing;
-    double deepest_t;
+    lanes deepest_t;
     double deepest;
     int64_t outward;
     int64_t low;
     int64_t before;
     int64_t high;
     double start;
-    double start_t;
+    lanes start_t;
     double stop;
-    double stop_t;
+    lanes stop_t;
     double v1;
-    double v1_t;
+    lanes v1_t;
     int64_t strip;
     int64_t inner;
     int64_t outer;
-    double begin_t;
+    lanes begin_t;
     double begin;
-    double end_t;
+    lanes end_t;
     double end;
     int64_t n2;
     int64_t index;
     int64_t patch;
     double v3;
     double load;
-    double load_t;
+    lanes load_t;
     double moment;
-    double moment_t;
+    lanes moment_t;
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * number;
     nodes = layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * number;
-    spacing_t = (*cspan_at(&work_t, region + layout__REGION_SPACING));
+    EACH_LANE each(spacing_t) = each((*lanes_at(&work_t, region + layout__REGION_SPACING)));
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
-    deepest_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION));
+    EACH_LANE each(deepest_t) = each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
     deepest = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
     outward = INT64_C(1);
     low = k;
@@ -1839,11 +1865,17 @@ static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, 
     }
     before = low - outward;
     high = low + outward;
-    derivative_quadrature__cell_part_t(&start, &start_t, &stop, &stop_t, deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + before)), deepest_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + before)), deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + low)), deepest_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + low)), deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + high)), deepest_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + high)));
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each(deepest_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + before)));
+    lanes rates_2;
+    EACH_LANE each(rates_2) = each(deepest_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + low)));
+    lanes rates_3;
+    EACH_LANE each(rates_3) = each(deepest_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + high)));
+    derivative_quadrature__cell_part_t(&start, &start_t, &stop, &stop_t, deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + before)), rates_1, deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + low)), rates_2, deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + high)), rates_3);
     if ((k == (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) || (k == (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - INT64_C(1)))
     {
         derivative_analyn__clip_to_bound_t(&v1, &v1_t, work, work_t, region, low, outward, stop, stop_t);
-        stop_t = v1_t;
+        EACH_LANE each(stop_t) = each(v1_t);
         stop = v1;
     }
     strip = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
@@ -1855,26 +1887,28 @@ static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, 
     }
     if (stop > start)
     {
-        begin_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) + (spacing_t * start + spacing * start_t);
+        EACH_LANE each(begin_t) = each((*lanes_at(&work_t, inner + layout__SOLVED_STRIP_STATION))) + (each(spacing_t) * start + spacing * each(start_t));
         begin = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) + spacing * start;
-        end_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) + (spacing_t * stop + spacing * stop_t);
+        EACH_LANE each(end_t) = each((*lanes_at(&work_t, inner + layout__SOLVED_STRIP_STATION))) + (each(spacing_t) * stop + spacing * each(stop_t));
         end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) + spacing * stop;
         if (outward < INT64_C(0))
         {
-            begin_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) - (spacing_t * stop + spacing * stop_t);
+            EACH_LANE each(begin_t) = each((*lanes_at(&work_t, inner + layout__SOLVED_STRIP_STATION))) - (each(spacing_t) * stop + spacing * each(stop_t));
             begin = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * stop;
-            end_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) - (spacing_t * start + spacing * start_t);
+            EACH_LANE each(end_t) = each((*lanes_at(&work_t, inner + layout__SOLVED_STRIP_STATION))) - (each(spacing_t) * start + spacing * each(start_t));
             end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * start;
         }
         n2 = derivative_node_patches__patch_from_t(work, work_t, side, region, begin, begin_t, strip + k);
         index = n2;
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-        (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end_t;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP))) = each(end_t);
         (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end;
-        (*cspan_at(&work_t, patch + layout__PATCH_LAST)) = 0.0;
+        (*lanes_at(&work_t, patch + layout__PATCH_LAST)) = all_lanes(0.0);
         (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)(strip + k + INT64_C(1));
         v3 = (double)(outward);
-        derivative_node_patches__add_part_t(&load, &load_t, &moment, &moment_t, work, work_t, patch, region, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, start_t, stop, stop_t, spacing * v3, spacing_t * v3);
+        lanes rates_4;
+        EACH_LANE each(rates_4) = each(spacing_t) * v3;
+        derivative_node_patches__add_part_t(&load, &load_t, &moment, &moment_t, work, work_t, patch, region, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, start_t, stop, stop_t, spacing * v3, rates_4);
         derivative_filling__add_load_t(work, work_t, patch, number, load, load_t, moment, moment_t);
         derivative_node_patches__keep_largest_t(work, work_t, patch, strip + low);
     }
@@ -1882,42 +1916,42 @@ static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, 
 }
 
 /* Derivative of ``narrow_strips``. */
-static inline int64_t derivative_node_patches__narrow_strips_t(array_double_1d work, array_double_1d work_t, int64_t inner, int64_t outer, double start, double start_t, double stop, double stop_t, double spacing, double spacing_t)
+static inline int64_t derivative_node_patches__narrow_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t inner, int64_t outer, double start, lanes start_t, double stop, lanes stop_t, double spacing, lanes spacing_t)
 {
-    double inner_share_t;
+    lanes inner_share_t;
     double inner_share;
-    double outer_share_t;
+    lanes outer_share_t;
     double outer_share;
     double v1;
     double v2;
-    inner_share_t = 0.0;
+    inner_share_t = all_lanes(0.0);
     inner_share = 0.0;
-    outer_share_t = 0.0;
+    outer_share_t = all_lanes(0.0);
     outer_share = 0.0;
     if (stop > start)
     {
         if (start > 0.0)
         {
-            outer_share_t = stop_t - start_t;
+            EACH_LANE each(outer_share_t) = each(stop_t) - each(start_t);
             outer_share = stop - start;
         }
         else
         {
-            inner_share_t = stop_t - start_t;
+            EACH_LANE each(inner_share_t) = each(stop_t) - each(start_t);
             inner_share = stop - start;
         }
     }
     v1 = inner_share - 0.5;
-    (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH)) + (inner_share_t * spacing + v1 * spacing_t);
+    EACH_LANE each((*lanes_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH))) = each((*lanes_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH))) + (each(inner_share_t) * spacing + v1 * each(spacing_t));
     (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) + v1 * spacing;
     v2 = outer_share - 0.5;
-    (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH)) + (outer_share_t * spacing + v2 * spacing_t);
+    EACH_LANE each((*lanes_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH))) = each((*lanes_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH))) + (each(outer_share_t) * spacing + v2 * each(spacing_t));
     (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) + v2 * spacing;
     return INT64_C(0);
 }
 
 /* Derivative of ``patch_from``. */
-static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t strip)
+static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t region, double start, lanes start_t, int64_t strip)
 {
     bool joined;
     int64_t last;
@@ -1943,100 +1977,100 @@ static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work
 }
 
 /* Derivative of ``add_part``. */
-static inline int64_t derivative_node_patches__add_part_t(double* load, double* load_t, double* moment, double* moment_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, double start_t, double stop, double stop_t, double step, double step_t)
+static inline int64_t derivative_node_patches__add_part_t(double* load, lanes* load_t, double* moment, lanes* moment_t, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, lanes start_t, double stop, lanes stop_t, double step, lanes step_t)
 {
-    double width_t;
+    lanes width_t;
     double width;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
-    double v5_t;
-    double area_t;
+    lanes v5_t;
+    lanes area_t;
     double area;
     double v6;
     double v7;
-    width_t = derivative_rates__size_rate(step, step_t);
+    EACH_LANE each(width_t) = derivative_rates__size_rate(step, each(step_t));
     width = fabs(step);
-    derivative_quadrature__quadratic_integral_t(&v1, &v1_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), stop, stop_t);
-    (*load_t) = v1_t;
+    derivative_quadrature__quadratic_integral_t(&v1, &v1_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), stop, stop_t);
+    EACH_LANE each((*load_t)) = each(v1_t);
     (*load) = v1;
-    derivative_quadrature__quadratic_moment_t(&v2, &v2_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), stop, stop_t);
-    (*moment_t) = v2_t;
+    derivative_quadrature__quadratic_moment_t(&v2, &v2_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), stop, stop_t);
+    EACH_LANE each((*moment_t)) = each(v2_t);
     (*moment) = v2;
     if (start > 0.0)
     {
-        derivative_quadrature__quadratic_integral_t(&v3, &v3_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t);
-        (*load_t) = (*load_t) - v3_t;
+        derivative_quadrature__quadratic_integral_t(&v3, &v3_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t);
+        EACH_LANE each((*load_t)) = each((*load_t)) - each(v3_t);
         (*load) = (*load) - v3;
-        derivative_quadrature__quadratic_moment_t(&v4, &v4_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t);
-        (*moment_t) = (*moment_t) - v4_t;
+        derivative_quadrature__quadratic_moment_t(&v4, &v4_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t);
+        EACH_LANE each((*moment_t)) = each((*moment_t)) - each(v4_t);
         (*moment) = (*moment) - v4;
     }
-    (*load_t) = (*load_t) * width + (*load) * width_t;
+    EACH_LANE each((*load_t)) = each((*load_t)) * width + (*load) * each(width_t);
     (*load) = (*load) * width;
-    derivative_quadrature__root_integral_t(&v5, &v5_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), start, start_t, stop, stop_t);
-    area_t = v5_t;
+    derivative_quadrature__root_integral_t(&v5, &v5_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), start, start_t, stop, stop_t);
+    EACH_LANE each(area_t) = each(v5_t);
     area = v5;
     v6 = width * step;
-    (*moment_t) = (*cspan_at(&work_t, low + layout__SOLVED_STRIP_STATION)) * (*load) + (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * (*load_t) + ((width_t * step + width * step_t) * (*moment) + v6 * (*moment_t));
+    EACH_LANE each((*moment_t)) = each((*lanes_at(&work_t, low + layout__SOLVED_STRIP_STATION))) * (*load) + (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * each((*load_t)) + ((each(width_t) * step + width * each(step_t)) * (*moment) + v6 * each((*moment_t)));
     (*moment) = (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * (*load) + v6 * (*moment);
-    (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = (*cspan_at(&work_t, region + layout__REGION_CARRIED)) + (*load_t);
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_CARRIED))) = each((*lanes_at(&work_t, region + layout__REGION_CARRIED))) + each((*load_t));
     (*cspan_at(&work, region + layout__REGION_CARRIED)) = (*cspan_at(&work, region + layout__REGION_CARRIED)) + (*load);
-    (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = (*cspan_at(&work_t, region + layout__REGION_MOMENT)) + (*moment_t);
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_MOMENT))) = each((*lanes_at(&work_t, region + layout__REGION_MOMENT))) + each((*moment_t));
     (*cspan_at(&work, region + layout__REGION_MOMENT)) = (*cspan_at(&work, region + layout__REGION_MOMENT)) + (*moment);
     v7 = 2.0 * width;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + (2.0 * width_t * area + v7 * area_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) + (2.0 * each(width_t) * area + v7 * each(area_t));
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + v7 * area;
     return 0;
 }
 
 /* Derivative of ``keep_largest``. */
-static inline int64_t derivative_node_patches__keep_largest_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip)
+static inline int64_t derivative_node_patches__keep_largest_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
 {
     int64_t low;
     int64_t here;
     int64_t high;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     low = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip - INT64_C(1));
     here = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * strip;
     high = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + INT64_C(1));
     if ((*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) > (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)))
     {
-        derivative_node_patches__peak_square_t(&v1, &v1_t, (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
-        (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v1_t;
+        derivative_node_patches__peak_square_t(&v1, &v1_t, (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE))) = each(v1_t);
         (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v1;
     }
     if ((*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)) > (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)))
     {
-        derivative_node_patches__peak_square_t(&v2, &v2_t, (*cspan_at(&work, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work_t, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)));
-        (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = v2_t;
+        derivative_node_patches__peak_square_t(&v2, &v2_t, (*cspan_at(&work, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*lanes_at(&work_t, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*lanes_at(&work_t, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*lanes_at(&work_t, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)));
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE))) = each(v2_t);
         (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = v2;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``peak_square``. */
-static inline int64_t derivative_node_patches__peak_square_t(double* result_0, double* result_1, double before, double before_t, double square, double square_t, double after, double after_t)
+static inline int64_t derivative_node_patches__peak_square_t(double* result_0, lanes* result_1, double before, lanes before_t, double square, lanes square_t, double after, lanes after_t)
 {
     double v1;
-    double top_t;
+    lanes top_t;
     double top;
     double v2;
-    double left_t;
+    lanes left_t;
     double left;
     double v3;
-    double right_t;
+    lanes right_t;
     double right;
-    double bend_t;
+    lanes bend_t;
     double bend;
     double v4;
     double v5;
@@ -2046,15 +2080,15 @@ static inline int64_t derivative_node_patches__peak_square_t(double* result_0, d
     if ((before > 0.0) && (after > 0.0) && (square >= before) && (square >= after))
     {
         v1 = sqrt(square);
-        top_t = derivative_rates__root_rate(v1, square_t);
+        EACH_LANE each(top_t) = derivative_rates__root_rate(v1, each(square_t));
         top = v1;
         v2 = sqrt(before);
-        left_t = derivative_rates__root_rate(v2, before_t);
+        EACH_LANE each(left_t) = derivative_rates__root_rate(v2, each(before_t));
         left = v2;
         v3 = sqrt(after);
-        right_t = derivative_rates__root_rate(v3, after_t);
+        EACH_LANE each(right_t) = derivative_rates__root_rate(v3, each(after_t));
         right = v3;
-        bend_t = left_t - 2.0 * top_t + right_t;
+        EACH_LANE each(bend_t) = each(left_t) - 2.0 * each(top_t) + each(right_t);
         bend = left - 2.0 * top + right;
         if (bend < 0.0)
         {
@@ -2063,14 +2097,14 @@ static inline int64_t derivative_node_patches__peak_square_t(double* result_0, d
             v6 = v4 * v5;
             v7 = 8.0 * bend;
             v8 = v6 / v7;
-            top_t = top_t - ((right_t - left_t) * v5 + v4 * (right_t - left_t) - v8 * (8.0 * bend_t)) / v7;
+            EACH_LANE each(top_t) = each(top_t) - ((each(right_t) - each(left_t)) * v5 + v4 * (each(right_t) - each(left_t)) - v8 * (8.0 * each(bend_t))) / v7;
             top = top - v8;
-            square_t = top_t * top + top * top_t;
+            EACH_LANE each(square_t) = each(top_t) * top + top * each(top_t);
             square = top * top;
         }
     }
     (*result_0) = square;
-    (*result_1) = square_t;
+    EACH_LANE each((*result_1)) = each(square_t);
     return 0;
 }
 
@@ -2081,109 +2115,109 @@ static inline int64_t derivative_node_patches__peak_square_t(double* result_0, d
  */
 
 /* Derivative of ``trace_tolerance``. */
-static inline int64_t derivative_nodes__trace_tolerance_t(double* tolerance, double* tolerance_t, double spacing, double spacing_t)
+static inline int64_t derivative_nodes__trace_tolerance_t(double* tolerance, lanes* tolerance_t, double spacing, lanes spacing_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     v1 = nodes__TRACE_SHARE * spacing;
-    v1_t = nodes__TRACE_SHARE * spacing_t;
+    EACH_LANE each(v1_t) = nodes__TRACE_SHARE * each(spacing_t);
     if (nodes__COARSEST_TRACE < v1)
     {
         v1 = nodes__COARSEST_TRACE;
-        v1_t = 0.0;
+        v1_t = all_lanes(0.0);
     }
-    (*tolerance_t) = v1_t;
+    EACH_LANE each((*tolerance_t)) = each(v1_t);
     (*tolerance) = v1;
     return 0;
 }
 
 /* Derivative of ``lay_nodes``. */
-static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, double low_reach, double low_reach_t, double high_reach, double high_reach_t)
+static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double low_reach, lanes low_reach_t, double high_reach, lanes high_reach_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     double gap;
-    double gap_t;
+    lanes gap_t;
     double rate;
-    double rate_t;
+    lanes rate_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double curvature;
-    double curvature_t;
+    lanes curvature_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     int64_t n4;
     int64_t before;
     int64_t n5;
     int64_t after;
-    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-    derivative_curves__open_origin_t(tables, work, work_t, pair, region, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
-    derivative_nodes__trace_tolerance_t(&v1, &v1_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
-    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), v1, v1_t);
-    (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
+    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*lanes_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
+    derivative_curves__open_origin_t(tables, work, work_t, pair, region, (*cspan_at(&work, region + layout__REGION_SPACING)), (*lanes_at(&work_t, region + layout__REGION_SPACING)));
+    derivative_nodes__trace_tolerance_t(&v1, &v1_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*lanes_at(&work_t, region + layout__REGION_SPACING)));
+    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, region + layout__REGION_STATION)), (*lanes_at(&work_t, region + layout__REGION_STATION)), v1, v1_t);
+    (*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = all_lanes(0.0);
     (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
-    (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature_t;
+    EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0)))) = 0.5 * each(curvature_t);
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
     derivative_nodes__turn_cosine_t(&v2, &v2_t, tables, work, work_t, pair);
-    (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = v2_t;
+    EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0)))) = each(v2_t);
     (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = v2;
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        derivative_curvature__relative_curvature_t(&v3, &v3_t, tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-        (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v3_t;
+        derivative_curvature__relative_curvature_t(&v3, &v3_t, tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0)))) = each(v3_t);
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v3;
     }
     n4 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, -INT64_C(1), low_reach, low_reach_t, rate, rate_t);
     before = n4;
-    (*cspan_at(&work_t, region + layout__REGION_FIRST)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_FIRST)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_FIRST)) = (double)(-before);
     n5 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, INT64_C(1), high_reach, high_reach_t, rate, rate_t);
     after = n5;
-    (*cspan_at(&work_t, region + layout__REGION_LAST)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_LAST)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_LAST)) = (double)(after);
     return INT64_C(0);
 }
 
 /* Derivative of ``turn_cosine``. */
-static inline int64_t derivative_nodes__turn_cosine_t(double* v4, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
+static inline int64_t derivative_nodes__turn_cosine_t(double* v4, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
     double height;
-    double height_t;
+    lanes height_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double v1;
     double v2;
     double v3;
-    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
     v2 = 1.0 + slope * slope;
     v3 = sqrt(v2);
     (*v4) = v1 / v3;
-    (*result_1) = ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (slope_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + slope * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) - (*v4) * derivative_rates__root_rate(v3, slope_t * slope + slope * slope_t)) / v3;
+    EACH_LANE each((*result_1)) = (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) + (each(slope_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + slope * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)))) - (*v4) * derivative_rates__root_rate(v3, each(slope_t) * slope + slope * each(slope_t))) / v3;
     return 0;
 }
 
 /* Derivative of ``bring_nearer``. */
-static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes)
+static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes)
 {
     int64_t k_end;
     int64_t k;
-    double level_t;
+    lanes level_t;
     double level;
     double v1;
     double v2;
     k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
-        level_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k));
+        EACH_LANE each(level_t) = each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION))) - each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k)));
         level = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) - (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k));
         if ((level > 0.0) && ((*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + k)) > nodes__LEAST_TURN))
         {
             v1 = 1.0 / (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + k));
             v2 = v1 - 1.0;
-            (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k)) = (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k)) - (level_t * v2 + level * ((-v1) * (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + k)) / (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + k))));
+            EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k))) = each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k))) - (each(level_t) * v2 + level * ((-v1) * each((*lanes_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + k))) / (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + k))));
             (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)) = (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)) - level * v2;
         }
     }
@@ -2191,39 +2225,39 @@ static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, arr
 }
 
 /* Derivative of ``trace_node``. */
-static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at)
+static inline int64_t derivative_nodes__trace_node_t(double* gap, lanes* gap_t, double* rate, lanes* rate_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at)
 {
     double v1;
-    double station_t;
+    lanes station_t;
     double station;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double curvature;
-    double curvature_t;
+    lanes curvature_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
-    double v4_t;
+    lanes v4_t;
     v1 = (double)(at);
-    station_t = (*cspan_at(&work_t, region + layout__REGION_STATION)) + (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v1;
+    EACH_LANE each(station_t) = each((*lanes_at(&work_t, region + layout__REGION_STATION))) + each((*lanes_at(&work_t, region + layout__REGION_SPACING))) * v1;
     station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * v1;
-    derivative_nodes__trace_tolerance_t(&v2, &v2_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
+    derivative_nodes__trace_tolerance_t(&v2, &v2_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*lanes_at(&work_t, region + layout__REGION_SPACING)));
     derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, station, station_t, v2, v2_t);
     if ((*gap) < frame__NO_GAP)
     {
-        (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap_t) - (*cspan_at(&work_t, region + layout__REGION_GAP));
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at))) = each((*gap_t)) - each((*lanes_at(&work_t, region + layout__REGION_GAP)));
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap) - (*cspan_at(&work, region + layout__REGION_GAP));
-        (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature_t;
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + at))) = 0.5 * each(curvature_t);
         (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature;
         derivative_nodes__turn_cosine_t(&v3, &v3_t, tables, work, work_t, pair);
-        (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + at)) = v3_t;
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + at))) = each(v3_t);
         (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + at)) = v3;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
         {
-            derivative_curvature__relative_curvature_t(&v4, &v4_t, tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-            (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at)) = v4_t;
+            derivative_curvature__relative_curvature_t(&v4, &v4_t, tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+            EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at))) = each(v4_t);
             (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = v4;
         }
     }
@@ -2231,7 +2265,7 @@ static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t,
 }
 
 /* Derivative of ``lay_side_nodes``. */
-static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double reach_t, double rate, double rate_t)
+static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, lanes reach_t, double rate, lanes rate_t)
 {
     int64_t stride;
     int64_t window;
@@ -2241,17 +2275,17 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
     int64_t left;
     bool ended;
     double gap;
-    double gap_t;
+    lanes gap_t;
     double next_rate;
-    double next_rate_t;
+    lanes next_rate_t;
     double v1;
     int64_t start;
     int64_t at;
     double v2;
-    double station_t;
+    lanes station_t;
     double station;
     int64_t passed;
-    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*lanes_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
     stride = nodes__node_stride(tables);
     window = nodes__window_nodes(tables);
     k = INT64_C(0);
@@ -2268,20 +2302,22 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
             if ((gap >= frame__NO_GAP) && (step > INT64_C(1)))
             {
                 step = INT64_C(1);
-                derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+                derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*lanes_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
                 derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, tables, work, work_t, pair, region, nodes, direction * (traced + step));
             }
             if (gap >= frame__NO_GAP)
             {
                 ended = 1;
                 v1 = (double)(direction * k);
-                derivative_nodes__end_region_t(work, work_t, region, direction, (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * v1, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v1);
+                lanes rates_1;
+                EACH_LANE each(rates_1) = each((*lanes_at(&work_t, region + layout__REGION_STATION))) + each((*lanes_at(&work_t, region + layout__REGION_SPACING))) * v1;
+                derivative_nodes__end_region_t(work, work_t, region, direction, (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * v1, rates_1);
             }
             else
             {
                 start = direction * traced;
-                derivative_nodes__fill_between_t(work, work_t, nodes, start, start + direction * step, step, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)), rate, rate_t, next_rate, next_rate_t);
-                rate_t = next_rate_t;
+                derivative_nodes__fill_between_t(work, work_t, nodes, start, start + direction * step, step, (*cspan_at(&work, region + layout__REGION_SPACING)), (*lanes_at(&work_t, region + layout__REGION_SPACING)), rate, rate_t, next_rate, next_rate_t);
+                EACH_LANE each(rate_t) = each(next_rate_t);
                 rate = next_rate;
                 traced = traced + step;
             }
@@ -2289,14 +2325,14 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
         k = k + INT64_C(1);
         at = direction * k;
         v2 = (double)(at);
-        station_t = (*cspan_at(&work_t, region + layout__REGION_STATION)) + (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v2;
+        EACH_LANE each(station_t) = each((*lanes_at(&work_t, region + layout__REGION_STATION))) + each((*lanes_at(&work_t, region + layout__REGION_SPACING))) * v2;
         station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * v2;
         if (ended)
         {
             derivative_nodes__extrapolate_node_t(work, work_t, nodes, at, direction);
             if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
             {
-                (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at)) = (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + (at - direction)));
+                EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at))) = each((*lanes_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + (at - direction))));
                 (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + (at - direction)));
             }
         }
@@ -2321,12 +2357,12 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
 }
 
 /* Derivative of ``fill_straight``. */
-static inline int64_t derivative_nodes__fill_straight_t(array_double_1d work, array_double_1d work_t, int64_t values, int64_t start, int64_t stop, int64_t count)
+static inline int64_t derivative_nodes__fill_straight_t(array_double_1d work, array_lanes_1d work_t, int64_t values, int64_t start, int64_t stop, int64_t count)
 {
     int64_t inward;
     double v1;
     double v2;
-    double rise_t;
+    lanes rise_t;
     double rise;
     int64_t i;
     double v3;
@@ -2337,30 +2373,30 @@ static inline int64_t derivative_nodes__fill_straight_t(array_double_1d work, ar
     }
     v1 = (*cspan_at(&work, values + INT64_C(128) + stop)) - (*cspan_at(&work, values + INT64_C(128) + start));
     v2 = (double)(count);
-    rise_t = ((*cspan_at(&work_t, values + INT64_C(128) + stop)) - (*cspan_at(&work_t, values + INT64_C(128) + start))) / v2;
+    EACH_LANE each(rise_t) = (each((*lanes_at(&work_t, values + INT64_C(128) + stop))) - each((*lanes_at(&work_t, values + INT64_C(128) + start)))) / v2;
     rise = v1 / v2;
     for (i = INT64_C(1); i < count; i += INT64_C(1))
     {
         v3 = (double)(i);
-        (*cspan_at(&work_t, values + INT64_C(128) + (start + inward * i))) = (*cspan_at(&work_t, values + INT64_C(128) + start)) + rise_t * v3;
+        EACH_LANE each((*lanes_at(&work_t, values + INT64_C(128) + (start + inward * i)))) = each((*lanes_at(&work_t, values + INT64_C(128) + start))) + each(rise_t) * v3;
         (*cspan_at(&work, values + INT64_C(128) + (start + inward * i))) = (*cspan_at(&work, values + INT64_C(128) + start)) + rise * v3;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``fill_between``. */
-static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, array_double_1d work_t, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, double spacing_t, double start_rate, double start_rate_t, double stop_rate, double stop_rate_t)
+static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, array_lanes_1d work_t, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, lanes spacing_t, double start_rate, lanes start_rate_t, double stop_rate, lanes stop_rate_t)
 {
-    double low_t;
+    lanes low_t;
     double low;
-    double rise_t;
+    lanes rise_t;
     double rise;
     double v1;
-    double width_t;
+    lanes width_t;
     double width;
-    double forward_t;
+    lanes forward_t;
     double forward;
-    double backward_t;
+    lanes backward_t;
     double backward;
     int64_t inward;
     int64_t i;
@@ -2369,19 +2405,19 @@ static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, arr
     double v2;
     double v3;
     double v4;
-    double v4_t;
-    double gap_t;
+    lanes v4_t;
+    lanes gap_t;
     double gap;
-    low_t = (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + start));
+    EACH_LANE each(low_t) = each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + start)));
     low = (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + start));
-    rise_t = (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + stop)) - low_t;
+    EACH_LANE each(rise_t) = each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + stop))) - each(low_t);
     rise = (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + stop)) - low;
     v1 = (double)(stop - start);
-    width_t = spacing_t * v1;
+    EACH_LANE each(width_t) = each(spacing_t) * v1;
     width = spacing * v1;
-    forward_t = start_rate_t * width + start_rate * width_t - rise_t;
+    EACH_LANE each(forward_t) = each(start_rate_t) * width + start_rate * each(width_t) - each(rise_t);
     forward = start_rate * width - rise;
-    backward_t = stop_rate_t * width + stop_rate * width_t - rise_t;
+    EACH_LANE each(backward_t) = each(stop_rate_t) * width + stop_rate * each(width_t) - each(rise_t);
     backward = stop_rate * width - rise;
     inward = INT64_C(1);
     if (stop < start)
@@ -2395,15 +2431,15 @@ static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, arr
         v2 = rest * forward - x * backward;
         v3 = rise + rest * v2;
         v4 = low + x * v3;
-        v4_t = low_t + x * (rise_t + rest * (rest * forward_t - x * backward_t));
+        EACH_LANE each(v4_t) = each(low_t) + x * (each(rise_t) + rest * (rest * each(forward_t) - x * each(backward_t)));
         if (0.0 > v4)
         {
             v4 = 0.0;
-            v4_t = 0.0;
+            v4_t = all_lanes(0.0);
         }
-        gap_t = v4_t;
+        EACH_LANE each(gap_t) = each(v4_t);
         gap = v4;
-        (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + (start + inward * i))) = gap_t;
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + (start + inward * i)))) = each(gap_t);
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (start + inward * i))) = gap;
     }
     derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_A, start, stop, count);
@@ -2412,26 +2448,26 @@ static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, arr
 }
 
 /* Derivative of ``end_region``. */
-static inline int64_t derivative_nodes__end_region_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t direction, double station, double station_t)
+static inline int64_t derivative_nodes__end_region_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t direction, double station, lanes station_t)
 {
     if (direction > INT64_C(0))
     {
         if (station + (*cspan_at(&work, region + layout__REGION_SPACING)) < (*cspan_at(&work, region + layout__REGION_HIGH)))
         {
-            (*cspan_at(&work_t, region + layout__REGION_HIGH)) = station_t;
+            EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_HIGH))) = each(station_t);
             (*cspan_at(&work, region + layout__REGION_HIGH)) = station;
         }
     }
     else if (station - (*cspan_at(&work, region + layout__REGION_SPACING)) > (*cspan_at(&work, region + layout__REGION_LOW)))
     {
-        (*cspan_at(&work_t, region + layout__REGION_LOW)) = station_t;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_LOW))) = each(station_t);
         (*cspan_at(&work, region + layout__REGION_LOW)) = station;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``extrapolate_node``. */
-static inline int64_t derivative_nodes__extrapolate_node_t(array_double_1d work, array_double_1d work_t, int64_t nodes, int64_t at, int64_t direction)
+static inline int64_t derivative_nodes__extrapolate_node_t(array_double_1d work, array_lanes_1d work_t, int64_t nodes, int64_t at, int64_t direction)
 {
     int64_t one;
     int64_t two;
@@ -2439,123 +2475,127 @@ static inline int64_t derivative_nodes__extrapolate_node_t(array_double_1d work,
     if (at * direction > INT64_C(2))
     {
         two = one - direction;
-        (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at)) = 3.0 * (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + one)) - 3.0 * (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + two)) + (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + (two - direction)));
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at))) = 3.0 * each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + one))) - 3.0 * each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + two))) + each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + (two - direction))));
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = 3.0 * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + one)) - 3.0 * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + two)) + (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (two - direction)));
     }
     else
     {
-        (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + one));
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at))) = each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + one)));
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + one));
     }
-    (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + at)) = (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + one));
+    EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + at))) = each((*lanes_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + one)));
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + one));
-    (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + at)) = (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + one));
+    EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + at))) = each((*lanes_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + one)));
     (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + one));
     return INT64_C(0);
 }
 
 /* Derivative of ``zone_share``. */
-static inline int64_t derivative_nodes__zone_share_t(double* share, double* share_t, array_double_1d tables, double A, double A_t, double side, double side_t)
+static inline int64_t derivative_nodes__zone_share_t(double* share, lanes* share_t, array_double_1d tables, double A, lanes A_t, double side, lanes side_t)
 {
     double v1;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v4;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v5;
     v1 = coefficients__FLOOR * A;
     v2 = side;
-    v2_t = side_t;
+    EACH_LANE each(v2_t) = each(side_t);
     if (v1 > v2)
     {
         v2 = v1;
-        v2_t = coefficients__FLOOR * A_t;
+        EACH_LANE each(v2_t) = coefficients__FLOOR * each(A_t);
     }
-    side_t = v2_t;
+    EACH_LANE each(side_t) = each(v2_t);
     side = v2;
     v4 = A / side;
-    derivative_coefficients__table_value_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v4, (A_t - v4 * side_t) / side);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = (each(A_t) - v4 * each(side_t)) / side;
+    derivative_coefficients__table_value_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v4, rates_1);
     v5 = nodes__SPREAD / v3;
-    (*share_t) = (-v5) * v3_t / v3;
+    EACH_LANE each((*share_t)) = (-v5) * each(v3_t) / v3;
     (*share) = v5;
     if (((*share) > nodes__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
     {
-        (*share_t) = 0.0;
+        (*share_t) = all_lanes(0.0);
         (*share) = nodes__COVER;
     }
     return 0;
 }
 
 /* Derivative of ``node_spacing``. */
-static inline int64_t derivative_nodes__node_spacing_t(double* spacing, double* spacing_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double enlarge, double enlarge_t)
+static inline int64_t derivative_nodes__node_spacing_t(double* spacing, lanes* spacing_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double enlarge, lanes enlarge_t)
 {
     double v1;
-    double mean_t;
+    lanes mean_t;
     double mean;
     double v2;
-    double v2_t;
-    double widest_t;
+    lanes v2_t;
+    lanes widest_t;
     double widest;
     double v3;
     double v4;
-    double least_t;
+    lanes least_t;
     double least;
     double v5;
-    double v5_t;
-    int64_t v6;
+    lanes v5_t;
+    double v6;
     double v7;
     v1 = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
-    mean_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)));
+    EACH_LANE each(mean_t) = 0.5 * (each((*lanes_at(&work_t, region + layout__REGION_WIDTH_LOW))) + each((*lanes_at(&work_t, region + layout__REGION_WIDTH_HIGH))));
     mean = 0.5 * v1;
     v2 = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
-    v2_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW));
+    EACH_LANE each(v2_t) = each((*lanes_at(&work_t, region + layout__REGION_WIDTH_LOW)));
     if ((*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) > v2)
     {
         v2 = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
-        v2_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH));
+        EACH_LANE each(v2_t) = each((*lanes_at(&work_t, region + layout__REGION_WIDTH_HIGH)));
     }
-    widest_t = v2_t;
+    EACH_LANE each(widest_t) = each(v2_t);
     widest = v2;
     v3 = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, region + layout__REGION_CURVATURE));
     v4 = sqrt(v3);
-    least_t = nodes__NARROWEST * derivative_rates__root_rate(v4, ((*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - v3 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE))) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
+    EACH_LANE each(least_t) = nodes__NARROWEST * derivative_rates__root_rate(v4, (each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION))) - v3 * each((*lanes_at(&work_t, region + layout__REGION_CURVATURE)))) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
     least = nodes__NARROWEST * v4;
     v5 = mean;
-    v5_t = mean_t;
+    EACH_LANE each(v5_t) = each(mean_t);
     if (least > v5)
     {
         v5 = least;
-        v5_t = least_t;
+        EACH_LANE each(v5_t) = each(least_t);
     }
-    mean_t = v5_t;
+    EACH_LANE each(mean_t) = each(v5_t);
     mean = v5;
-    v6 = (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)));
-    (*spacing_t) = mean_t / v6;
+    v6 = (double)((int64_t)((*cspan_at(&tables, layout__TABLES_NODES))));
+    EACH_LANE each((*spacing_t)) = each(mean_t) / v6;
     (*spacing) = mean / v6;
     if (widest * enlarge > nodes__NODE_ROOM * (*spacing))
     {
         v7 = widest * enlarge;
-        (*spacing_t) = (widest_t * enlarge + widest * enlarge_t) / nodes__NODE_ROOM;
+        EACH_LANE each((*spacing_t)) = (each(widest_t) * enlarge + widest * each(enlarge_t)) / nodes__NODE_ROOM;
         (*spacing) = v7 / nodes__NODE_ROOM;
     }
     return 0;
 }
 
 /* Derivative of ``prepare_regions``. */
-static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double enlarge, double enlarge_t)
+static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double enlarge, lanes enlarge_t)
 {
     int64_t i;
     int64_t region;
     double v1;
-    double v1_t;
+    lanes v1_t;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         derivative_frame__enter_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
-        derivative_widths__measure_widths_t(tables, work, work_t, pair, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), nodes__MEASURED * (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+        lanes rates_1;
+        EACH_LANE each(rates_1) = nodes__MEASURED * each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+        derivative_widths__measure_widths_t(tables, work, work_t, pair, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), rates_1);
         derivative_nodes__node_spacing_t(&v1, &v1_t, work, work_t, tables, region, enlarge, enlarge_t);
-        (*cspan_at(&work_t, region + layout__REGION_SPACING)) = v1_t;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SPACING))) = each(v1_t);
         (*cspan_at(&work, region + layout__REGION_SPACING)) = v1;
         derivative_nodes__prepare_nodes_t(tables, work, work_t, pair, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge, enlarge_t);
         derivative_frame__leave_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
@@ -2564,40 +2604,40 @@ static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d tables
 }
 
 /* Derivative of ``prepare_nodes``. */
-static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, double enlarge, double enlarge_t)
+static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double enlarge, lanes enlarge_t)
 {
     bool yawed;
-    double reach_t;
+    lanes reach_t;
     double reach;
-    double A_t;
+    lanes A_t;
     double A;
     double v1;
-    double v1_t;
-    double low_reach_t;
+    lanes v1_t;
+    lanes low_reach_t;
     double low_reach;
     double v2;
-    double v2_t;
-    double high_reach_t;
+    lanes v2_t;
+    lanes high_reach_t;
     double high_reach;
     double v3;
     double v4;
     double v5;
     yawed = frame__is_yawed(work);
-    reach_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) * enlarge + (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * enlarge_t;
+    EACH_LANE each(reach_t) = each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION))) * enlarge + (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * each(enlarge_t);
     reach = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * enlarge;
-    A_t = 0.5 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
+    EACH_LANE each(A_t) = 0.5 * each((*lanes_at(&work_t, region + layout__REGION_CURVATURE)));
     A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    derivative_nodes__zone_share_t(&v1, &v1_t, tables, A, A_t, (*cspan_at(&work, region + layout__REGION_SIDE_LOW)), (*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)));
-    low_reach_t = reach_t * v1 + reach * v1_t;
+    derivative_nodes__zone_share_t(&v1, &v1_t, tables, A, A_t, (*cspan_at(&work, region + layout__REGION_SIDE_LOW)), (*lanes_at(&work_t, region + layout__REGION_SIDE_LOW)));
+    EACH_LANE each(low_reach_t) = each(reach_t) * v1 + reach * each(v1_t);
     low_reach = reach * v1;
-    derivative_nodes__zone_share_t(&v2, &v2_t, tables, A, A_t, (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)), (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)));
-    high_reach_t = reach_t * v2 + reach * v2_t;
+    derivative_nodes__zone_share_t(&v2, &v2_t, tables, A, A_t, (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)), (*lanes_at(&work_t, region + layout__REGION_SIDE_HIGH)));
+    EACH_LANE each(high_reach_t) = each(reach_t) * v2 + reach * each(v2_t);
     high_reach = reach * v2;
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && yawed)
     {
         v3 = (double)(nodes__node_stride(tables));
         v4 = (*cspan_at(&work, region + layout__REGION_SPACING)) * v3;
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v3 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) + v4 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR))) = each((*lanes_at(&work_t, region + layout__REGION_SPACING))) * v3 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) + v4 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = v4 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
     }
     derivative_nodes__lay_nodes_t(tables, work, work_t, pair, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
@@ -2605,10 +2645,10 @@ static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, 
     derivative_coefficients__weigh_nodes_t(work, work_t, tables, region, nodes, nodes__window_nodes(tables), yawed);
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
     {
-        derivative_patch_places__mean_normal_t(tables, work, work_t, pair, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+        derivative_patch_places__mean_normal_t(tables, work, work_t, pair, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
     }
     v5 = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
-    (*cspan_at(&work_t, region + layout__REGION_SQUARE)) = ((*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - v5 * (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)))) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SQUARE))) = (each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION))) - v5 * each((*lanes_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0))))) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
     (*cspan_at(&work, region + layout__REGION_SQUARE)) = v5;
     return INT64_C(0);
 }
@@ -2620,7 +2660,7 @@ static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, 
  */
 
 /* Derivative of ``solve_normal``. */
-static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, lanes* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
     int64_t model;
     model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
@@ -2650,61 +2690,61 @@ static inline int64_t derivative_normal_contact__solve_normal_t(double* penetrat
  */
 
 /* Derivative of ``mean_normal``. */
-static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t)
+static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double local_penetration, lanes local_penetration_t)
 {
     double v1;
-    double v1_t;
-    double arc_t;
+    lanes v1_t;
+    lanes arc_t;
     double arc;
-    double total_t;
+    lanes total_t;
     double total;
-    double cosines_t;
+    lanes cosines_t;
     double cosines;
-    double sines_t;
+    lanes sines_t;
     double sines;
     int64_t direction;
-    double x_t;
+    lanes x_t;
     double x;
     double v2;
-    double step_t;
+    lanes step_t;
     double step;
     int64_t last;
     int64_t k;
     double height;
-    double height_t;
+    lanes height_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double v3;
     double v4;
     double v5;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
     double v6;
-    double weight_t;
+    lanes weight_t;
     double weight;
     double v7;
     double v9;
     double v8;
-    double v8_t;
+    lanes v8_t;
     double v10;
     double v11;
     double v12;
-    double v12_t;
-    derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
-    arc_t = v1_t;
+    lanes v12_t;
+    derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)));
+    EACH_LANE each(arc_t) = each(v1_t);
     arc = v1;
-    total_t = 0.0;
+    total_t = all_lanes(0.0);
     total = 0.0;
-    cosines_t = 0.0;
+    cosines_t = all_lanes(0.0);
     cosines = 0.0;
-    sines_t = 0.0;
+    sines_t = all_lanes(0.0);
     sines = 0.0;
     for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
     {
-        x_t = (*cspan_at(&work_t, region + layout__REGION_RAIL));
+        EACH_LANE each(x_t) = each((*lanes_at(&work_t, region + layout__REGION_RAIL)));
         x = (*cspan_at(&work, region + layout__REGION_RAIL));
         v2 = (double)(direction);
-        step_t = v2 * (*cspan_at(&work_t, region + layout__REGION_SPACING));
+        EACH_LANE each(step_t) = v2 * each((*lanes_at(&work_t, region + layout__REGION_SPACING)));
         step = v2 * (*cspan_at(&work, region + layout__REGION_SPACING));
         last = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
         if (direction < INT64_C(0))
@@ -2717,10 +2757,10 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
             v3 = 1.0 + slope * slope;
             v4 = sqrt(v3);
             v5 = 1.0 / v4;
-            cosine_t = (-v5) * derivative_rates__root_rate(v4, slope_t * slope + slope * slope_t) / v4;
+            EACH_LANE each(cosine_t) = (-v5) * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)) / v4;
             cosine = v5;
             v6 = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + direction * k));
-            weight_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * v6 + (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * (local_penetration_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + direction * k)));
+            EACH_LANE each(weight_t) = each((*lanes_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + direction * k))) * v6 + (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * (each(local_penetration_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + direction * k))));
             weight = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * v6;
             if (weight <= 0.0)
             {
@@ -2728,34 +2768,36 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
             }
             if (k == INT64_C(0))
             {
-                weight_t = weight_t * 0.5;
+                EACH_LANE each(weight_t) = each(weight_t) * 0.5;
                 weight = weight * 0.5;
             }
-            total_t = total_t + weight_t;
+            EACH_LANE each(total_t) = each(total_t) + each(weight_t);
             total = total + weight;
-            cosines_t = cosines_t + (weight_t * cosine + weight * cosine_t);
+            EACH_LANE each(cosines_t) = each(cosines_t) + (each(weight_t) * cosine + weight * each(cosine_t));
             cosines = cosines + weight * cosine;
             v7 = weight * slope;
-            sines_t = sines_t + ((weight_t * slope + weight * slope_t) * cosine + v7 * cosine_t);
+            EACH_LANE each(sines_t) = each(sines_t) + ((each(weight_t) * slope + weight * each(slope_t)) * cosine + v7 * each(cosine_t));
             sines = sines + v7 * cosine;
             v9 = (double)(k + INT64_C(1));
-            derivative_tables__read_cubic_t(&v8, &v8_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_AT_ARC))), arc + step * v9, arc_t + step_t * v9);
-            x_t = v8_t;
+            lanes rates_1;
+            EACH_LANE each(rates_1) = each(arc_t) + each(step_t) * v9;
+            derivative_tables__read_cubic_t(&v8, &v8_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_AT_ARC))), arc + step * v9, rates_1);
+            EACH_LANE each(x_t) = each(v8_t);
             x = v8;
         }
     }
     if (total > 0.0)
     {
         v10 = cosines / total;
-        (*cspan_at(&work_t, region + layout__REGION_COS)) = (cosines_t - v10 * total_t) / total;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_COS))) = (each(cosines_t) - v10 * each(total_t)) / total;
         (*cspan_at(&work, region + layout__REGION_COS)) = v10;
         v11 = sines / total;
-        (*cspan_at(&work_t, region + layout__REGION_SIN)) = (sines_t - v11 * total_t) / total;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SIN))) = (each(sines_t) - v11 * each(total_t)) / total;
         (*cspan_at(&work, region + layout__REGION_SIN)) = v11;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            derivative_rails__upright_share_t(&v12, &v12_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work_t, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)), (*cspan_at(&work_t, region + layout__REGION_SIN)));
-            (*cspan_at(&work_t, region + layout__REGION_SHARE)) = v12_t;
+            derivative_rails__upright_share_t(&v12, &v12_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*lanes_at(&work_t, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)), (*lanes_at(&work_t, region + layout__REGION_SIN)));
+            EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SHARE))) = each(v12_t);
             (*cspan_at(&work, region + layout__REGION_SHARE)) = v12;
         }
     }
@@ -2763,17 +2805,17 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
 }
 
 /* Derivative of ``place_patches``. */
-static inline int64_t derivative_patch_places__place_patches_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side)
+static inline int64_t derivative_patch_places__place_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side)
 {
     int64_t index_end;
     int64_t index;
     int64_t patch;
     int64_t number;
     int64_t region;
-    double local_t;
+    lanes local_t;
     double local;
     double v1;
-    double v1_t;
+    lanes v1_t;
     index_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
@@ -2783,16 +2825,16 @@ static inline int64_t derivative_patch_places__place_patches_t(array_double_1d t
             if ((*cspan_at(&work, patch + layout__PATCH_LOADS + number)) != 0.0)
             {
                 region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * number;
-                local_t = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work_t, region + layout__REGION_GAP));
+                EACH_LANE each(local_t) = each((*lanes_at(&work_t, region + layout__REGION_ALIGNMENT))) * (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION))) - each((*lanes_at(&work_t, region + layout__REGION_GAP)));
                 local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work, region + layout__REGION_GAP));
                 v1 = (*cspan_at(&work, patch + layout__PATCH_PENETRATION));
-                v1_t = (*cspan_at(&work_t, patch + layout__PATCH_PENETRATION));
+                EACH_LANE each(v1_t) = each((*lanes_at(&work_t, patch + layout__PATCH_PENETRATION)));
                 if (local > v1)
                 {
                     v1 = local;
-                    v1_t = local_t;
+                    EACH_LANE each(v1_t) = each(local_t);
                 }
-                (*cspan_at(&work_t, patch + layout__PATCH_PENETRATION)) = v1_t;
+                EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_PENETRATION))) = each(v1_t);
                 (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = v1;
                 derivative_patch_places__place_load_t(tables, work, work_t, pair, region, patch, number);
             }
@@ -2803,149 +2845,151 @@ static inline int64_t derivative_patch_places__place_patches_t(array_double_1d t
 }
 
 /* Derivative of ``place_load``. */
-static inline int64_t derivative_patch_places__place_load_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t patch, int64_t number)
+static inline int64_t derivative_patch_places__place_load_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t patch, int64_t number)
 {
-    double load_t;
+    lanes load_t;
     double load;
-    double away_t;
+    lanes away_t;
     double away;
     double v1;
     double v2;
-    double v2_t;
-    double abscissa_t;
+    lanes v2_t;
+    lanes abscissa_t;
     double abscissa;
     double height;
-    double height_t;
+    lanes height_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double v3;
     double v4;
     double v5;
-    double normal_cos_t;
+    lanes normal_cos_t;
     double normal_cos;
-    double normal_sin_t;
+    lanes normal_sin_t;
     double normal_sin;
-    double x_t;
+    lanes x_t;
     double x;
     double y;
-    double y_t;
+    lanes y_t;
     double z;
-    double z_t;
-    double down_t;
+    lanes z_t;
+    lanes down_t;
     double down;
     int64_t k6;
     int64_t k7;
     int64_t k8;
     int64_t k9;
-    double force_y_t;
+    lanes force_y_t;
     double force_y;
     double v10;
-    double force_z_t;
+    lanes force_z_t;
     double force_z;
     double wheel_height;
-    double wheel_height_t;
+    lanes wheel_height_t;
     double wheel_slope;
-    double wheel_slope_t;
+    lanes wheel_slope_t;
     double v11;
     double v12;
     double v13;
     double v14;
-    load_t = (*cspan_at(&work_t, patch + layout__PATCH_LOADS + number));
+    EACH_LANE each(load_t) = each((*lanes_at(&work_t, patch + layout__PATCH_LOADS + number)));
     load = (*cspan_at(&work, patch + layout__PATCH_LOADS + number));
-    away_t = 0.0;
+    away_t = all_lanes(0.0);
     away = 0.0;
     if (load > 0.0)
     {
         v1 = (*cspan_at(&work, patch + layout__PATCH_MOMENTS + number)) / load;
-        away_t = ((*cspan_at(&work_t, patch + layout__PATCH_MOMENTS + number)) - v1 * load_t) / load - (*cspan_at(&work_t, region + layout__REGION_OFFSET)) - (*cspan_at(&work_t, region + layout__REGION_STATION));
+        EACH_LANE each(away_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_MOMENTS + number))) - v1 * each(load_t)) / load - each((*lanes_at(&work_t, region + layout__REGION_OFFSET))) - each((*lanes_at(&work_t, region + layout__REGION_STATION)));
         away = v1 - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION));
     }
     derivative_patch_places__abscissa_at_t(&v2, &v2_t, tables, work, work_t, pair, region, away, away_t);
-    abscissa_t = v2_t;
+    EACH_LANE each(abscissa_t) = each(v2_t);
     abscissa = v2;
     derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
     v3 = 1.0 + slope * slope;
     v4 = sqrt(v3);
     v5 = 1.0 / v4;
-    normal_cos_t = (-v5) * derivative_rates__root_rate(v4, slope_t * slope + slope * slope_t) / v4;
+    EACH_LANE each(normal_cos_t) = (-v5) * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)) / v4;
     normal_cos = v5;
-    normal_sin_t = slope_t * normal_cos + slope * normal_cos_t;
+    EACH_LANE each(normal_sin_t) = each(slope_t) * normal_cos + slope * each(normal_cos_t);
     normal_sin = slope * normal_cos;
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
     {
-        normal_cos_t = (*cspan_at(&work_t, region + layout__REGION_COS));
+        EACH_LANE each(normal_cos_t) = each((*lanes_at(&work_t, region + layout__REGION_COS)));
         normal_cos = (*cspan_at(&work, region + layout__REGION_COS));
-        normal_sin_t = (*cspan_at(&work_t, region + layout__REGION_SIN));
+        EACH_LANE each(normal_sin_t) = each((*lanes_at(&work_t, region + layout__REGION_SIN)));
         normal_sin = (*cspan_at(&work, region + layout__REGION_SIN));
     }
-    x_t = (*cspan_at(&work_t, region + layout__REGION_X_TRACK)) + ((*cspan_at(&work_t, region + layout__REGION_SLANT)) * away + (*cspan_at(&work, region + layout__REGION_SLANT)) * away_t);
+    EACH_LANE each(x_t) = each((*lanes_at(&work_t, region + layout__REGION_X_TRACK))) + (each((*lanes_at(&work_t, region + layout__REGION_SLANT))) * away + (*cspan_at(&work, region + layout__REGION_SLANT)) * each(away_t));
     x = (*cspan_at(&work, region + layout__REGION_X_TRACK)) + (*cspan_at(&work, region + layout__REGION_SLANT)) * away;
-    derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), 0.0, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, abscissa_t, height, height_t);
+    derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), all_lanes(0.0), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, abscissa_t, height, height_t);
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_LEANING)) == 1.0)
     {
-        down_t = normal_cos_t;
+        EACH_LANE each(down_t) = each(normal_cos_t);
         down = normal_cos;
         k6 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_COS;
         k7 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_SIN;
-        normal_cos_t = (*cspan_at(&work_t, k6)) * down + (*cspan_at(&work, k6)) * down_t - ((*cspan_at(&work_t, k7)) * normal_sin + (*cspan_at(&work, k7)) * normal_sin_t);
+        EACH_LANE each(normal_cos_t) = each((*lanes_at(&work_t, k6))) * down + (*cspan_at(&work, k6)) * each(down_t) - (each((*lanes_at(&work_t, k7))) * normal_sin + (*cspan_at(&work, k7)) * each(normal_sin_t));
         normal_cos = (*cspan_at(&work, k6)) * down - (*cspan_at(&work, k7)) * normal_sin;
         k8 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_COS;
         k9 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_SIN;
-        normal_sin_t = (*cspan_at(&work_t, k8)) * normal_sin + (*cspan_at(&work, k8)) * normal_sin_t + ((*cspan_at(&work_t, k9)) * down + (*cspan_at(&work, k9)) * down_t);
+        EACH_LANE each(normal_sin_t) = each((*lanes_at(&work_t, k8))) * normal_sin + (*cspan_at(&work, k8)) * each(normal_sin_t) + (each((*lanes_at(&work_t, k9))) * down + (*cspan_at(&work, k9)) * each(down_t));
         normal_sin = (*cspan_at(&work, k8)) * normal_sin + (*cspan_at(&work, k9)) * down;
     }
-    force_y_t = normal_sin_t * load + normal_sin * load_t;
+    EACH_LANE each(force_y_t) = each(normal_sin_t) * load + normal_sin * each(load_t);
     force_y = normal_sin * load;
     v10 = -normal_cos;
-    force_z_t = (-normal_cos_t) * load + v10 * load_t;
+    EACH_LANE each(force_z_t) = (-each(normal_cos_t)) * load + v10 * each(load_t);
     force_z = v10 * load;
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y)) + force_y_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y))) + each(force_y_t);
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) + force_y;
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)) + force_z_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z))) + each(force_z_t);
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) + force_z;
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) + (y_t * force_z + y * force_z_t - (z_t * force_y + z * force_y_t));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0)))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0)))) + (each(y_t) * force_z + y * each(force_z_t) - (each(z_t) * force_y + z * each(force_y_t)));
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) + (y * force_z - z * force_y);
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) - (x_t * force_z + x * force_z_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1)))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1)))) - (each(x_t) * force_z + x * each(force_z_t));
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) - x * force_z;
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) + (x_t * force_y + x * force_y_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2)))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2)))) + (each(x_t) * force_y + x * each(force_y_t));
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) + x * force_y;
-    derivative_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+    derivative_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
     v11 = 1.0 + wheel_slope * wheel_slope;
     v12 = sqrt(v11);
     v13 = away / v12;
-    derivative_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + v13, (*cspan_at(&work_t, region + layout__REGION_WHEEL)) + (away_t - v13 * derivative_rates__root_rate(v12, wheel_slope_t * wheel_slope + wheel_slope * wheel_slope_t)) / v12);
-    (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) = (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) + (load_t * x + load * x_t);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, region + layout__REGION_WHEEL))) + (each(away_t) - v13 * derivative_rates__root_rate(v12, each(wheel_slope_t) * wheel_slope + wheel_slope * each(wheel_slope_t))) / v12;
+    derivative_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + v13, rates_1);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK))) = each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK))) + (each(load_t) * x + load * each(x_t));
     (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + load * x;
-    (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) = (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) + (load_t * y + load * y_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) = each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) + (each(load_t) * y + load * each(y_t));
     (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) + load * y;
-    (*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) = (*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) + (load_t * z + load * z_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) = each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) + (each(load_t) * z + load * each(z_t));
     (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) + load * z;
     v14 = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + wheel_height;
-    (*cspan_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)) = (*cspan_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)) + (load_t * v14 + load * wheel_height_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS))) = each((*lanes_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS))) + (each(load_t) * v14 + load * each(wheel_height_t));
     (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) = (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) + load * v14;
     return INT64_C(0);
 }
 
 /* Derivative of ``abscissa_at``. */
-static inline int64_t derivative_patch_places__abscissa_at_t(double* abscissa, double* abscissa_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double away, double away_t)
+static inline int64_t derivative_patch_places__abscissa_at_t(double* abscissa, lanes* abscissa_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double away, lanes away_t)
 {
     double v1;
-    double v1_t;
-    (*abscissa_t) = (*cspan_at(&work_t, region + layout__REGION_RAIL)) + (away_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + away * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
+    lanes v1_t;
+    EACH_LANE each((*abscissa_t)) = each((*lanes_at(&work_t, region + layout__REGION_RAIL))) + (each(away_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + away * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))));
     (*abscissa) = (*cspan_at(&work, region + layout__REGION_RAIL)) + away * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        derivative_curves__rail_abscissa_t(&v1, &v1_t, tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), away, away_t);
-        (*abscissa_t) = v1_t;
+        derivative_curves__rail_abscissa_t(&v1, &v1_t, tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), away, away_t);
+        EACH_LANE each((*abscissa_t)) = each(v1_t);
         (*abscissa) = v1;
     }
     return 0;
 }
 
 /* Derivative of ``close_place``. */
-static inline int64_t derivative_patch_places__close_place_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_patch_places__close_place_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    double load_t;
+    lanes load_t;
     double load;
     double v1;
     double v2;
@@ -2953,51 +2997,51 @@ static inline int64_t derivative_patch_places__close_place_t(array_double_1d wor
     double v4;
     double v5;
     double v6;
-    double slope_t;
+    lanes slope_t;
     double slope;
     double v7;
-    double v7_t;
+    lanes v7_t;
     double v8;
     double v9;
     double v10;
     double v11;
-    load_t = (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    EACH_LANE each(load_t) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
     load = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     if (load > 0.0)
     {
         v1 = (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) / load;
-        (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) = ((*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) - v1 * load_t) / load;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK))) = (each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK))) - v1 * each(load_t)) / load;
         (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) = v1;
         v2 = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) / load;
-        (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) = ((*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) - v2 * load_t) / load;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) = (each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) - v2 * each(load_t)) / load;
         (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) = v2;
         v3 = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) / load;
-        (*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) = ((*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) - v3 * load_t) / load;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) = (each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) - v3 * each(load_t)) / load;
         (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) = v3;
         v4 = (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) / load;
-        (*cspan_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)) = ((*cspan_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)) - v4 * load_t) / load;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS))) = (each((*lanes_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS))) - v4 * each(load_t)) / load;
         (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) = v4;
         v5 = -(*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
         v6 = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) / v5;
-        slope_t = ((*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y)) - v6 * (-(*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)))) / v5;
+        EACH_LANE each(slope_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y))) - v6 * (-each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z))))) / v5;
         slope = v6;
         derivative_circle__atan_rule_t(&v7, &v7_t, slope, slope_t);
-        (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)) = -v7_t;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE))) = -each(v7_t);
         (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)) = -v7;
         v8 = 1.0 + slope * slope;
         v9 = sqrt(v8);
         v10 = 1.0 / v9;
-        (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS)) = (-v10) * derivative_rates__root_rate(v9, slope_t * slope + slope * slope_t) / v9;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_COS))) = (-v10) * derivative_rates__root_rate(v9, each(slope_t) * slope + slope * each(slope_t)) / v9;
         (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) = v10;
         v11 = -slope;
-        (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_SIN)) = (-slope_t) * (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) + v11 * (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS));
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_SIN))) = (-each(slope_t)) * (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) + v11 * each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_COS)));
         (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) = v11 * (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``place_strips``. */
-static inline int64_t derivative_patch_places__place_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t patch)
+static inline int64_t derivative_patch_places__place_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t patch)
 {
     int64_t number;
     int64_t region;
@@ -3005,21 +3049,21 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
     int64_t index;
     int64_t strip;
     double v1;
-    double v1_t;
-    double abscissa_t;
+    lanes v1_t;
+    lanes abscissa_t;
     double abscissa;
     double height;
-    double height_t;
+    lanes height_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double v2;
     double v3;
     double v4;
     double y;
-    double y_t;
+    lanes y_t;
     double z;
-    double z_t;
-    double down_t;
+    lanes z_t;
+    lanes down_t;
     double down;
     number = INT64_C(0);
     while((number < layout__REGION_LIMIT - INT64_C(1)) && ((*cspan_at(&work, patch + layout__PATCH_LOADS + number)) == 0.0))
@@ -3031,24 +3075,28 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
     for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        derivative_patch_places__abscissa_at_t(&v1, &v1_t, tables, work, work_t, pair, region, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)) - (*cspan_at(&work_t, region + layout__REGION_STATION)));
-        abscissa_t = v1_t;
+        lanes rates_1;
+        EACH_LANE each(rates_1) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STATION))) - each((*lanes_at(&work_t, region + layout__REGION_OFFSET))) - each((*lanes_at(&work_t, region + layout__REGION_STATION)));
+        derivative_patch_places__abscissa_at_t(&v1, &v1_t, tables, work, work_t, pair, region, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)), rates_1);
+        EACH_LANE each(abscissa_t) = each(v1_t);
         abscissa = v1;
         derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
         v2 = 1.0 + slope * slope;
         v3 = sqrt(v2);
         v4 = 1.0 / v3;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS)) = (-v4) * derivative_rates__root_rate(v3, slope_t * slope + slope * slope_t) / v3;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS))) = (-v4) * derivative_rates__root_rate(v3, each(slope_t) * slope + slope * each(slope_t)) / v3;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) = v4;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) = slope_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) + slope * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))) = each(slope_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) + slope * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS)));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
-        derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), 0.0, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, abscissa_t, height, height_t);
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) = y_t;
+        derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), all_lanes(0.0), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, abscissa_t, height, height_t);
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK))) = each(y_t);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) = y;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) = z_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK))) = each(z_t);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) = z;
-        derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)) + abscissa_t - (*cspan_at(&work_t, region + layout__REGION_RAIL)));
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = height_t;
+        lanes rates_2;
+        EACH_LANE each(rates_2) = each((*lanes_at(&work_t, region + layout__REGION_WHEEL))) + each(abscissa_t) - each((*lanes_at(&work_t, region + layout__REGION_RAIL)));
+        derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)), rates_2);
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS))) = each(height_t);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + height;
     }
     if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
@@ -3056,11 +3104,11 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
         for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
         {
             strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-            down_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS));
+            EACH_LANE each(down_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS)));
             down = (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
-            (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS)) = (*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * down + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * down_t - ((*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)));
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS))) = each((*lanes_at(&work_t, place + layout__PLACE_RAIL_COS))) * down + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * each(down_t) - (each((*lanes_at(&work_t, place + layout__PLACE_RAIL_SIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))));
             (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * down - (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN));
-            (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) = (*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) + ((*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) * down + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * down_t);
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))) = each((*lanes_at(&work_t, place + layout__PLACE_RAIL_COS))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))) + (each((*lanes_at(&work_t, place + layout__PLACE_RAIL_SIN))) * down + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * each(down_t));
             (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * down;
         }
     }
@@ -3074,7 +3122,7 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
  */
 
 /* Derivative of ``find_zones``. */
-static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double deepest, double deepest_t)
+static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double deepest, lanes deepest_t)
 {
     int64_t index;
     int64_t region;
@@ -3089,90 +3137,90 @@ static inline int64_t derivative_strip_contact__find_zones_t(array_double_1d tab
 }
 
 /* Derivative of ``measure_zone``. */
-static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, double deepest_t)
+static inline int64_t derivative_strip_contact__measure_zone_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, lanes deepest_t)
 {
-    double depth_t;
+    lanes depth_t;
     double depth;
     double v1;
     double v2;
-    double v2_t;
-    double shallow_t;
+    lanes v2_t;
+    lanes shallow_t;
     double shallow;
-    double level_t;
+    lanes level_t;
     double level;
     double v3;
-    double v3_t;
-    double bend_t;
+    lanes v3_t;
+    lanes bend_t;
     double bend;
     double v4;
     double v5;
     double v6;
-    double estimate_t;
+    lanes estimate_t;
     double estimate;
     double v7;
-    double v7_t;
-    double high_t;
+    lanes v7_t;
+    lanes high_t;
     double high;
     double v8;
-    double v8_t;
-    double low_t;
+    lanes v8_t;
+    lanes low_t;
     double low;
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
+    EACH_LANE each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_START))) = each((*lanes_at(&work_t, region + layout__REGION_OFFSET))) + each((*lanes_at(&work_t, region + layout__REGION_STATION)));
     (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START));
+    EACH_LANE each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_STOP))) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_START)));
     (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
-    depth_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    EACH_LANE each(depth_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
     depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     v1 = strip_contact__OWN_SHALLOW * depth;
     v2 = strip_contact__SHALLOW * deepest;
-    v2_t = strip_contact__SHALLOW * deepest_t;
+    EACH_LANE each(v2_t) = strip_contact__SHALLOW * each(deepest_t);
     if (v1 < v2)
     {
         v2 = v1;
-        v2_t = strip_contact__OWN_SHALLOW * depth_t;
+        EACH_LANE each(v2_t) = strip_contact__OWN_SHALLOW * each(depth_t);
     }
-    shallow_t = v2_t;
+    EACH_LANE each(shallow_t) = each(v2_t);
     shallow = v2;
-    level_t = depth_t - shallow_t;
+    EACH_LANE each(level_t) = each(depth_t) - each(shallow_t);
     level = depth - shallow;
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
+    (*lanes_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) = all_lanes(0.0);
     (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = 0.0;
     if (level > 0.0)
     {
-        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) = level_t;
+        EACH_LANE each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_LEVEL))) = each(level_t);
         (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL)) = level;
         v3 = (*cspan_at(&work, region + layout__REGION_BEND));
-        v3_t = (*cspan_at(&work_t, region + layout__REGION_BEND));
+        EACH_LANE each(v3_t) = each((*lanes_at(&work_t, region + layout__REGION_BEND)));
         if ((*cspan_at(&work, region + layout__REGION_CURVATURE)) > v3)
         {
             v3 = (*cspan_at(&work, region + layout__REGION_CURVATURE));
-            v3_t = (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
+            EACH_LANE each(v3_t) = each((*lanes_at(&work_t, region + layout__REGION_CURVATURE)));
         }
-        bend_t = v3_t;
+        EACH_LANE each(bend_t) = each(v3_t);
         bend = v3;
         v4 = 2.0 * level;
         v5 = v4 / bend;
         v6 = sqrt(v5);
-        estimate_t = derivative_rates__root_rate(v6, (2.0 * level_t - v5 * bend_t) / bend);
+        EACH_LANE each(estimate_t) = derivative_rates__root_rate(v6, (2.0 * each(level_t) - v5 * each(bend_t)) / bend);
         estimate = v6;
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-        derivative_widths__width_rule_t(&v7, &v7_t, tables, work, work_t, pair, region, 1.0, 0.0, level, level_t, estimate, estimate_t);
-        high_t = v7_t;
+        derivative_widths__width_rule_t(&v7, &v7_t, tables, work, work_t, pair, region, 1.0, all_lanes(0.0), level, level_t, estimate, estimate_t);
+        EACH_LANE each(high_t) = each(v7_t);
         high = v7;
-        derivative_widths__width_rule_t(&v8, &v8_t, tables, work, work_t, pair, region, -1.0, 0.0, level, level_t, high, high_t);
-        low_t = v8_t;
+        derivative_widths__width_rule_t(&v8, &v8_t, tables, work, work_t, pair, region, -1.0, all_lanes(0.0), level, level_t, high, high_t);
+        EACH_LANE each(low_t) = each(v8_t);
         low = v8;
-        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) + high_t;
+        EACH_LANE each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_STOP))) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_START))) + each(high_t);
         (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + high;
-        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) - low_t;
+        EACH_LANE each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_START))) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_START))) - each(low_t);
         (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) - low;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``lay_strips``. */
-static inline int64_t derivative_strip_contact__lay_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, int64_t wanted)
+static inline int64_t derivative_strip_contact__lay_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, int64_t wanted)
 {
     derivative_strip_layout__divide_cells_t(work, work_t, count, wanted);
     derivative_strip_surfaces__trace_strips_t(tables, work, work_t, pair, count);
@@ -3182,16 +3230,16 @@ static inline int64_t derivative_strip_contact__lay_strips_t(array_double_1d tab
 }
 
 /* Derivative of ``first_layout``. */
-static inline int64_t derivative_strip_contact__first_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_strip_contact__first_layout_t(double* result_0, lanes* result_1, bool* result_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double force, lanes force_t, bool by_penetration)
 {
-    double penetration_t;
+    lanes penetration_t;
     double penetration;
     bool found;
     int64_t sweep;
     derivative_strip_layout__zone_cells_t(work, work_t, count);
     derivative_strip_contact__lay_strips_t(tables, work, work_t, pair, count, (int64_t)(strip_layout__FIRST_SHARE * (double)((int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS)))) + 0.5));
     derivative_strip_surfaces__first_lengths_t(tables, work, work_t, pair, count);
-    penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    EACH_LANE each(penetration_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)));
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = 0;
     for (sweep = INT64_C(0); sweep < strip_contact__FIRST_SWEEPS; sweep += INT64_C(1))
@@ -3200,24 +3248,24 @@ static inline int64_t derivative_strip_contact__first_layout_t(double* result_0,
         if (!found)
         {
             (*result_0) = penetration;
-            (*result_1) = penetration_t;
+            EACH_LANE each((*result_1)) = each(penetration_t);
             (*result_2) = found;
             return 0;
         }
-        derivative_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, strip_lengths__FIRST_POWER, 0.0, frame__is_yawed(work));
+        derivative_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, strip_lengths__FIRST_POWER, all_lanes(0.0), frame__is_yawed(work));
         derivative_strip_lengths__adopt_lengths_t(work, work_t);
     }
     derivative_strip_layout__strip_cells_t(work, work_t);
     (*result_0) = penetration;
-    (*result_1) = penetration_t;
+    EACH_LANE each((*result_1)) = each(penetration_t);
     (*result_2) = found;
     return 0;
 }
 
 /* Derivative of ``second_layout``. */
-static inline int64_t derivative_strip_contact__second_layout_t(double* result_0, double* result_1, bool* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_strip_contact__second_layout_t(double* result_0, lanes* result_1, bool* result_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double force, lanes force_t, bool by_penetration)
 {
-    double penetration_t;
+    lanes penetration_t;
     double penetration;
     bool found;
     int64_t sweep_end;
@@ -3226,7 +3274,7 @@ static inline int64_t derivative_strip_contact__second_layout_t(double* result_0
     bool given;
     derivative_strip_contact__lay_strips_t(tables, work, work_t, pair, count, (int64_t)((*cspan_at(&tables, layout__TABLES_STRIPS))));
     derivative_strip_surfaces__lengths_before_t(tables, work, work_t, pair);
-    penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    EACH_LANE each(penetration_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)));
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     found = 0;
     sweep_end = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
@@ -3242,13 +3290,13 @@ static inline int64_t derivative_strip_contact__second_layout_t(double* result_0
         if (!found)
         {
             (*result_0) = penetration;
-            (*result_1) = penetration_t;
+            EACH_LANE each((*result_1)) = each(penetration_t);
             (*result_2) = found;
             return 0;
         }
         if ((!last) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
         {
-            derivative_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, strip_lengths__POWER, 0.0, frame__is_yawed(work));
+            derivative_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, strip_lengths__POWER, all_lanes(0.0), frame__is_yawed(work));
         }
         if (!last)
         {
@@ -3256,13 +3304,13 @@ static inline int64_t derivative_strip_contact__second_layout_t(double* result_0
         }
     }
     (*result_0) = penetration;
-    (*result_1) = penetration_t;
+    EACH_LANE each((*result_1)) = each(penetration_t);
     (*result_2) = found;
     return 0;
 }
 
 /* Derivative of ``solve_strips``. */
-static inline int64_t derivative_strip_contact__solve_strips_t(double* r1, double* r1_t, bool* r2, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_strip_contact__solve_strips_t(double* r1, lanes* r1_t, bool* r2, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double force, lanes force_t, bool by_penetration)
 {
     derivative_strip_surfaces__set_gaps_t(work, work_t);
     derivative_strip_pressures__begin_influences_t(work, work_t);
@@ -3271,18 +3319,18 @@ static inline int64_t derivative_strip_contact__solve_strips_t(double* r1, doubl
 }
 
 /* Derivative of ``strip_contact``. */
-static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, lanes* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
     bool by_penetration;
     int64_t n1;
     int64_t count;
     double penetration;
-    double penetration_t;
+    lanes penetration_t;
     bool satisfied;
-    double estimate_t;
+    lanes estimate_t;
     double estimate;
     double v2;
-    double v2_t;
+    lanes v2_t;
     int64_t repeat;
     int64_t n3;
     int64_t n4;
@@ -3295,27 +3343,27 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
     }
     else
     {
-        estimate_t = prescribed_t;
+        EACH_LANE each(estimate_t) = each(prescribed_t);
         estimate = prescribed;
         if (!by_penetration)
         {
             derivative_estimate__first_penetration_t(&v2, &v2_t, tables, work, work_t, pair, force, force_t);
-            estimate_t = v2_t;
+            EACH_LANE each(estimate_t) = each(v2_t);
             estimate = v2;
         }
-        penetration_t = estimate_t;
+        EACH_LANE each(penetration_t) = each(estimate_t);
         penetration = estimate;
         count = INT64_C(0);
         satisfied = 0;
         for (repeat = INT64_C(0); repeat < strip_contact__SINKINGS; repeat += INT64_C(1))
         {
-            estimate_t = penetration_t;
+            EACH_LANE each(estimate_t) = each(penetration_t);
             estimate = penetration;
             n3 = derivative_pressed_regions__sink_wheel_t(tables, work, work_t, pair, side, estimate, estimate_t);
             if (n3 == INT64_C(0))
             {
                 (*result_0_0001) = estimate;
-                (*result_1_0001) = estimate_t;
+                EACH_LANE each((*result_1_0001)) = each(estimate_t);
                 (*result_2) = INT64_C(0);
                 (*result_3) = 0;
                 return 0;
@@ -3331,7 +3379,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
         if (satisfied && (!by_penetration))
         {
             derivative_pressed_regions__sink_deeper_t(work, work_t, count, penetration, penetration_t);
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = penetration_t;
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION))) = each(penetration_t);
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = penetration;
         }
     }
@@ -3349,14 +3397,14 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
         derivative_strip_patches__fill_from_strips_t(work, work_t, tables, side, count);
     }
     (*result_0_0001) = penetration;
-    (*result_1_0001) = penetration_t;
+    EACH_LANE each((*result_1_0001)) = each(penetration_t);
     (*result_2) = count;
     (*result_3) = satisfied;
     return 0;
 }
 
 /* Derivative of ``coarse_contact``. */
-static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t)
+static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, lanes* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t)
 {
     int64_t n1;
     n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
@@ -3370,17 +3418,17 @@ static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetra
 }
 
 /* Derivative of ``open_zones``. */
-static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
+static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
     int64_t n1;
     int64_t deepest;
     int64_t count;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     n1 = derivative_pressed_regions__gather_overlaps_t(tables, work, work_t, pair);
     count = n1;
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    derivative_strip_contact__find_zones_t(tables, work, work_t, pair, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
+    derivative_strip_contact__find_zones_t(tables, work, work_t, pair, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*lanes_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
     return count;
 }
 
@@ -3391,11 +3439,11 @@ static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tab
  */
 
 /* Derivative of ``zone_cells``. */
-static inline int64_t derivative_strip_layout__zone_cells_t(array_double_1d work, array_double_1d work_t, int64_t count)
+static inline int64_t derivative_strip_layout__zone_cells_t(array_double_1d work, array_lanes_1d work_t, int64_t count)
 {
-    double width_t;
+    lanes width_t;
     double width;
-    double depth_t;
+    lanes depth_t;
     double depth;
     int64_t index;
     int64_t cells;
@@ -3407,15 +3455,15 @@ static inline int64_t derivative_strip_layout__zone_cells_t(array_double_1d work
     double v4;
     double v5;
     double v6;
-    width_t = 0.0;
+    width_t = all_lanes(0.0);
     width = 0.0;
-    depth_t = 0.0;
+    depth_t = all_lanes(0.0);
     depth = 0.0;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        width_t = width_t + ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_START)));
+        EACH_LANE each(width_t) = each(width_t) + (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_STOP))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_START))));
         width = width + ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_START)));
-        depth_t = depth_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_LEVEL));
+        EACH_LANE each(depth_t) = each(depth_t) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_LEVEL)));
         depth = depth + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index + layout__STRIP_ZONE_LEVEL));
     }
     cells = INT64_C(0);
@@ -3425,9 +3473,9 @@ static inline int64_t derivative_strip_layout__zone_cells_t(array_double_1d work
         if ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) > (*cspan_at(&work, zone + layout__STRIP_ZONE_START)))
         {
             cell = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * cells;
-            (*cspan_at(&work_t, cell + layout__STRIP_CELL_START)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START));
+            EACH_LANE each((*lanes_at(&work_t, cell + layout__STRIP_CELL_START))) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_START)));
             (*cspan_at(&work, cell + layout__STRIP_CELL_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
-            (*cspan_at(&work_t, cell + layout__STRIP_CELL_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP));
+            EACH_LANE each((*lanes_at(&work_t, cell + layout__STRIP_CELL_STOP))) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_STOP)));
             (*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP));
             v1 = 1.0 - strip_layout__DEEP;
             v2 = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
@@ -3435,23 +3483,23 @@ static inline int64_t derivative_strip_layout__zone_cells_t(array_double_1d work
             v4 = v3 / width;
             v5 = strip_layout__DEEP * (*cspan_at(&work, zone + layout__STRIP_ZONE_LEVEL));
             v6 = v5 / depth;
-            (*cspan_at(&work_t, cell + layout__STRIP_CELL_WEIGHT)) = (v1 * ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START))) - v4 * width_t) / width + (strip_layout__DEEP * (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEVEL)) - v6 * depth_t) / depth;
+            EACH_LANE each((*lanes_at(&work_t, cell + layout__STRIP_CELL_WEIGHT))) = (v1 * (each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_STOP))) - each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_START)))) - v4 * each(width_t)) / width + (strip_layout__DEEP * each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_LEVEL))) - v6 * each(depth_t)) / depth;
             (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) = v4 + v6;
             cells = cells + INT64_C(1);
         }
     }
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)) = (double)(cells);
     return INT64_C(0);
 }
 
 /* Derivative of ``touch``. */
-static inline int64_t derivative_strip_layout__touch_t(array_double_1d work, array_double_1d work_t, int64_t count)
+static inline int64_t derivative_strip_layout__touch_t(array_double_1d work, array_lanes_1d work_t, int64_t count)
 {
     int64_t i;
     bool joined;
     double v1;
-    double reach_t;
+    lanes reach_t;
     double reach;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
@@ -3459,77 +3507,77 @@ static inline int64_t derivative_strip_layout__touch_t(array_double_1d work, arr
         if (i < count - INT64_C(1))
         {
             v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_WIDTH));
-            reach_t = 0.5 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_WIDTH)));
+            EACH_LANE each(reach_t) = 0.5 * (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH))) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_WIDTH))));
             reach = 0.5 * v1;
             if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) < reach + strip_layout__TOUCHING)
             {
                 joined = 1;
             }
         }
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) = (double)(joined);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``strip_cells``. */
-static inline int64_t derivative_strip_layout__strip_cells_t(array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_strip_layout__strip_cells_t(array_double_1d work, array_lanes_1d work_t)
 {
     int64_t count;
-    double largest_t;
+    lanes largest_t;
     double largest;
     int64_t i;
     double v1;
-    double v1_t;
-    double width_t;
+    lanes v1_t;
+    lanes width_t;
     double width;
-    double change_t;
+    lanes change_t;
     double change;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     int64_t strip;
     int64_t cell;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
     double v6;
     double v7;
-    double weight_t;
+    lanes weight_t;
     double weight;
     double v8;
     double v9;
-    double v9_t;
+    lanes v9_t;
     double v10;
     double v11;
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    largest_t = 0.0;
+    largest_t = all_lanes(0.0);
     largest = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         v1 = largest;
-        v1_t = largest_t;
+        EACH_LANE each(v1_t) = each(largest_t);
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)) > v1)
         {
             v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
-            v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
+            EACH_LANE each(v1_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)));
         }
-        largest_t = v1_t;
+        EACH_LANE each(largest_t) = each(v1_t);
         largest = v1;
     }
-    width_t = 0.0;
+    width_t = all_lanes(0.0);
     width = 0.0;
-    change_t = 0.0;
+    change_t = all_lanes(0.0);
     change = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         derivative_strip_layout__loaded_share_t(&v2, &v2_t, work, work_t, count, i, largest, largest_t);
-        width_t = width_t + (v2_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + v2 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)));
+        EACH_LANE each(width_t) = each(width_t) + (each(v2_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + v2 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH))));
         width = width + v2 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
         if ((i < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) == 1.0))
         {
             v3 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
-            change_t = change_t + derivative_rates__size_rate(v3, (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)));
+            EACH_LANE each(change_t) = each(change_t) + derivative_rates__size_rate(v3, each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE))));
             change = change + fabs(v3);
         }
     }
@@ -3537,21 +3585,21 @@ static inline int64_t derivative_strip_layout__strip_cells_t(array_double_1d wor
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         cell = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * i;
-        (*cspan_at(&work_t, cell + layout__STRIP_CELL_START)) = (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - 0.5 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
+        EACH_LANE each((*lanes_at(&work_t, cell + layout__STRIP_CELL_START))) = each((*lanes_at(&work_t, strip + layout__STRIP_STATION))) - 0.5 * each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH)));
         (*cspan_at(&work, cell + layout__STRIP_CELL_START)) = (*cspan_at(&work, strip + layout__STRIP_STATION)) - 0.5 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        (*cspan_at(&work_t, cell + layout__STRIP_CELL_STOP)) = (*cspan_at(&work_t, strip + layout__STRIP_STATION)) + 0.5 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
+        EACH_LANE each((*lanes_at(&work_t, cell + layout__STRIP_CELL_STOP))) = each((*lanes_at(&work_t, strip + layout__STRIP_STATION))) + 0.5 * each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH)));
         (*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) = (*cspan_at(&work, strip + layout__STRIP_STATION)) + 0.5 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        (*cspan_at(&work_t, cell + layout__STRIP_CELL_HALF_LENGTH)) = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
+        EACH_LANE each((*lanes_at(&work_t, cell + layout__STRIP_CELL_HALF_LENGTH))) = each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
         (*cspan_at(&work, cell + layout__STRIP_CELL_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-        (*cspan_at(&work_t, cell + layout__STRIP_CELL_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
+        EACH_LANE each((*lanes_at(&work_t, cell + layout__STRIP_CELL_LEAD))) = each((*lanes_at(&work_t, strip + layout__STRIP_LEAD)));
         (*cspan_at(&work, cell + layout__STRIP_CELL_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
-        (*cspan_at(&work_t, cell + layout__STRIP_CELL_LOADED)) = 0.0;
+        (*lanes_at(&work_t, cell + layout__STRIP_CELL_LOADED)) = all_lanes(0.0);
         (*cspan_at(&work, cell + layout__STRIP_CELL_LOADED)) = (double)((*cspan_at(&work, strip + layout__STRIP_PRESSURE)) > 0.0);
         derivative_strip_layout__loaded_share_t(&v4, &v4_t, work, work_t, count, i, largest, largest_t);
         v5 = strip_layout__EVEN * v4;
         v6 = v5 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
         v7 = v6 / width;
-        weight_t = (strip_layout__EVEN * v4_t * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v5 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) - v7 * width_t) / width;
+        EACH_LANE each(weight_t) = (strip_layout__EVEN * each(v4_t) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v5 * each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH))) - v7 * each(width_t)) / width;
         weight = v7;
         if (change > 0.0)
         {
@@ -3559,144 +3607,144 @@ static inline int64_t derivative_strip_layout__strip_cells_t(array_double_1d wor
             derivative_strip_layout__pressure_changes_t(&v9, &v9_t, work, work_t, count, i);
             v10 = v8 * v9;
             v11 = v10 / change;
-            weight_t = weight_t + (v8 * v9_t - v11 * change_t) / change;
+            EACH_LANE each(weight_t) = each(weight_t) + (v8 * each(v9_t) - v11 * each(change_t)) / change;
             weight = weight + v11;
         }
-        (*cspan_at(&work_t, cell + layout__STRIP_CELL_WEIGHT)) = weight_t;
+        EACH_LANE each((*lanes_at(&work_t, cell + layout__STRIP_CELL_WEIGHT))) = each(weight_t);
         (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) = weight;
     }
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)) = (double)(count);
     return INT64_C(0);
 }
 
 /* Derivative of ``loaded_share``. */
-static inline int64_t derivative_strip_layout__loaded_share_t(double* share, double* share_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t i, double largest, double largest_t)
+static inline int64_t derivative_strip_layout__loaded_share_t(double* share, lanes* share_t, array_double_1d work, array_lanes_1d work_t, int64_t count, int64_t i, double largest, lanes largest_t)
 {
-    double pressure_t;
+    lanes pressure_t;
     double pressure;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     double v4;
     double v5;
-    double v5_t;
-    pressure_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
+    lanes v5_t;
+    EACH_LANE each(pressure_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)));
     pressure = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
     if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_JOINED)) == 1.0))
     {
         v1 = pressure;
-        v1_t = pressure_t;
+        EACH_LANE each(v1_t) = each(pressure_t);
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE)) > v1)
         {
             v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE));
-            v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE));
+            EACH_LANE each(v1_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE)));
         }
-        pressure_t = v1_t;
+        EACH_LANE each(pressure_t) = each(v1_t);
         pressure = v1;
     }
     if ((i < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) == 1.0))
     {
         v2 = pressure;
-        v2_t = pressure_t;
+        EACH_LANE each(v2_t) = each(pressure_t);
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) > v2)
         {
             v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE));
-            v2_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE));
+            EACH_LANE each(v2_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)));
         }
-        pressure_t = v2_t;
+        EACH_LANE each(pressure_t) = each(v2_t);
         pressure = v2;
     }
     v3 = strip_layout__LOADED * largest;
     v4 = pressure / v3;
     v5 = v4;
-    v5_t = (pressure_t - v4 * (strip_layout__LOADED * largest_t)) / v3;
+    EACH_LANE each(v5_t) = (each(pressure_t) - v4 * (strip_layout__LOADED * each(largest_t))) / v3;
     if (1.0 < v5)
     {
         v5 = 1.0;
-        v5_t = 0.0;
+        v5_t = all_lanes(0.0);
     }
-    (*share_t) = v5_t;
+    EACH_LANE each((*share_t)) = each(v5_t);
     (*share) = v5;
     return 0;
 }
 
 /* Derivative of ``pressure_changes``. */
-static inline int64_t derivative_strip_layout__pressure_changes_t(double* change, double* change_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t i)
+static inline int64_t derivative_strip_layout__pressure_changes_t(double* change, lanes* change_t, array_double_1d work, array_lanes_1d work_t, int64_t count, int64_t i)
 {
     double v1;
     double v2;
-    (*change_t) = 0.0;
+    (*change_t) = all_lanes(0.0);
     (*change) = 0.0;
     if ((i > INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_JOINED)) == 1.0))
     {
         v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE));
-        (*change_t) = (*change_t) + derivative_rates__size_rate(v1, (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE)));
+        EACH_LANE each((*change_t)) = each((*change_t)) + derivative_rates__size_rate(v1, each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PRESSURE))));
         (*change) = (*change) + fabs(v1);
     }
     if ((i < count - INT64_C(1)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_JOINED)) == 1.0))
     {
         v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
-        (*change_t) = (*change_t) + derivative_rates__size_rate(v2, (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)));
+        EACH_LANE each((*change_t)) = each((*change_t)) + derivative_rates__size_rate(v2, each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_PRESSURE))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE))));
         (*change) = (*change) + fabs(v2);
     }
     return 0;
 }
 
 /* Derivative of ``divide_cells``. */
-static inline int64_t derivative_strip_layout__divide_cells_t(array_double_1d work, array_double_1d work_t, int64_t region_count, int64_t wanted)
+static inline int64_t derivative_strip_layout__divide_cells_t(array_double_1d work, array_lanes_1d work_t, int64_t region_count, int64_t wanted)
 {
-    double total_t;
+    lanes total_t;
     double total;
     int64_t index_end;
     int64_t index;
-    double squares_t;
+    lanes squares_t;
     double squares;
     int64_t first;
     int64_t last;
     double weight;
-    double weight_t;
+    lanes weight_t;
     double v1;
     double v2;
-    double several_t;
+    lanes several_t;
     double several;
     double v3;
     double v4;
     double v5;
     double v6;
-    double each_t;
+    lanes each_t;
     double each;
     int64_t made;
     int64_t number;
-    total_t = 0.0;
+    total_t = all_lanes(0.0);
     total = 0.0;
     index_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT)));
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
-        total_t = total_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
+        EACH_LANE each(total_t) = each(total_t) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT)));
         total = total + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
     }
-    squares_t = 0.0;
+    squares_t = all_lanes(0.0);
     squares = 0.0;
     first = INT64_C(0);
     while(first < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))))
     {
         derivative_strip_layout__run_of_cells_t(&last, &weight, &weight_t, work, work_t, first);
-        squares_t = squares_t + (weight_t * weight + weight * weight_t);
+        EACH_LANE each(squares_t) = each(squares_t) + (each(weight_t) * weight + weight * each(weight_t));
         squares = squares + weight * weight;
         first = last + INT64_C(1);
     }
     v1 = total * total;
     v2 = v1 / squares;
-    several_t = (total_t * total + total * total_t - v2 * squares_t) / squares;
+    EACH_LANE each(several_t) = (each(total_t) * total + total * each(total_t) - v2 * each(squares_t)) / squares;
     several = v2 - 1.0;
     v3 = (double)(wanted);
     v4 = 1.0 + strip_layout__MORE * several;
     v5 = v3 * v4;
     v6 = total / v5;
-    each_t = (total_t - v6 * (v3 * (strip_layout__MORE * several_t))) / v5;
+    EACH_LANE each(each_t) = (each(total_t) - v6 * (v3 * (strip_layout__MORE * each(several_t)))) / v5;
     each = v6;
     made = INT64_C(0);
     first = INT64_C(0);
@@ -3711,7 +3759,7 @@ static inline int64_t derivative_strip_layout__divide_cells_t(array_double_1d wo
         }
         first = last + INT64_C(1);
     }
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = (double)(made);
     derivative_strip_layout__touch_t(work, work_t, made);
     derivative_strip_layout__place_in_regions_t(work, work_t, made, region_count);
@@ -3719,61 +3767,61 @@ static inline int64_t derivative_strip_layout__divide_cells_t(array_double_1d wo
 }
 
 /* Derivative of ``run_of_cells``. */
-static inline int64_t derivative_strip_layout__run_of_cells_t(int64_t* last, double* weight, double* weight_t, array_double_1d work, array_double_1d work_t, int64_t first)
+static inline int64_t derivative_strip_layout__run_of_cells_t(int64_t* last, double* weight, lanes* weight_t, array_double_1d work, array_lanes_1d work_t, int64_t first)
 {
     (*last) = first;
-    (*weight_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_WEIGHT));
+    EACH_LANE each((*weight_t)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_WEIGHT)));
     (*weight) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_WEIGHT));
     while(((*last) < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1)) && ((*weight) > 0.0) && strip_layout__continued(work, (*last)))
     {
         (*last) = (*last) + INT64_C(1);
-        (*weight_t) = (*weight_t) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * (*last) + layout__STRIP_CELL_WEIGHT));
+        EACH_LANE each((*weight_t)) = each((*weight_t)) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * (*last) + layout__STRIP_CELL_WEIGHT)));
         (*weight) = (*weight) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * (*last) + layout__STRIP_CELL_WEIGHT));
     }
     return 0;
 }
 
 /* Derivative of ``cut_run``. */
-static inline int64_t derivative_strip_layout__cut_run_t(array_double_1d work, array_double_1d work_t, int64_t first, int64_t made, int64_t number, double weight, double weight_t)
+static inline int64_t derivative_strip_layout__cut_run_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t made, int64_t number, double weight, lanes weight_t)
 {
     double v1;
-    double each_t;
+    lanes each_t;
     double each;
     int64_t index;
-    double done_t;
+    lanes done_t;
     double done;
-    double edge_t;
+    lanes edge_t;
     double edge;
     int64_t cut;
     double v2;
-    double wanted_t;
+    lanes wanted_t;
     double wanted;
     int64_t cell;
     double v3;
     double v4;
     double v5;
-    double stop_t;
+    lanes stop_t;
     double stop;
     double v6;
-    double v6_t;
+    lanes v6_t;
     int64_t strip;
     double v7;
     v1 = (double)(number);
-    each_t = weight_t / v1;
+    EACH_LANE each(each_t) = each(weight_t) / v1;
     each = weight / v1;
     index = first;
-    done_t = 0.0;
+    done_t = all_lanes(0.0);
     done = 0.0;
-    edge_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_START));
+    EACH_LANE each(edge_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_START)));
     edge = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * first + layout__STRIP_CELL_START));
     for (cut = INT64_C(0); cut < number; cut += INT64_C(1))
     {
         v2 = (double)(cut + INT64_C(1));
-        wanted_t = each_t * v2;
+        EACH_LANE each(wanted_t) = each(each_t) * v2;
         wanted = each * v2;
         while((cut < number - INT64_C(1)) && (done + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT)) < wanted))
         {
-            done_t = done_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
+            EACH_LANE each(done_t) = each(done_t) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT)));
             done = done + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_WEIGHT));
             index = index + INT64_C(1);
         }
@@ -3781,40 +3829,40 @@ static inline int64_t derivative_strip_layout__cut_run_t(array_double_1d work, a
         v3 = wanted - done;
         v4 = v3 / (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT));
         v5 = (*cspan_at(&work, cell + layout__STRIP_CELL_STOP)) - (*cspan_at(&work, cell + layout__STRIP_CELL_START));
-        stop_t = (*cspan_at(&work_t, cell + layout__STRIP_CELL_START)) + ((wanted_t - done_t - v4 * (*cspan_at(&work_t, cell + layout__STRIP_CELL_WEIGHT))) / (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) * v5 + v4 * ((*cspan_at(&work_t, cell + layout__STRIP_CELL_STOP)) - (*cspan_at(&work_t, cell + layout__STRIP_CELL_START))));
+        EACH_LANE each(stop_t) = each((*lanes_at(&work_t, cell + layout__STRIP_CELL_START))) + ((each(wanted_t) - each(done_t) - v4 * each((*lanes_at(&work_t, cell + layout__STRIP_CELL_WEIGHT)))) / (*cspan_at(&work, cell + layout__STRIP_CELL_WEIGHT)) * v5 + v4 * (each((*lanes_at(&work_t, cell + layout__STRIP_CELL_STOP))) - each((*lanes_at(&work_t, cell + layout__STRIP_CELL_START)))));
         stop = (*cspan_at(&work, cell + layout__STRIP_CELL_START)) + v4 * v5;
         if (cut == number - INT64_C(1))
         {
             derivative_strip_layout__run_stop_t(&v6, &v6_t, work, work_t, index);
-            stop_t = v6_t;
+            EACH_LANE each(stop_t) = each(v6_t);
             stop = v6;
         }
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (made + cut);
         v7 = edge + stop;
-        (*cspan_at(&work_t, strip + layout__STRIP_STATION)) = 0.5 * (edge_t + stop_t);
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_STATION))) = 0.5 * (each(edge_t) + each(stop_t));
         (*cspan_at(&work, strip + layout__STRIP_STATION)) = 0.5 * v7;
-        (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) = stop_t - edge_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH))) = each(stop_t) - each(edge_t);
         (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = stop - edge;
-        edge_t = stop_t;
+        EACH_LANE each(edge_t) = each(stop_t);
         edge = stop;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``run_stop``. */
-static inline int64_t derivative_strip_layout__run_stop_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t index)
+static inline int64_t derivative_strip_layout__run_stop_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     while((index < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1)) && strip_layout__continued(work, index))
     {
         index = index + INT64_C(1);
     }
     (*result_0) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_STOP));
-    (*result_1) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_STOP));
+    EACH_LANE each((*result_1)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_STOP)));
     return 0;
 }
 
 /* Derivative of ``place_in_regions``. */
-static inline int64_t derivative_strip_layout__place_in_regions_t(array_double_1d work, array_double_1d work_t, int64_t count, int64_t region_count)
+static inline int64_t derivative_strip_layout__place_in_regions_t(array_double_1d work, array_lanes_1d work_t, int64_t count, int64_t region_count)
 {
     int64_t index;
     int64_t i;
@@ -3825,14 +3873,14 @@ static inline int64_t derivative_strip_layout__place_in_regions_t(array_double_1
         {
             index = index + INT64_C(1);
         }
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION)) = (double)(index);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``length_before``. */
-static inline int64_t derivative_strip_layout__length_before_t(array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_strip_layout__length_before_t(array_double_1d work, array_lanes_1d work_t)
 {
     int64_t last;
     int64_t index;
@@ -3840,23 +3888,23 @@ static inline int64_t derivative_strip_layout__length_before_t(array_double_1d w
     int64_t i;
     int64_t strip;
     int64_t after;
-    double share_t;
+    lanes share_t;
     double share;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
-    double reach_t;
+    lanes v2_t;
+    lanes reach_t;
     double reach;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
     double v5;
     double v6;
-    double v6_t;
+    lanes v6_t;
     double v7;
-    double v7_t;
-    double rest_t;
+    lanes v7_t;
+    lanes rest_t;
     double rest;
     last = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELL_COUNT))) - INT64_C(1);
     index = INT64_C(0);
@@ -3873,11 +3921,11 @@ static inline int64_t derivative_strip_layout__length_before_t(array_double_1d w
         {
             after = index + INT64_C(1);
         }
-        share_t = 0.0;
+        share_t = all_lanes(0.0);
         share = 0.0;
         derivative_strip_layout__cell_middle_t(&v1, &v1_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after);
         derivative_strip_layout__cell_middle_t(&v2, &v2_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index);
-        reach_t = v1_t - v2_t;
+        EACH_LANE each(reach_t) = each(v1_t) - each(v2_t);
         reach = v1 - v2;
         if (reach > 0.0)
         {
@@ -3885,33 +3933,33 @@ static inline int64_t derivative_strip_layout__length_before_t(array_double_1d w
             v4 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - v3;
             v5 = v4 / reach;
             v6 = v5;
-            v6_t = ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - v3_t - v5 * reach_t) / reach;
+            EACH_LANE each(v6_t) = (each((*lanes_at(&work_t, strip + layout__STRIP_STATION))) - each(v3_t) - v5 * each(reach_t)) / reach;
             if (0.0 > v6)
             {
                 v6 = 0.0;
-                v6_t = 0.0;
+                v6_t = all_lanes(0.0);
             }
             v7 = v6;
-            v7_t = v6_t;
+            EACH_LANE each(v7_t) = each(v6_t);
             if (1.0 < v7)
             {
                 v7 = 1.0;
-                v7_t = 0.0;
+                v7_t = all_lanes(0.0);
             }
-            share_t = v7_t;
+            EACH_LANE each(share_t) = each(v7_t);
             share = v7;
         }
-        rest_t = -share_t;
+        EACH_LANE each(rest_t) = -each(share_t);
         rest = 1.0 - share;
-        (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = rest_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_HALF_LENGTH)) + rest * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_HALF_LENGTH)) + (share_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_HALF_LENGTH)) + share * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_HALF_LENGTH)));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) = each(rest_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_HALF_LENGTH)) + rest * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_HALF_LENGTH))) + (each(share_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_HALF_LENGTH)) + share * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_HALF_LENGTH))));
         (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = rest * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_HALF_LENGTH)) + share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_HALF_LENGTH));
-        (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = rest_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LEAD)) + rest * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LEAD)) + (share_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LEAD)) + share * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LEAD)));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_LEAD))) = each(rest_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LEAD)) + rest * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LEAD))) + (each(share_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LEAD)) + share * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LEAD))));
         (*cspan_at(&work, strip + layout__STRIP_LEAD)) = rest * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LEAD)) + share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LEAD));
-        (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
+        (*lanes_at(&work_t, strip + layout__STRIP_LOADED)) = all_lanes(0.0);
         (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * index + layout__STRIP_CELL_LOADED)) == 1.0);
         if (share > 0.5)
         {
-            (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
+            (*lanes_at(&work_t, strip + layout__STRIP_LOADED)) = all_lanes(0.0);
             (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_CELLS + layout__STRIP_CELL_SIZE * after + layout__STRIP_CELL_LOADED)) == 1.0);
         }
     }
@@ -3919,12 +3967,12 @@ static inline int64_t derivative_strip_layout__length_before_t(array_double_1d w
 }
 
 /* Derivative of ``cell_middle``. */
-static inline int64_t derivative_strip_layout__cell_middle_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t cell)
+static inline int64_t derivative_strip_layout__cell_middle_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t cell)
 {
     double v1;
     v1 = (*cspan_at(&work, cell + layout__STRIP_CELL_START)) + (*cspan_at(&work, cell + layout__STRIP_CELL_STOP));
     (*result_0) = 0.5 * v1;
-    (*result_1) = 0.5 * ((*cspan_at(&work_t, cell + layout__STRIP_CELL_START)) + (*cspan_at(&work_t, cell + layout__STRIP_CELL_STOP)));
+    EACH_LANE each((*result_1)) = 0.5 * (each((*lanes_at(&work_t, cell + layout__STRIP_CELL_START))) + each((*lanes_at(&work_t, cell + layout__STRIP_CELL_STOP))));
     return 0;
 }
 
@@ -3935,126 +3983,132 @@ static inline int64_t derivative_strip_layout__cell_middle_t(double* result_0, d
  */
 
 /* Derivative of ``gap_beside``. */
-static inline int64_t derivative_strip_lengths__gap_beside_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t strip, double x, double x_t)
+static inline int64_t derivative_strip_lengths__gap_beside_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t strip, double x, lanes x_t)
 {
     double v1;
     double v2;
     v1 = x * x;
     v2 = (*cspan_at(&work, strip + layout__STRIP_A)) + (*cspan_at(&work, strip + layout__STRIP_SKEW)) * x;
     (*result_0) = v1 * v2;
-    (*result_1) = (x_t * x + x * x_t) * v2 + v1 * ((*cspan_at(&work_t, strip + layout__STRIP_A)) + ((*cspan_at(&work_t, strip + layout__STRIP_SKEW)) * x + (*cspan_at(&work, strip + layout__STRIP_SKEW)) * x_t));
+    EACH_LANE each((*result_1)) = (each(x_t) * x + x * each(x_t)) * v2 + v1 * (each((*lanes_at(&work_t, strip + layout__STRIP_A))) + (each((*lanes_at(&work_t, strip + layout__STRIP_SKEW))) * x + (*cspan_at(&work, strip + layout__STRIP_SKEW)) * each(x_t)));
     return 0;
 }
 
 /* Derivative of ``corrected``. */
-static inline int64_t derivative_strip_lengths__corrected_t(double* v3, double* result_1, double ratio, double ratio_t, double power, double power_t)
+static inline int64_t derivative_strip_lengths__corrected_t(double* v3, lanes* result_1, double ratio, lanes ratio_t, double power, lanes power_t)
 {
-    double more_t;
+    lanes more_t;
     double more;
-    double less_t;
+    lanes less_t;
     double less;
     double v1;
     double v2;
-    more_t = power_t;
+    EACH_LANE each(more_t) = each(power_t);
     more = 1.0 + power;
-    less_t = -power_t;
+    EACH_LANE each(less_t) = -each(power_t);
     less = 1.0 - power;
     v1 = less + more * ratio;
     v2 = more + less * ratio;
     (*v3) = v1 / v2;
-    (*result_1) = (less_t + (more_t * ratio + more * ratio_t) - (*v3) * (more_t + (less_t * ratio + less * ratio_t))) / v2;
+    EACH_LANE each((*result_1)) = (each(less_t) + (each(more_t) * ratio + more * each(ratio_t)) - (*v3) * (each(more_t) + (each(less_t) * ratio + less * each(ratio_t)))) / v2;
     return 0;
 }
 
 /* Derivative of ``correct_strip``. */
-static inline int64_t derivative_strip_lengths__correct_strip_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double penetration, double penetration_t, double power, double power_t, bool yawed)
+static inline int64_t derivative_strip_lengths__correct_strip_t(double* result_0, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t i, double penetration, lanes penetration_t, double power, lanes power_t, bool yawed)
 {
     int64_t strip;
-    double half_t;
+    lanes half_t;
     double half;
-    double away_t;
+    lanes away_t;
     double away;
     double v1;
-    double v1_t;
-    double own_t;
+    lanes v1_t;
+    lanes own_t;
     double own;
-    double needed_t;
+    lanes needed_t;
     double needed;
     double v2;
-    double v2_t;
-    double front_t;
+    lanes v2_t;
+    lanes front_t;
     double front;
-    double back_t;
+    lanes back_t;
     double back;
     double v3;
-    double v3_t;
-    double front_gap_t;
+    lanes v3_t;
+    lanes front_gap_t;
     double front_gap;
-    double back_gap_t;
+    lanes back_gap_t;
     double back_gap;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
     double v7;
     double v8;
     double v9;
     double v10;
     double v11;
-    double move_t;
+    lanes move_t;
     double move;
     double v12;
     double v13;
-    double v13_t;
+    lanes v13_t;
     double v14;
     double v15;
     double v16;
-    double v16_t;
+    lanes v16_t;
     double v17;
     double v18;
     double v19;
     double v20;
     double v21;
-    double v21_t;
-    double rise_t;
+    lanes v21_t;
+    lanes rise_t;
     double rise;
     double v22;
     double v23;
     double v24;
     double v25;
-    double v25_t;
-    double ratio_t;
+    lanes v25_t;
+    lanes ratio_t;
     double ratio;
     double v26;
-    double v26_t;
+    lanes v26_t;
     strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-    half_t = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
+    EACH_LANE each(half_t) = each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
     half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-    away_t = strip_lengths__TESTED * half_t;
+    EACH_LANE each(away_t) = strip_lengths__TESTED * each(half_t);
     away = strip_lengths__TESTED * half;
-    derivative_strip_lengths__gap_beside_t(&v1, &v1_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*cspan_at(&work_t, strip + layout__STRIP_LEAD)));
-    own_t = v1_t;
+    derivative_strip_lengths__gap_beside_t(&v1, &v1_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*lanes_at(&work_t, strip + layout__STRIP_LEAD)));
+    EACH_LANE each(own_t) = each(v1_t);
     own = v1;
-    needed_t = (*cspan_at(&work_t, strip + layout__STRIP_SHARE)) * penetration + (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration_t - (*cspan_at(&work_t, strip + layout__STRIP_GAP));
+    EACH_LANE each(needed_t) = each((*lanes_at(&work_t, strip + layout__STRIP_SHARE))) * penetration + (*cspan_at(&work, strip + layout__STRIP_SHARE)) * each(penetration_t) - each((*lanes_at(&work_t, strip + layout__STRIP_GAP)));
     needed = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP));
     derivative_strip_pressures__end_displacement_t(&v2, &v2_t, tables, work, work_t, table, i, away, away_t);
-    front_t = v2_t;
+    EACH_LANE each(front_t) = each(v2_t);
     front = v2;
-    back_t = front_t;
+    EACH_LANE each(back_t) = each(front_t);
     back = front;
-    derivative_strip_lengths__gap_beside_t(&v3, &v3_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away, (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + away_t);
-    front_gap_t = v3_t - own_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, strip + layout__STRIP_LEAD))) + each(away_t);
+    derivative_strip_lengths__gap_beside_t(&v3, &v3_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away, rates_1);
+    EACH_LANE each(front_gap_t) = each(v3_t) - each(own_t);
     front_gap = v3 - own;
-    back_gap_t = front_gap_t;
+    EACH_LANE each(back_gap_t) = each(front_gap_t);
     back_gap = front_gap;
     if (yawed)
     {
-        derivative_strip_pressures__end_displacement_t(&v4, &v4_t, tables, work, work_t, table, i, -away, -away_t);
-        back_t = v4_t;
+        lanes rates_2;
+        EACH_LANE each(rates_2) = -each(away_t);
+        derivative_strip_pressures__end_displacement_t(&v4, &v4_t, tables, work, work_t, table, i, -away, rates_2);
+        EACH_LANE each(back_t) = each(v4_t);
         back = v4;
-        derivative_strip_lengths__gap_beside_t(&v5, &v5_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away, (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - away_t);
-        back_gap_t = v5_t - own_t;
+        lanes rates_3;
+        EACH_LANE each(rates_3) = each((*lanes_at(&work_t, strip + layout__STRIP_LEAD))) - each(away_t);
+        derivative_strip_lengths__gap_beside_t(&v5, &v5_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away, rates_3);
+        EACH_LANE each(back_gap_t) = each(v5_t) - each(own_t);
         back_gap = v5 - own;
         v6 = -strip_lengths__MOVED;
         v7 = front + front_gap - back - back_gap;
@@ -4062,28 +4116,28 @@ static inline int64_t derivative_strip_lengths__correct_strip_t(double* result_0
         v9 = 4.0 * (*cspan_at(&work, strip + layout__STRIP_A));
         v10 = v9 * away;
         v11 = v8 / v10;
-        move_t = (v6 * (front_t + front_gap_t - back_t - back_gap_t) - v11 * (4.0 * (*cspan_at(&work_t, strip + layout__STRIP_A)) * away + v9 * away_t)) / v10;
+        EACH_LANE each(move_t) = (v6 * (each(front_t) + each(front_gap_t) - each(back_t) - each(back_gap_t)) - v11 * (4.0 * each((*lanes_at(&work_t, strip + layout__STRIP_A))) * away + v9 * each(away_t))) / v10;
         move = v11;
         v12 = strip_lengths__FARTHEST_MOVE * half;
         v13 = move;
-        v13_t = move_t;
+        EACH_LANE each(v13_t) = each(move_t);
         if (v12 < v13)
         {
             v13 = v12;
-            v13_t = strip_lengths__FARTHEST_MOVE * half_t;
+            EACH_LANE each(v13_t) = strip_lengths__FARTHEST_MOVE * each(half_t);
         }
         v14 = -strip_lengths__FARTHEST_MOVE;
         v15 = v14 * half;
         v16 = v13;
-        v16_t = v13_t;
+        EACH_LANE each(v16_t) = each(v13_t);
         if (v15 > v16)
         {
             v16 = v15;
-            v16_t = v14 * half_t;
+            EACH_LANE each(v16_t) = v14 * each(half_t);
         }
-        move_t = v16_t;
+        EACH_LANE each(move_t) = each(v16_t);
         move = v16;
-        (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + move_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_LEAD))) = each((*lanes_at(&work_t, strip + layout__STRIP_LEAD))) + each(move_t);
         (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD)) + move;
     }
     v17 = front_gap + back_gap;
@@ -4091,58 +4145,58 @@ static inline int64_t derivative_strip_lengths__correct_strip_t(double* result_0
     v19 = v18 * away;
     v20 = v19 * away;
     v21 = 0.5 * v17;
-    v21_t = 0.5 * (front_gap_t + back_gap_t);
+    EACH_LANE each(v21_t) = 0.5 * (each(front_gap_t) + each(back_gap_t));
     if (v20 > v21)
     {
         v21 = v20;
-        v21_t = (strip_lengths__FLATTEST * (*cspan_at(&work_t, strip + layout__STRIP_A)) * away + v18 * away_t) * away + v19 * away_t;
+        EACH_LANE each(v21_t) = (strip_lengths__FLATTEST * each((*lanes_at(&work_t, strip + layout__STRIP_A))) * away + v18 * each(away_t)) * away + v19 * each(away_t);
     }
-    rise_t = v21_t;
+    EACH_LANE each(rise_t) = each(v21_t);
     rise = v21;
     v22 = front + back;
     v23 = needed - 0.5 * v22;
     v24 = v23 / rise;
     v25 = 0.0;
-    v25_t = 0.0;
+    v25_t = all_lanes(0.0);
     if (v24 > v25)
     {
         v25 = v24;
-        v25_t = (needed_t - 0.5 * (front_t + back_t) - v24 * rise_t) / rise;
+        EACH_LANE each(v25_t) = (each(needed_t) - 0.5 * (each(front_t) + each(back_t)) - v24 * each(rise_t)) / rise;
     }
-    ratio_t = v25_t;
+    EACH_LANE each(ratio_t) = each(v25_t);
     ratio = v25;
     derivative_strip_lengths__corrected_t(&v26, &v26_t, ratio, ratio_t, power, power_t);
     (*result_0) = half * v26;
-    (*result_1) = half_t * v26 + half * v26_t;
+    EACH_LANE each((*result_1)) = each(half_t) * v26 + half * each(v26_t);
     return 0;
 }
 
 /* Derivative of ``correct_lengths``. */
-static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, double power, double power_t, bool yawed)
+static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double penetration, lanes penetration_t, double power, lanes power_t, bool yawed)
 {
     int64_t count;
     double scale;
-    double largest_t;
+    lanes largest_t;
     double largest;
     int64_t i;
     int64_t strip;
     double v1;
-    double v1_t;
-    double half_t;
+    lanes v1_t;
+    lanes half_t;
     double half;
     double v2;
     double v3;
     double v4;
     double v5;
     double v6;
-    double v6_t;
+    lanes v6_t;
     double v7;
     double v8;
-    double share_t;
+    lanes share_t;
     double share;
     double v9;
-    double v9_t;
-    double beside_t;
+    lanes v9_t;
+    lanes beside_t;
     double beside;
     double v10;
     double v11;
@@ -4154,42 +4208,42 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
     double v17;
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
-    largest_t = 0.0;
+    largest_t = all_lanes(0.0);
     largest = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) = 0.0;
+        (*lanes_at(&work_t, strip + layout__STRIP_LINE_LOAD)) = all_lanes(0.0);
         (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) = 0.0;
-        (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = 0.0;
+        (*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = all_lanes(0.0);
         (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = 0.0;
-        (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) = 0.0;
+        (*lanes_at(&work_t, strip + layout__STRIP_PRESSURE)) = all_lanes(0.0);
         (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = 0.0;
-        (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_LEAD))) = each((*lanes_at(&work_t, strip + layout__STRIP_LEAD)));
         (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
         if ((*cspan_at(&work, strip + layout__STRIP_Y)) > 0.0)
         {
             derivative_strip_lengths__correct_strip_t(&v1, &v1_t, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), i, penetration, penetration_t, power, power_t, yawed);
-            half_t = v1_t;
+            EACH_LANE each(half_t) = each(v1_t);
             half = v1;
             v2 = scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
             v3 = v2 * (*cspan_at(&work, strip + layout__STRIP_Y));
             v4 = v3 / (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-            (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) = (scale * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_Y)) + v2 * (*cspan_at(&work_t, strip + layout__STRIP_Y)) - v4 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH))) / (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_LINE_LOAD))) = (scale * each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__STRIP_Y)) + v2 * each((*lanes_at(&work_t, strip + layout__STRIP_Y))) - v4 * each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH)))) / (*cspan_at(&work, strip + layout__STRIP_WIDTH));
             (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) = v4;
-            (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half_t * half + half * half_t;
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE))) = each(half_t) * half + half * each(half_t);
             (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
             v5 = (*cspan_at(&work, strip + layout__STRIP_Y)) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-            (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) = ((*cspan_at(&work_t, strip + layout__STRIP_Y)) - v5 * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH))) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_PRESSURE))) = (each((*lanes_at(&work_t, strip + layout__STRIP_Y))) - v5 * each((*lanes_at(&work_t, strip + layout__STRIP_BREADTH)))) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
             (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = v5;
             v6 = largest;
-            v6_t = largest_t;
+            EACH_LANE each(v6_t) = each(largest_t);
             if ((*cspan_at(&work, strip + layout__STRIP_PRESSURE)) > v6)
             {
                 v6 = (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
-                v6_t = (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE));
+                EACH_LANE each(v6_t) = each((*lanes_at(&work_t, strip + layout__STRIP_PRESSURE)));
             }
-            largest_t = v6_t;
+            EACH_LANE each(largest_t) = each(v6_t);
             largest = v6;
         }
     }
@@ -4198,18 +4252,18 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         v7 = strip_lengths__LIGHT * largest;
         v8 = (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) / v7;
-        share_t = ((*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) - v8 * (strip_lengths__LIGHT * largest_t)) / v7;
+        EACH_LANE each(share_t) = (each((*lanes_at(&work_t, strip + layout__STRIP_PRESSURE))) - v8 * (strip_lengths__LIGHT * each(largest_t))) / v7;
         share = v8;
         if (share < 1.0)
         {
             derivative_strip_lengths__neighbouring_length_t(&v9, &v9_t, work, work_t, count, i);
-            beside_t = v9_t;
+            EACH_LANE each(beside_t) = each(v9_t);
             beside = v9;
             v10 = sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
             v11 = 1.0 - share;
-            half_t = share_t * v10 + share * derivative_rates__root_rate(v10, (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE))) + ((-share_t) * beside + v11 * beside_t);
+            EACH_LANE each(half_t) = each(share_t) * v10 + share * derivative_rates__root_rate(v10, each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)))) + ((-each(share_t)) * beside + v11 * each(beside_t));
             half = share * v10 + v11 * beside;
-            (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half_t * half + half * half_t;
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE))) = each(half_t) * half + half * each(half_t);
             (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)) = half * half;
         }
     }
@@ -4224,7 +4278,7 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
             v15 = sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
             v16 = (*cspan_at(&work, strip + layout__STRIP_BREADTH)) * v15;
             v17 = v14 / v16;
-            (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) = (v12 * (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v13 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) - v17 * ((*cspan_at(&work_t, strip + layout__STRIP_BREADTH)) * v15 + (*cspan_at(&work, strip + layout__STRIP_BREADTH)) * derivative_rates__root_rate(v15, (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE))))) / v16;
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_PRESSURE))) = (v12 * each((*lanes_at(&work_t, strip + layout__STRIP_LINE_LOAD))) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v13 * each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH))) - v17 * (each((*lanes_at(&work_t, strip + layout__STRIP_BREADTH))) * v15 + (*cspan_at(&work, strip + layout__STRIP_BREADTH)) * derivative_rates__root_rate(v15, each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)))))) / v16;
             (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = v17;
         }
     }
@@ -4232,52 +4286,52 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
 }
 
 /* Derivative of ``neighbouring_length``. */
-static inline int64_t derivative_strip_lengths__neighbouring_length_t(double* half, double* half_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t i)
+static inline int64_t derivative_strip_lengths__neighbouring_length_t(double* half, lanes* half_t, array_double_1d work, array_lanes_1d work_t, int64_t count, int64_t i)
 {
-    double total_t;
+    lanes total_t;
     double total;
-    double weight_t;
+    lanes weight_t;
     double weight;
     int64_t before;
     double v1;
     int64_t after;
     double v2;
     double v3;
-    total_t = 0.0;
+    total_t = all_lanes(0.0);
     total = 0.0;
-    weight_t = 0.0;
+    weight_t = all_lanes(0.0);
     weight = 0.0;
     if (i > INT64_C(0))
     {
         before = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1));
-        weight_t = weight_t + (*cspan_at(&work_t, before + layout__STRIP_PRESSURE));
+        EACH_LANE each(weight_t) = each(weight_t) + each((*lanes_at(&work_t, before + layout__STRIP_PRESSURE)));
         weight = weight + (*cspan_at(&work, before + layout__STRIP_PRESSURE));
         v1 = sqrt((*cspan_at(&work, before + layout__STRIP_HALF_LENGTH_SQUARE)));
-        total_t = total_t + ((*cspan_at(&work_t, before + layout__STRIP_PRESSURE)) * v1 + (*cspan_at(&work, before + layout__STRIP_PRESSURE)) * derivative_rates__root_rate(v1, (*cspan_at(&work_t, before + layout__STRIP_HALF_LENGTH_SQUARE))));
+        EACH_LANE each(total_t) = each(total_t) + (each((*lanes_at(&work_t, before + layout__STRIP_PRESSURE))) * v1 + (*cspan_at(&work, before + layout__STRIP_PRESSURE)) * derivative_rates__root_rate(v1, each((*lanes_at(&work_t, before + layout__STRIP_HALF_LENGTH_SQUARE)))));
         total = total + (*cspan_at(&work, before + layout__STRIP_PRESSURE)) * v1;
     }
     if (i < count - INT64_C(1))
     {
         after = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1));
-        weight_t = weight_t + (*cspan_at(&work_t, after + layout__STRIP_PRESSURE));
+        EACH_LANE each(weight_t) = each(weight_t) + each((*lanes_at(&work_t, after + layout__STRIP_PRESSURE)));
         weight = weight + (*cspan_at(&work, after + layout__STRIP_PRESSURE));
         v2 = sqrt((*cspan_at(&work, after + layout__STRIP_HALF_LENGTH_SQUARE)));
-        total_t = total_t + ((*cspan_at(&work_t, after + layout__STRIP_PRESSURE)) * v2 + (*cspan_at(&work, after + layout__STRIP_PRESSURE)) * derivative_rates__root_rate(v2, (*cspan_at(&work_t, after + layout__STRIP_HALF_LENGTH_SQUARE))));
+        EACH_LANE each(total_t) = each(total_t) + (each((*lanes_at(&work_t, after + layout__STRIP_PRESSURE))) * v2 + (*cspan_at(&work, after + layout__STRIP_PRESSURE)) * derivative_rates__root_rate(v2, each((*lanes_at(&work_t, after + layout__STRIP_HALF_LENGTH_SQUARE)))));
         total = total + (*cspan_at(&work, after + layout__STRIP_PRESSURE)) * v2;
     }
-    (*half_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
+    EACH_LANE each((*half_t)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH)));
     (*half) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
     if (weight > 0.0)
     {
         v3 = total / weight;
-        (*half_t) = (total_t - v3 * weight_t) / weight;
+        EACH_LANE each((*half_t)) = (each(total_t) - v3 * each(weight_t)) / weight;
         (*half) = v3;
     }
     return 0;
 }
 
 /* Derivative of ``adopt_lengths``. */
-static inline int64_t derivative_strip_lengths__adopt_lengths_t(array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_strip_lengths__adopt_lengths_t(array_double_1d work, array_lanes_1d work_t)
 {
     int64_t i_end;
     int64_t i;
@@ -4288,9 +4342,9 @@ static inline int64_t derivative_strip_lengths__adopt_lengths_t(array_double_1d 
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         v1 = sqrt((*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
-        (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = derivative_rates__root_rate(v1, (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) = derivative_rates__root_rate(v1, each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE))));
         (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = v1;
-        (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_LEAD))) = each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_LEAD)));
         (*cspan_at(&work, strip + layout__STRIP_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
     }
     derivative_strip_lengths__limit_lengths_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
@@ -4298,32 +4352,32 @@ static inline int64_t derivative_strip_lengths__adopt_lengths_t(array_double_1d 
 }
 
 /* Derivative of ``limit_lengths``. */
-static inline int64_t derivative_strip_lengths__limit_lengths_t(array_double_1d work, array_double_1d work_t, int64_t count)
+static inline int64_t derivative_strip_lengths__limit_lengths_t(array_double_1d work, array_lanes_1d work_t, int64_t count)
 {
-    double longest_t;
+    lanes longest_t;
     double longest;
     int64_t i;
     double v1;
-    double v1_t;
+    lanes v1_t;
     int64_t strip;
     double v2;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
     double v5;
-    double v5_t;
-    longest_t = 0.0;
+    lanes v5_t;
+    longest_t = all_lanes(0.0);
     longest = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         v1 = longest;
-        v1_t = longest_t;
+        EACH_LANE each(v1_t) = each(longest_t);
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH)) > v1)
         {
             v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
-            v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH));
+            EACH_LANE each(v1_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH)));
         }
-        longest_t = v1_t;
+        EACH_LANE each(longest_t) = each(v1_t);
         longest = v1;
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -4331,21 +4385,21 @@ static inline int64_t derivative_strip_lengths__limit_lengths_t(array_double_1d 
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         v2 = strip_lengths__SHORTEST * longest;
         v3 = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-        v3_t = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
+        EACH_LANE each(v3_t) = each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
         if (v2 > v3)
         {
             v3 = v2;
-            v3_t = strip_lengths__SHORTEST * longest_t;
+            EACH_LANE each(v3_t) = strip_lengths__SHORTEST * each(longest_t);
         }
         v4 = strip_lengths__SQUARE * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
         v5 = v3;
-        v5_t = v3_t;
+        EACH_LANE each(v5_t) = each(v3_t);
         if (v4 > v5)
         {
             v5 = v4;
-            v5_t = strip_lengths__SQUARE * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
+            EACH_LANE each(v5_t) = strip_lengths__SQUARE * each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH)));
         }
-        (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = v5_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) = each(v5_t);
         (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = v5;
     }
     return INT64_C(0);
@@ -4358,30 +4412,30 @@ static inline int64_t derivative_strip_lengths__limit_lengths_t(array_double_1d 
  */
 
 /* Derivative of ``run_edge``. */
-static inline int64_t derivative_strip_patches__run_edge_t(double* edge, double* edge_t, array_double_1d work, array_double_1d work_t, int64_t count, int64_t last, int64_t first, int64_t outward)
+static inline int64_t derivative_strip_patches__run_edge_t(double* edge, lanes* edge_t, array_double_1d work, array_lanes_1d work_t, int64_t count, int64_t last, int64_t first, int64_t outward)
 {
-    double station_t;
+    lanes station_t;
     double station;
     double v1;
-    double limit_t;
+    lanes limit_t;
     double limit;
     int64_t after;
     int64_t pair;
     int64_t inner;
-    double fall_t;
+    lanes fall_t;
     double fall;
     double v2;
     double v3;
-    double reach_t;
+    lanes reach_t;
     double reach;
-    station_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION));
+    EACH_LANE each(station_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)));
     station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION));
     v1 = 0.5 * (double)(outward);
-    (*edge_t) = station_t + v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
+    EACH_LANE each((*edge_t)) = each(station_t) + v1 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH)));
     (*edge) = station + v1 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_WIDTH));
     if (last != first)
     {
-        limit_t = (*edge_t);
+        EACH_LANE each(limit_t) = each((*edge_t));
         limit = (*edge);
         after = last + outward;
         pair = last;
@@ -4393,24 +4447,24 @@ static inline int64_t derivative_strip_patches__run_edge_t(double* edge, double*
         {
             if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * pair + layout__STRIP_JOINED)) == 1.0)
             {
-                limit_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION));
+                EACH_LANE each(limit_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION)));
                 limit = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION));
             }
         }
         inner = last - outward;
-        fall_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD));
+        EACH_LANE each(fall_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)));
         fall = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_LINE_LOAD)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD));
-        (*edge_t) = limit_t;
+        EACH_LANE each((*edge_t)) = each(limit_t);
         (*edge) = limit;
         if (fall > 0.0)
         {
             v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)) / fall;
             v3 = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION));
-            reach_t = ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD)) - v2 * fall_t) / fall * v3 + v2 * (station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION)));
+            EACH_LANE each(reach_t) = (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_LINE_LOAD))) - v2 * each(fall_t)) / fall * v3 + v2 * (each(station_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * inner + layout__STRIP_STATION))));
             reach = v2 * v3;
             if (reach * (double)(outward) < (limit - station) * (double)(outward))
             {
-                (*edge_t) = station_t + reach_t;
+                EACH_LANE each((*edge_t)) = each(station_t) + each(reach_t);
                 (*edge) = station + reach;
             }
         }
@@ -4419,7 +4473,7 @@ static inline int64_t derivative_strip_patches__run_edge_t(double* edge, double*
 }
 
 /* Derivative of ``fill_from_strips``. */
-static inline int64_t derivative_strip_patches__fill_from_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, int64_t count)
+static inline int64_t derivative_strip_patches__fill_from_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t count)
 {
     int64_t index;
     int64_t first;
@@ -4445,41 +4499,41 @@ static inline int64_t derivative_strip_patches__fill_from_strips_t(array_double_
 }
 
 /* Derivative of ``fill_run``. */
-static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t first, int64_t last)
+static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t first, int64_t last)
 {
     double v1;
-    double v1_t;
-    double start_t;
+    lanes v1_t;
+    lanes start_t;
     double start;
     double v2;
-    double v2_t;
-    double stop_t;
+    lanes v2_t;
+    lanes stop_t;
     double stop;
     int64_t region;
     int64_t n3;
     int64_t index;
     int64_t patch;
     int64_t i;
-    double load_t;
+    lanes load_t;
     double load;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
-    double v5_t;
-    double pressure_t;
+    lanes v5_t;
+    lanes pressure_t;
     double pressure;
     double v6;
-    double v6_t;
+    lanes v6_t;
     if (last > first)
     {
         derivative_strip_patches__end_like_ellipse_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)));
         derivative_strip_patches__end_like_ellipse_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)));
     }
     derivative_strip_patches__run_edge_t(&v1, &v1_t, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), first, last, -INT64_C(1));
-    start_t = v1_t;
+    EACH_LANE each(start_t) = each(v1_t);
     start = v1;
     derivative_strip_patches__run_edge_t(&v2, &v2_t, work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))), last, first, INT64_C(1));
-    stop_t = v2_t;
+    EACH_LANE each(stop_t) = each(v2_t);
     stop = v2;
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_REGION)));
     n3 = derivative_filling__begin_patch_t(work, work_t, side, region, start, start_t, first, layout__RULE_STRAIGHT);
@@ -4488,108 +4542,110 @@ static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work,
     for (i = first; i < last + INT64_C(1); i += INT64_C(1))
     {
         derivative_strip_patches__keep_strip_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i);
-        load_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
+        EACH_LANE each(load_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH)));
         load = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_WIDTH));
-        derivative_filling__add_load_t(work, work_t, patch, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))), load, load_t, load * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)), load_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) + load * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)));
+        lanes rates_1;
+        EACH_LANE each(rates_1) = each(load_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) + load * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)));
+        derivative_filling__add_load_t(work, work_t, patch, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_REGION))), load, load_t, load * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)), rates_1);
     }
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = stop_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP))) = each(stop_t);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = stop;
-    (*cspan_at(&work_t, patch + layout__PATCH_LAST)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_LAST)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)(last);
     derivative_strip_patches__run_area_t(&v4, &v4_t, work, work_t, first, last, start, start_t, stop, stop_t);
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v4_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) = each(v4_t);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v4;
     derivative_strip_patches__largest_pressure_t(&v5, &v5_t, work, work_t, first, last);
-    pressure_t = v5_t;
+    EACH_LANE each(pressure_t) = each(v5_t);
     pressure = v5;
-    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE))) = each(pressure_t) * pressure + pressure * each(pressure_t);
     (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
     derivative_strip_patches__largest_square_t(&v6, &v6_t, work, work_t, first, last);
-    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v6_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE))) = each(v6_t);
     (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v6;
     derivative_filling__finish_patch_t(work, work_t, side);
     return INT64_C(0);
 }
 
 /* Derivative of ``end_like_ellipse``. */
-static inline int64_t derivative_strip_patches__end_like_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t edge, int64_t inner)
+static inline int64_t derivative_strip_patches__end_like_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t edge, int64_t inner)
 {
     double v1;
     double v2;
-    double square_t;
+    lanes square_t;
     double square;
     double v3;
     double v4;
     v1 = (*cspan_at(&work, inner + layout__STRIP_HALF_LENGTH_SQUARE)) * (*cspan_at(&work, edge + layout__STRIP_LINE_LOAD));
     v2 = v1 / (*cspan_at(&work, inner + layout__STRIP_LINE_LOAD));
-    square_t = ((*cspan_at(&work_t, inner + layout__STRIP_HALF_LENGTH_SQUARE)) * (*cspan_at(&work, edge + layout__STRIP_LINE_LOAD)) + (*cspan_at(&work, inner + layout__STRIP_HALF_LENGTH_SQUARE)) * (*cspan_at(&work_t, edge + layout__STRIP_LINE_LOAD)) - v2 * (*cspan_at(&work_t, inner + layout__STRIP_LINE_LOAD))) / (*cspan_at(&work, inner + layout__STRIP_LINE_LOAD));
+    EACH_LANE each(square_t) = (each((*lanes_at(&work_t, inner + layout__STRIP_HALF_LENGTH_SQUARE))) * (*cspan_at(&work, edge + layout__STRIP_LINE_LOAD)) + (*cspan_at(&work, inner + layout__STRIP_HALF_LENGTH_SQUARE)) * each((*lanes_at(&work_t, edge + layout__STRIP_LINE_LOAD))) - v2 * each((*lanes_at(&work_t, inner + layout__STRIP_LINE_LOAD)))) / (*cspan_at(&work, inner + layout__STRIP_LINE_LOAD));
     square = v2;
     if (square < (*cspan_at(&work, edge + layout__STRIP_HALF_LENGTH_SQUARE)))
     {
         v3 = (*cspan_at(&work, edge + layout__STRIP_HALF_LENGTH_SQUARE)) / square;
         v4 = sqrt(v3);
-        (*cspan_at(&work_t, edge + layout__STRIP_PRESSURE)) = (*cspan_at(&work_t, edge + layout__STRIP_PRESSURE)) * v4 + (*cspan_at(&work, edge + layout__STRIP_PRESSURE)) * derivative_rates__root_rate(v4, ((*cspan_at(&work_t, edge + layout__STRIP_HALF_LENGTH_SQUARE)) - v3 * square_t) / square);
+        EACH_LANE each((*lanes_at(&work_t, edge + layout__STRIP_PRESSURE))) = each((*lanes_at(&work_t, edge + layout__STRIP_PRESSURE))) * v4 + (*cspan_at(&work, edge + layout__STRIP_PRESSURE)) * derivative_rates__root_rate(v4, (each((*lanes_at(&work_t, edge + layout__STRIP_HALF_LENGTH_SQUARE))) - v3 * each(square_t)) / square);
         (*cspan_at(&work, edge + layout__STRIP_PRESSURE)) = (*cspan_at(&work, edge + layout__STRIP_PRESSURE)) * v4;
-        (*cspan_at(&work_t, edge + layout__STRIP_HALF_LENGTH_SQUARE)) = square_t;
+        EACH_LANE each((*lanes_at(&work_t, edge + layout__STRIP_HALF_LENGTH_SQUARE))) = each(square_t);
         (*cspan_at(&work, edge + layout__STRIP_HALF_LENGTH_SQUARE)) = square;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``keep_strip``. */
-static inline int64_t derivative_strip_patches__keep_strip_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t to)
+static inline int64_t derivative_strip_patches__keep_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t strip, int64_t to)
 {
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work_t, strip + layout__STRIP_STATION));
+    EACH_LANE each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_STATION))) = each((*lanes_at(&work_t, strip + layout__STRIP_STATION)));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) = (*cspan_at(&work, strip + layout__STRIP_STATION));
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
+    EACH_LANE each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_WIDTH))) = each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH)));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD));
+    EACH_LANE each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_X))) = each((*lanes_at(&work_t, strip + layout__STRIP_X))) + each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_LEAD)));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work_t, strip + layout__STRIP_A));
+    EACH_LANE each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_CURVATURE))) = 2.0 * each((*lanes_at(&work_t, strip + layout__STRIP_A)));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work, strip + layout__STRIP_A));
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_LINE_LOAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD));
+    EACH_LANE each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_LINE_LOAD))) = each((*lanes_at(&work_t, strip + layout__STRIP_LINE_LOAD)));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_LINE_LOAD)) = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD));
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE));
+    EACH_LANE each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE))) = each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH_SQUARE)));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH_SQUARE));
-    (*cspan_at(&work_t, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) * (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) + (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) * (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE));
+    EACH_LANE each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_PRESSURE_SQUARE))) = each((*lanes_at(&work_t, strip + layout__STRIP_PRESSURE))) * (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) + (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) * each((*lanes_at(&work_t, strip + layout__STRIP_PRESSURE)));
     (*cspan_at(&work, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) * (*cspan_at(&work, strip + layout__STRIP_PRESSURE));
     return INT64_C(0);
 }
 
 /* Derivative of ``load_region``. */
-static inline int64_t derivative_strip_patches__load_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t index)
+static inline int64_t derivative_strip_patches__load_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, int64_t index)
 {
-    double load_t;
+    lanes load_t;
     double load;
-    double moment_t;
+    lanes moment_t;
     double moment;
-    double cosines_t;
+    lanes cosines_t;
     double cosines;
-    double sines_t;
+    lanes sines_t;
     double sines;
-    double x_t;
+    lanes x_t;
     double x;
     int64_t i_end;
     int64_t i;
     int64_t strip;
-    double own_t;
+    lanes own_t;
     double own;
     double v1;
     double v2;
     double v3;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
     double v6;
-    load_t = 0.0;
+    load_t = all_lanes(0.0);
     load = 0.0;
-    moment_t = 0.0;
+    moment_t = all_lanes(0.0);
     moment = 0.0;
-    cosines_t = 0.0;
+    cosines_t = all_lanes(0.0);
     cosines = 0.0;
-    sines_t = 0.0;
+    sines_t = all_lanes(0.0);
     sines = 0.0;
-    x_t = 0.0;
+    x_t = all_lanes(0.0);
     x = 0.0;
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
@@ -4597,69 +4653,73 @@ static inline int64_t derivative_strip_patches__load_region_t(array_double_1d wo
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
         {
-            own_t = (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
+            EACH_LANE each(own_t) = each((*lanes_at(&work_t, strip + layout__STRIP_LINE_LOAD))) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH)));
             own = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-            load_t = load_t + own_t;
+            EACH_LANE each(load_t) = each(load_t) + each(own_t);
             load = load + own;
-            moment_t = moment_t + (own_t * (*cspan_at(&work, strip + layout__STRIP_STATION)) + own * (*cspan_at(&work_t, strip + layout__STRIP_STATION)));
+            EACH_LANE each(moment_t) = each(moment_t) + (each(own_t) * (*cspan_at(&work, strip + layout__STRIP_STATION)) + own * each((*lanes_at(&work_t, strip + layout__STRIP_STATION))));
             moment = moment + own * (*cspan_at(&work, strip + layout__STRIP_STATION));
-            cosines_t = cosines_t + (own_t * (*cspan_at(&work, strip + layout__STRIP_COS)) + own * (*cspan_at(&work_t, strip + layout__STRIP_COS)));
+            EACH_LANE each(cosines_t) = each(cosines_t) + (each(own_t) * (*cspan_at(&work, strip + layout__STRIP_COS)) + own * each((*lanes_at(&work_t, strip + layout__STRIP_COS))));
             cosines = cosines + own * (*cspan_at(&work, strip + layout__STRIP_COS));
-            sines_t = sines_t + (own_t * (*cspan_at(&work, strip + layout__STRIP_SIN)) + own * (*cspan_at(&work_t, strip + layout__STRIP_SIN)));
+            EACH_LANE each(sines_t) = each(sines_t) + (each(own_t) * (*cspan_at(&work, strip + layout__STRIP_SIN)) + own * each((*lanes_at(&work_t, strip + layout__STRIP_SIN))));
             sines = sines + own * (*cspan_at(&work, strip + layout__STRIP_SIN));
             v1 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
-            x_t = x_t + (own_t * v1 + own * ((*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD))));
+            EACH_LANE each(x_t) = each(x_t) + (each(own_t) * v1 + own * (each((*lanes_at(&work_t, strip + layout__STRIP_X))) + each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_LEAD)))));
             x = x + own * v1;
         }
     }
-    (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = load_t;
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_CARRIED))) = each(load_t);
     (*cspan_at(&work, region + layout__REGION_CARRIED)) = load;
-    (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = moment_t;
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_MOMENT))) = each(moment_t);
     (*cspan_at(&work, region + layout__REGION_MOMENT)) = moment;
-    (*cspan_at(&work_t, region + layout__REGION_SLANT)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_SLANT)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_SLANT)) = 0.0;
     if (load > 0.0)
     {
         v2 = cosines / load;
-        (*cspan_at(&work_t, region + layout__REGION_COS)) = (cosines_t - v2 * load_t) / load;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_COS))) = (each(cosines_t) - v2 * each(load_t)) / load;
         (*cspan_at(&work, region + layout__REGION_COS)) = v2;
         v3 = sines / load;
-        (*cspan_at(&work_t, region + layout__REGION_SIN)) = (sines_t - v3 * load_t) / load;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SIN))) = (each(sines_t) - v3 * each(load_t)) / load;
         (*cspan_at(&work, region + layout__REGION_SIN)) = v3;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            derivative_rails__upright_share_t(&v4, &v4_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work_t, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)), (*cspan_at(&work_t, region + layout__REGION_SIN)));
-            (*cspan_at(&work_t, region + layout__REGION_SHARE)) = v4_t;
+            derivative_rails__upright_share_t(&v4, &v4_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*lanes_at(&work_t, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)), (*lanes_at(&work_t, region + layout__REGION_SIN)));
+            EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SHARE))) = each(v4_t);
             (*cspan_at(&work, region + layout__REGION_SHARE)) = v4;
         }
         v5 = moment / load;
         v6 = x / load;
-        derivative_strip_patches__slant_region_t(work, work_t, region, index, v5, (moment_t - v5 * load_t) / load, v6, (x_t - v6 * load_t) / load);
+        lanes rates_1;
+        EACH_LANE each(rates_1) = (each(moment_t) - v5 * each(load_t)) / load;
+        lanes rates_2;
+        EACH_LANE each(rates_2) = (each(x_t) - v6 * each(load_t)) / load;
+        derivative_strip_patches__slant_region_t(work, work_t, region, index, v5, rates_1, v6, rates_2);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``slant_region``. */
-static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t index, double station, double station_t, double x, double x_t)
+static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t index, double station, lanes station_t, double x, lanes x_t)
 {
-    double along_t;
+    lanes along_t;
     double along;
-    double spread_t;
+    lanes spread_t;
     double spread;
     int64_t i_end;
     int64_t i;
     int64_t strip;
-    double own_t;
+    lanes own_t;
     double own;
-    double away_t;
+    lanes away_t;
     double away;
     double v1;
     double v2;
     double v3;
     double v4;
-    along_t = 0.0;
+    along_t = all_lanes(0.0);
     along = 0.0;
-    spread_t = 0.0;
+    spread_t = all_lanes(0.0);
     spread = 0.0;
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
@@ -4667,30 +4727,30 @@ static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d w
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
         {
-            own_t = (*cspan_at(&work_t, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
+            EACH_LANE each(own_t) = each((*lanes_at(&work_t, strip + layout__STRIP_LINE_LOAD))) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH)));
             own = (*cspan_at(&work, strip + layout__STRIP_LINE_LOAD)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-            away_t = (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - station_t;
+            EACH_LANE each(away_t) = each((*lanes_at(&work_t, strip + layout__STRIP_STATION))) - each(station_t);
             away = (*cspan_at(&work, strip + layout__STRIP_STATION)) - station;
             v1 = own * away;
             v2 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) - x;
-            along_t = along_t + ((own_t * away + own * away_t) * v2 + v1 * ((*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) - x_t));
+            EACH_LANE each(along_t) = each(along_t) + ((each(own_t) * away + own * each(away_t)) * v2 + v1 * (each((*lanes_at(&work_t, strip + layout__STRIP_X))) + each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_LEAD))) - each(x_t)));
             along = along + v1 * v2;
             v3 = own * away;
-            spread_t = spread_t + ((own_t * away + own * away_t) * away + v3 * away_t);
+            EACH_LANE each(spread_t) = each(spread_t) + ((each(own_t) * away + own * each(away_t)) * away + v3 * each(away_t));
             spread = spread + v3 * away;
         }
     }
     if (spread > strip_patches__CLOSE * strip_patches__CLOSE * (*cspan_at(&work, region + layout__REGION_CARRIED)))
     {
         v4 = along / spread;
-        (*cspan_at(&work_t, region + layout__REGION_SLANT)) = (along_t - v4 * spread_t) / spread;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SLANT))) = (each(along_t) - v4 * each(spread_t)) / spread;
         (*cspan_at(&work, region + layout__REGION_SLANT)) = v4;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``add_stiffness``. */
-static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count)
+static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t count)
 {
     int64_t index;
     double scale;
@@ -4704,7 +4764,7 @@ static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d 
     double v1;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS)) = 0.0;
     }
     scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
@@ -4723,200 +4783,208 @@ static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d 
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION)));
         v1 = scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-        (*cspan_at(&work_t, region + layout__REGION_STIFFNESS)) = (*cspan_at(&work_t, region + layout__REGION_STIFFNESS)) + (scale * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, row + size)) + v1 * (*cspan_at(&work_t, row + size)));
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_STIFFNESS))) = each((*lanes_at(&work_t, region + layout__REGION_STIFFNESS))) + (scale * each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) * (*cspan_at(&work, row + size)) + v1 * each((*lanes_at(&work_t, row + size))));
         (*cspan_at(&work, region + layout__REGION_STIFFNESS)) = (*cspan_at(&work, region + layout__REGION_STIFFNESS)) + v1 * (*cspan_at(&work, row + size));
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``divided_bend``. */
-static inline int64_t derivative_strip_patches__divided_bend_t(double* v7, double* result_1, array_double_1d work, array_double_1d work_t, int64_t i, double before, double before_t, double value, double value_t, double after, double after_t)
+static inline int64_t derivative_strip_patches__divided_bend_t(double* v7, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t i, double before, lanes before_t, double value, lanes value_t, double after, lanes after_t)
 {
-    double left_t;
+    lanes left_t;
     double left;
-    double right_t;
+    lanes right_t;
     double right;
     double v1;
     double v2;
-    double upper_t;
+    lanes upper_t;
     double upper;
     double v3;
     double v4;
-    double lower_t;
+    lanes lower_t;
     double lower;
     double v5;
     double v6;
-    left_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
+    EACH_LANE each(left_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION)));
     left = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
-    right_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION));
+    EACH_LANE each(right_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)));
     right = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION));
     v1 = after - value;
     v2 = v1 / right;
-    upper_t = (after_t - value_t - v2 * right_t) / right;
+    EACH_LANE each(upper_t) = (each(after_t) - each(value_t) - v2 * each(right_t)) / right;
     upper = v2;
     v3 = value - before;
     v4 = v3 / left;
-    lower_t = (value_t - before_t - v4 * left_t) / left;
+    EACH_LANE each(lower_t) = (each(value_t) - each(before_t) - v4 * each(left_t)) / left;
     lower = v4;
     v5 = upper - lower;
     v6 = left + right;
     (*v7) = v5 / v6;
-    (*result_1) = (upper_t - lower_t - (*v7) * (left_t + right_t)) / v6;
+    EACH_LANE each((*result_1)) = (each(upper_t) - each(lower_t) - (*v7) * (each(left_t) + each(right_t))) / v6;
     return 0;
 }
 
 /* Derivative of ``square_bend``. */
-static inline int64_t derivative_strip_patches__square_bend_t(double* v1, double* v1_t, array_double_1d work, array_double_1d work_t, int64_t i)
+static inline int64_t derivative_strip_patches__square_bend_t(double* v1, lanes* v1_t, array_double_1d work, array_lanes_1d work_t, int64_t i)
 {
-    double before_t;
+    lanes before_t;
     double before;
-    before_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE));
+    EACH_LANE each(before_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)));
     before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE));
-    derivative_strip_patches__divided_bend_t(v1, v1_t, work, work_t, i, before, before_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)));
+    derivative_strip_patches__divided_bend_t(v1, v1_t, work, work_t, i, before, before_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)));
     return 0;
 }
 
 /* Derivative of ``cell_bend``. */
-static inline int64_t derivative_strip_patches__cell_bend_t(double* bend, double* bend_t, array_double_1d work, array_double_1d work_t, int64_t i, int64_t first, int64_t last)
+static inline int64_t derivative_strip_patches__cell_bend_t(double* bend, lanes* bend_t, array_double_1d work, array_lanes_1d work_t, int64_t i, int64_t first, int64_t last)
 {
     double found;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
-    (*bend_t) = 0.0;
+    lanes v2_t;
+    (*bend_t) = all_lanes(0.0);
     (*bend) = 0.0;
     found = 0.0;
     if ((i > first) && (i < last))
     {
         derivative_strip_patches__square_bend_t(&v1, &v1_t, work, work_t, i);
-        (*bend_t) = (*bend_t) + v1_t;
+        EACH_LANE each((*bend_t)) = each((*bend_t)) + each(v1_t);
         (*bend) = (*bend) + v1;
         found = found + 1.0;
     }
     if ((i + INT64_C(1) < last) && (i + INT64_C(1) > first))
     {
         derivative_strip_patches__square_bend_t(&v2, &v2_t, work, work_t, i + INT64_C(1));
-        (*bend_t) = (*bend_t) + v2_t;
+        EACH_LANE each((*bend_t)) = each((*bend_t)) + each(v2_t);
         (*bend) = (*bend) + v2;
         found = found + 1.0;
     }
     if (found > 0.0)
     {
-        (*bend_t) = (*bend_t) / found;
+        EACH_LANE each((*bend_t)) = each((*bend_t)) / found;
         (*bend) = (*bend) / found;
     }
     return 0;
 }
 
 /* Derivative of ``cell_area``. */
-static inline int64_t derivative_strip_patches__cell_area_t(double* result_0, double* result_1, double low, double low_t, double high, double high_t, double bend, double bend_t, double width, double width_t)
+static inline int64_t derivative_strip_patches__cell_area_t(double* result_0, lanes* result_1, double low, lanes low_t, double high, lanes high_t, double bend, lanes bend_t, double width, lanes width_t)
 {
     double v2;
     double v3;
     double v1;
-    double v1_t;
+    lanes v1_t;
     v2 = 2.0 * bend;
     v3 = v2 * width;
-    derivative_quadrature__root_integral_t(&v1, &v1_t, 2.0 * low - high + v3 * width, 2.0 * low_t - high_t + ((2.0 * bend_t * width + v2 * width_t) * width + v3 * width_t), low, low_t, high, high_t, 0.0, 0.0, 1.0, 0.0);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = 2.0 * each(low_t) - each(high_t) + ((2.0 * each(bend_t) * width + v2 * each(width_t)) * width + v3 * each(width_t));
+    derivative_quadrature__root_integral_t(&v1, &v1_t, 2.0 * low - high + v3 * width, rates_1, low, low_t, high, high_t, 0.0, all_lanes(0.0), 1.0, all_lanes(0.0));
     (*result_0) = width * v1;
-    (*result_1) = width_t * v1 + width * v1_t;
+    EACH_LANE each((*result_1)) = each(width_t) * v1 + width * each(v1_t);
     return 0;
 }
 
 /* Derivative of ``run_area``. */
-static inline int64_t derivative_strip_patches__run_area_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t first, int64_t last, double start, double start_t, double stop, double stop_t)
+static inline int64_t derivative_strip_patches__run_area_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last, double start, lanes start_t, double stop, lanes stop_t)
 {
     double v1;
-    double v1_t;
-    double bend_t;
+    lanes v1_t;
+    lanes bend_t;
     double bend;
     double v2;
-    double v2_t;
-    double half_t;
+    lanes v2_t;
+    lanes half_t;
     double half;
     int64_t i;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
-    double v6_t;
+    lanes v6_t;
     derivative_strip_patches__cell_bend_t(&v1, &v1_t, work, work_t, first, first, last);
-    bend_t = v1_t;
+    EACH_LANE each(bend_t) = each(v1_t);
     bend = v1;
-    derivative_strip_patches__cell_area_t(&v2, &v2_t, 0.0, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_HALF_LENGTH_SQUARE)), bend, bend_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION)) - start, (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION)) - start_t);
-    half_t = v2_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION))) - each(start_t);
+    derivative_strip_patches__cell_area_t(&v2, &v2_t, 0.0, all_lanes(0.0), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_HALF_LENGTH_SQUARE)), bend, bend_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION)) - start, rates_1);
+    EACH_LANE each(half_t) = each(v2_t);
     half = v2;
     for (i = first; i < last; i += INT64_C(1))
     {
         derivative_strip_patches__cell_bend_t(&v3, &v3_t, work, work_t, i, first, last);
-        bend_t = v3_t;
+        EACH_LANE each(bend_t) = each(v3_t);
         bend = v3;
-        derivative_strip_patches__cell_area_t(&v4, &v4_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)), bend, bend_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)));
-        half_t = half_t + v4_t;
+        lanes rates_2;
+        EACH_LANE each(rates_2) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)));
+        derivative_strip_patches__cell_area_t(&v4, &v4_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)), bend, bend_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)) + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)), rates_2);
+        EACH_LANE each(half_t) = each(half_t) + each(v4_t);
         half = half + v4;
     }
     derivative_strip_patches__cell_bend_t(&v5, &v5_t, work, work_t, last - INT64_C(1), first, last);
-    bend_t = v5_t;
+    EACH_LANE each(bend_t) = each(v5_t);
     bend = v5;
-    derivative_strip_patches__cell_area_t(&v6, &v6_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_HALF_LENGTH_SQUARE)), 0.0, 0.0, bend, bend_t, stop - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)), stop_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)));
-    half_t = half_t + v6_t;
+    lanes rates_3;
+    EACH_LANE each(rates_3) = each(stop_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)));
+    derivative_strip_patches__cell_area_t(&v6, &v6_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_HALF_LENGTH_SQUARE)), 0.0, all_lanes(0.0), bend, bend_t, stop - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)), rates_3);
+    EACH_LANE each(half_t) = each(half_t) + each(v6_t);
     half = half + v6;
     (*result_0) = 2.0 * half;
-    (*result_1) = 2.0 * half_t;
+    EACH_LANE each((*result_1)) = 2.0 * each(half_t);
     return 0;
 }
 
 /* Derivative of ``summit``. */
-static inline int64_t derivative_strip_patches__summit_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t i, double before, double before_t, double value, double value_t, double after, double after_t)
+static inline int64_t derivative_strip_patches__summit_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t i, double before, lanes before_t, double value, lanes value_t, double after, lanes after_t)
 {
     double v1;
-    double v1_t;
-    double bend_t;
+    lanes v1_t;
+    lanes bend_t;
     double bend;
-    double left_t;
+    lanes left_t;
     double left;
     double v2;
     double v3;
-    double slope_t;
+    lanes slope_t;
     double slope;
     double v4;
     double v5;
     double v6;
     derivative_strip_patches__divided_bend_t(&v1, &v1_t, work, work_t, i, before, before_t, value, value_t, after, after_t);
-    bend_t = v1_t;
+    EACH_LANE each(bend_t) = each(v1_t);
     bend = v1;
     if (bend < 0.0)
     {
-        left_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
+        EACH_LANE each(left_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION)));
         left = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
         v2 = value - before;
         v3 = v2 / left;
-        slope_t = (value_t - before_t - v3 * left_t) / left + (bend_t * left + bend * left_t);
+        EACH_LANE each(slope_t) = (each(value_t) - each(before_t) - v3 * each(left_t)) / left + (each(bend_t) * left + bend * each(left_t));
         slope = v3 + bend * left;
         v4 = slope * slope;
         v5 = 4.0 * bend;
         v6 = v4 / v5;
-        value_t = value_t - (slope_t * slope + slope * slope_t - v6 * (4.0 * bend_t)) / v5;
+        EACH_LANE each(value_t) = each(value_t) - (each(slope_t) * slope + slope * each(slope_t) - v6 * (4.0 * each(bend_t))) / v5;
         value = value - v6;
     }
     (*result_0) = value;
-    (*result_1) = value_t;
+    EACH_LANE each((*result_1)) = each(value_t);
     return 0;
 }
 
 /* Derivative of ``largest_pressure``. */
-static inline int64_t derivative_strip_patches__largest_pressure_t(double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t last)
+static inline int64_t derivative_strip_patches__largest_pressure_t(double* pressure, lanes* pressure_t, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last)
 {
     int64_t best;
     int64_t i;
-    double before_t;
+    lanes before_t;
     double before;
     double v1;
-    double v1_t;
+    lanes v1_t;
     best = first;
     for (i = first; i < last + INT64_C(1); i += INT64_C(1))
     {
@@ -4925,28 +4993,28 @@ static inline int64_t derivative_strip_patches__largest_pressure_t(double* press
             best = i;
         }
     }
-    (*pressure_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_PRESSURE));
+    EACH_LANE each((*pressure_t)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_PRESSURE)));
     (*pressure) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_PRESSURE));
     if ((best > first) && (best < last))
     {
-        before_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_PRESSURE));
+        EACH_LANE each(before_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_PRESSURE)));
         before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_PRESSURE));
-        derivative_strip_patches__summit_t(&v1, &v1_t, work, work_t, best, before, before_t, (*pressure), (*pressure_t), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_PRESSURE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_PRESSURE)));
-        (*pressure_t) = v1_t;
+        derivative_strip_patches__summit_t(&v1, &v1_t, work, work_t, best, before, before_t, (*pressure), (*pressure_t), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_PRESSURE)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_PRESSURE)));
+        EACH_LANE each((*pressure_t)) = each(v1_t);
         (*pressure) = v1;
     }
     return 0;
 }
 
 /* Derivative of ``largest_square``. */
-static inline int64_t derivative_strip_patches__largest_square_t(double* square, double* square_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t last)
+static inline int64_t derivative_strip_patches__largest_square_t(double* square, lanes* square_t, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last)
 {
     int64_t best;
     int64_t i;
-    double before_t;
+    lanes before_t;
     double before;
     double v1;
-    double v1_t;
+    lanes v1_t;
     best = first;
     for (i = first; i < last + INT64_C(1); i += INT64_C(1))
     {
@@ -4955,14 +5023,14 @@ static inline int64_t derivative_strip_patches__largest_square_t(double* square,
             best = i;
         }
     }
-    (*square_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_HALF_LENGTH_SQUARE));
+    EACH_LANE each((*square_t)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_HALF_LENGTH_SQUARE)));
     (*square) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * best + layout__STRIP_HALF_LENGTH_SQUARE));
     if ((best > first) && (best < last))
     {
-        before_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE));
+        EACH_LANE each(before_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)));
         before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best - INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE));
-        derivative_strip_patches__summit_t(&v1, &v1_t, work, work_t, best, before, before_t, (*square), (*square_t), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)));
-        (*square_t) = v1_t;
+        derivative_strip_patches__summit_t(&v1, &v1_t, work, work_t, best, before, before_t, (*square), (*square_t), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (best + INT64_C(1)) + layout__STRIP_HALF_LENGTH_SQUARE)));
+        EACH_LANE each((*square_t)) = each(v1_t);
         (*square) = v1;
     }
     return 0;
@@ -4975,7 +5043,7 @@ static inline int64_t derivative_strip_patches__largest_square_t(double* square,
  */
 
 /* Derivative of ``eliminate``. */
-static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d work, array_double_1d work_t, int64_t size)
+static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d work, array_lanes_1d work_t, int64_t size)
 {
     int64_t width;
     int64_t pair;
@@ -4983,24 +5051,24 @@ static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d wo
     int64_t first;
     int64_t second;
     double v1;
-    double inverse_t;
+    lanes inverse_t;
     double inverse;
-    double factor_t;
+    lanes factor_t;
     double factor;
     int64_t j;
     double v2;
-    double next_inverse_t;
+    lanes next_inverse_t;
     double next_inverse;
     int64_t i;
     int64_t row;
     double v3;
-    double next_factor_t;
+    lanes next_factor_t;
     double next_factor;
     int64_t back;
     int64_t pivot;
-    double one_t;
+    lanes one_t;
     double one;
-    double other_t;
+    lanes other_t;
     double other;
     double v4;
     double v5;
@@ -5011,29 +5079,29 @@ static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d wo
         first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
         second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * (k + INT64_C(1));
         v1 = 1.0 / (*cspan_at(&work, first + k));
-        inverse_t = (-v1) * (*cspan_at(&work_t, first + k)) / (*cspan_at(&work, first + k));
+        EACH_LANE each(inverse_t) = (-v1) * each((*lanes_at(&work_t, first + k))) / (*cspan_at(&work, first + k));
         inverse = v1;
-        factor_t = (*cspan_at(&work_t, second + k)) * inverse + (*cspan_at(&work, second + k)) * inverse_t;
+        EACH_LANE each(factor_t) = each((*lanes_at(&work_t, second + k))) * inverse + (*cspan_at(&work, second + k)) * each(inverse_t);
         factor = (*cspan_at(&work, second + k)) * inverse;
         for (j = k + INT64_C(1); j < width; j += INT64_C(1))
         {
-            (*cspan_at(&work_t, second + j)) = (*cspan_at(&work_t, second + j)) - (factor_t * (*cspan_at(&work, first + j)) + factor * (*cspan_at(&work_t, first + j)));
+            EACH_LANE each((*lanes_at(&work_t, second + j))) = each((*lanes_at(&work_t, second + j))) - (each(factor_t) * (*cspan_at(&work, first + j)) + factor * each((*lanes_at(&work_t, first + j))));
             (*cspan_at(&work, second + j)) = (*cspan_at(&work, second + j)) - factor * (*cspan_at(&work, first + j));
         }
         v2 = 1.0 / (*cspan_at(&work, second + (k + INT64_C(1))));
-        next_inverse_t = (-v2) * (*cspan_at(&work_t, second + (k + INT64_C(1)))) / (*cspan_at(&work, second + (k + INT64_C(1))));
+        EACH_LANE each(next_inverse_t) = (-v2) * each((*lanes_at(&work_t, second + (k + INT64_C(1))))) / (*cspan_at(&work, second + (k + INT64_C(1))));
         next_inverse = v2;
         for (i = k + INT64_C(2); i < size; i += INT64_C(1))
         {
             row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * i;
-            factor_t = (*cspan_at(&work_t, row + k)) * inverse + (*cspan_at(&work, row + k)) * inverse_t;
+            EACH_LANE each(factor_t) = each((*lanes_at(&work_t, row + k))) * inverse + (*cspan_at(&work, row + k)) * each(inverse_t);
             factor = (*cspan_at(&work, row + k)) * inverse;
             v3 = (*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))));
-            next_factor_t = ((*cspan_at(&work_t, row + (k + INT64_C(1)))) - (factor_t * (*cspan_at(&work, first + (k + INT64_C(1)))) + factor * (*cspan_at(&work_t, first + (k + INT64_C(1)))))) * next_inverse + v3 * next_inverse_t;
+            EACH_LANE each(next_factor_t) = (each((*lanes_at(&work_t, row + (k + INT64_C(1))))) - (each(factor_t) * (*cspan_at(&work, first + (k + INT64_C(1)))) + factor * each((*lanes_at(&work_t, first + (k + INT64_C(1))))))) * next_inverse + v3 * each(next_inverse_t);
             next_factor = v3 * next_inverse;
             for (j = k + INT64_C(2); j < width; j += INT64_C(1))
             {
-                (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, row + j)) - (factor_t * (*cspan_at(&work, first + j)) + factor * (*cspan_at(&work_t, first + j))) - (next_factor_t * (*cspan_at(&work, second + j)) + next_factor * (*cspan_at(&work_t, second + j)));
+                EACH_LANE each((*lanes_at(&work_t, row + j))) = each((*lanes_at(&work_t, row + j))) - (each(factor_t) * (*cspan_at(&work, first + j)) + factor * each((*lanes_at(&work_t, first + j)))) - (each(next_factor_t) * (*cspan_at(&work, second + j)) + next_factor * each((*lanes_at(&work_t, second + j))));
                 (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, first + j)) - next_factor * (*cspan_at(&work, second + j));
             }
         }
@@ -5042,195 +5110,195 @@ static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d wo
     {
         k = size - INT64_C(1) - back;
         pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * k;
-        one_t = (*cspan_at(&work_t, pivot + size));
+        EACH_LANE each(one_t) = each((*lanes_at(&work_t, pivot + size)));
         one = (*cspan_at(&work, pivot + size));
-        other_t = (*cspan_at(&work_t, pivot + (size + INT64_C(1))));
+        EACH_LANE each(other_t) = each((*lanes_at(&work_t, pivot + (size + INT64_C(1)))));
         other = (*cspan_at(&work, pivot + (size + INT64_C(1))));
         for (j = k + INT64_C(1); j < size; j += INT64_C(1))
         {
             row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * j;
-            one_t = one_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, row + size)) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, row + size)));
+            EACH_LANE each(one_t) = each(one_t) - (each((*lanes_at(&work_t, pivot + j))) * (*cspan_at(&work, row + size)) + (*cspan_at(&work, pivot + j)) * each((*lanes_at(&work_t, row + size))));
             one = one - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + size));
-            other_t = other_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1)))) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, row + (size + INT64_C(1)))));
+            EACH_LANE each(other_t) = each(other_t) - (each((*lanes_at(&work_t, pivot + j))) * (*cspan_at(&work, row + (size + INT64_C(1)))) + (*cspan_at(&work, pivot + j)) * each((*lanes_at(&work_t, row + (size + INT64_C(1))))));
             other = other - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1))));
         }
         v4 = one / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work_t, pivot + size)) = (one_t - v4 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
+        EACH_LANE each((*lanes_at(&work_t, pivot + size))) = (each(one_t) - v4 * each((*lanes_at(&work_t, pivot + k)))) / (*cspan_at(&work, pivot + k));
         (*cspan_at(&work, pivot + size)) = v4;
         v5 = other / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work_t, pivot + (size + INT64_C(1)))) = (other_t - v5 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
+        EACH_LANE each((*lanes_at(&work_t, pivot + (size + INT64_C(1))))) = (each(other_t) - v5 * each((*lanes_at(&work_t, pivot + k)))) / (*cspan_at(&work, pivot + k));
         (*cspan_at(&work, pivot + (size + INT64_C(1)))) = v5;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``nearness``. */
-static inline int64_t derivative_strip_pressures__nearness_t(double* v3, double* result_1, double distance, double distance_t, double half_length, double half_length_t)
+static inline int64_t derivative_strip_pressures__nearness_t(double* v3, lanes* result_1, double distance, lanes distance_t, double half_length, lanes half_length_t)
 {
     double v1;
     double v2;
     v1 = distance + half_length;
     v2 = distance / v1;
     (*v3) = sqrt(v2);
-    (*result_1) = derivative_rates__root_rate((*v3), (distance_t - v2 * (distance_t + half_length_t)) / v1);
+    EACH_LANE each((*result_1)) = derivative_rates__root_rate((*v3), (each(distance_t) - v2 * (each(distance_t) + each(half_length_t))) / v1);
     return 0;
 }
 
 /* Derivative of ``apartness``. */
-static inline int64_t derivative_strip_pressures__apartness_t(double* v2, double* result_1, double x, double x_t, double half_length, double half_length_t)
+static inline int64_t derivative_strip_pressures__apartness_t(double* v2, lanes* result_1, double x, lanes x_t, double half_length, lanes half_length_t)
 {
-    double square_t;
+    lanes square_t;
     double square;
     double v1;
-    square_t = x_t * x + x * x_t;
+    EACH_LANE each(square_t) = each(x_t) * x + x * each(x_t);
     square = x * x;
     v1 = square + half_length * half_length;
     (*v2) = square / v1;
-    (*result_1) = (square_t - (*v2) * (square_t + (half_length_t * half_length + half_length * half_length_t))) / v1;
+    EACH_LANE each((*result_1)) = (each(square_t) - (*v2) * (each(square_t) + (each(half_length_t) * half_length + half_length * each(half_length_t)))) / v1;
     return 0;
 }
 
 /* Derivative of ``influence_at``. */
-static inline int64_t derivative_strip_pressures__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t, double v, double v_t)
+static inline int64_t derivative_strip_pressures__influence_at_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t first, double u, lanes u_t, double v, lanes v_t)
 {
     double v1;
-    double place_t;
+    lanes place_t;
     double place;
     int64_t cell;
     double v2;
-    double along_t;
+    lanes along_t;
     double along;
     int64_t column;
-    double x_t;
+    lanes x_t;
     double x;
-    double share_t;
+    lanes share_t;
     double share;
     int64_t at;
     int64_t to;
     double v3;
-    double low_t;
+    lanes low_t;
     double low;
     double v4;
-    double high_t;
+    lanes high_t;
     double high;
     double v5;
     v1 = (double)(layout__INFLUENCE_CELLS);
-    place_t = u_t * v1;
+    EACH_LANE each(place_t) = each(u_t) * v1;
     place = u * v1;
     cell = strip_pressures__cell_at(place, layout__INFLUENCE_CELLS);
     v2 = (double)(layout__INFLUENCE_COLUMNS);
-    along_t = v_t * v2;
+    EACH_LANE each(along_t) = each(v_t) * v2;
     along = v * v2;
     column = strip_pressures__cell_at(along, layout__INFLUENCE_COLUMNS);
-    x_t = place_t;
+    EACH_LANE each(x_t) = each(place_t);
     x = place - (double)(cell);
-    share_t = along_t;
+    EACH_LANE each(share_t) = each(along_t);
     share = along - (double)(column);
     at = first + layout__INFLUENCE_COLUMN * column + INT64_C(3) * cell;
     to = at + layout__INFLUENCE_COLUMN;
     v3 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
-    low_t = x_t * v3 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+    EACH_LANE each(low_t) = each(x_t) * v3 + x * (each(x_t) * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
     low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v3;
     v4 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2))));
-    high_t = x_t * v4 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))));
+    EACH_LANE each(high_t) = each(x_t) * v4 + x * (each(x_t) * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))));
     high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) + x * v4;
     v5 = high - low;
     (*result_0) = low + share * v5;
-    (*result_1) = low_t + (share_t * v5 + share * (high_t - low_t));
+    EACH_LANE each((*result_1)) = each(low_t) + (each(share_t) * v5 + share * (each(high_t) - each(low_t)));
     return 0;
 }
 
 /* Derivative of ``middle_influence``. */
-static inline int64_t derivative_strip_pressures__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double u, double u_t)
+static inline int64_t derivative_strip_pressures__middle_influence_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t first, double u, lanes u_t)
 {
     double v1;
-    double place_t;
+    lanes place_t;
     double place;
     int64_t cell;
-    double x_t;
+    lanes x_t;
     double x;
     int64_t at;
     double v2;
     v1 = (double)(layout__INFLUENCE_CELLS);
-    place_t = u_t * v1;
+    EACH_LANE each(place_t) = each(u_t) * v1;
     place = u * v1;
     cell = strip_pressures__cell_at(place, layout__INFLUENCE_CELLS);
-    x_t = place_t;
+    EACH_LANE each(x_t) = each(place_t);
     x = place - (double)(cell);
     at = first + INT64_C(3) * cell;
     v2 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
     (*result_0) = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v2;
-    (*result_1) = x_t * v2 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+    EACH_LANE each((*result_1)) = each(x_t) * v2 + x * (each(x_t) * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
     return 0;
 }
 
 /* Derivative of ``mean_at``. */
-static inline int64_t derivative_strip_pressures__mean_at_t(double* v7, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t strip, double distance, double distance_t, double v, double v_t)
+static inline int64_t derivative_strip_pressures__mean_at_t(double* v7, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t strip, double distance, lanes distance_t, double v, lanes v_t)
 {
-    double half_t;
+    lanes half_t;
     double half;
     double v1;
-    double v1_t;
-    double near_t;
+    lanes v1_t;
+    lanes near_t;
     double near;
-    double far_t;
+    lanes far_t;
     double far;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v2;
-    double v2_t;
-    double inner_t;
+    lanes v2_t;
+    lanes inner_t;
     double inner;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v4;
-    double v4_t;
-    double outer_t;
+    lanes v4_t;
+    lanes outer_t;
     double outer;
     double v6;
-    half_t = 0.5 * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH));
+    EACH_LANE each(half_t) = 0.5 * each((*lanes_at(&work_t, strip + layout__STRIP_BREADTH)));
     half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_BREADTH));
     v1 = distance - half;
-    v1_t = distance_t - half_t;
+    EACH_LANE each(v1_t) = each(distance_t) - each(half_t);
     if (0.0 > v1)
     {
         v1 = 0.0;
-        v1_t = 0.0;
+        v1_t = all_lanes(0.0);
     }
-    near_t = v1_t;
+    EACH_LANE each(near_t) = each(v1_t);
     near = v1;
-    far_t = distance_t + half_t;
+    EACH_LANE each(far_t) = each(distance_t) + each(half_t);
     far = distance + half;
-    derivative_strip_pressures__nearness_t(&v3, &v3_t, near, near_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+    derivative_strip_pressures__nearness_t(&v3, &v3_t, near, near_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
     derivative_strip_pressures__influence_at_t(&v2, &v2_t, tables, table, layout__INFLUENCE_MAP, v3, v3_t, v, v_t);
-    inner_t = v2_t;
+    EACH_LANE each(inner_t) = each(v2_t);
     inner = v2;
-    derivative_strip_pressures__nearness_t(&v5, &v5_t, far, far_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+    derivative_strip_pressures__nearness_t(&v5, &v5_t, far, far_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
     derivative_strip_pressures__influence_at_t(&v4, &v4_t, tables, table, layout__INFLUENCE_MAP, v5, v5_t, v, v_t);
-    outer_t = v4_t;
+    EACH_LANE each(outer_t) = each(v4_t);
     outer = v4;
     v6 = far * outer - near * inner;
     (*v7) = v6 / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
-    (*result_1) = (far_t * outer + far * outer_t - (near_t * inner + near * inner_t) - (*v7) * (*cspan_at(&work_t, strip + layout__STRIP_BREADTH))) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
+    EACH_LANE each((*result_1)) = (each(far_t) * outer + far * each(outer_t) - (each(near_t) * inner + near * each(inner_t)) - (*v7) * each((*lanes_at(&work_t, strip + layout__STRIP_BREADTH)))) / (*cspan_at(&work, strip + layout__STRIP_BREADTH));
     return 0;
 }
 
 /* Derivative of ``begin_influences``. */
-static inline int64_t derivative_strip_pressures__begin_influences_t(array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_strip_pressures__begin_influences_t(array_double_1d work, array_lanes_1d work_t)
 {
     int64_t j_end;
     int64_t j;
     j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (j = INT64_C(0); j < j_end; j += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_KNOWN)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_KNOWN)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_KNOWN)) = (double)(0);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``know_influences``. */
-static inline int64_t derivative_strip_pressures__know_influences_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, bool yawed)
+static inline int64_t derivative_strip_pressures__know_influences_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, bool yawed)
 {
     int64_t j_end;
     int64_t j;
@@ -5242,7 +5310,7 @@ static inline int64_t derivative_strip_pressures__know_influences_t(array_double
         if (((*cspan_at(&work, strip + layout__STRIP_LOADED)) == 1.0) && (!((*cspan_at(&work, strip + layout__STRIP_KNOWN)) == 1.0)))
         {
             derivative_strip_pressures__fill_column_t(tables, work, work_t, table, j, yawed);
-            (*cspan_at(&work_t, strip + layout__STRIP_KNOWN)) = 0.0;
+            (*lanes_at(&work_t, strip + layout__STRIP_KNOWN)) = all_lanes(0.0);
             (*cspan_at(&work, strip + layout__STRIP_KNOWN)) = (double)(1);
         }
     }
@@ -5250,44 +5318,44 @@ static inline int64_t derivative_strip_pressures__know_influences_t(array_double
 }
 
 /* Derivative of ``fill_column``. */
-static inline int64_t derivative_strip_pressures__fill_column_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t j, bool yawed)
+static inline int64_t derivative_strip_pressures__fill_column_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t j, bool yawed)
 {
     int64_t other;
-    double x_t;
+    lanes x_t;
     double x;
-    double half_t;
+    lanes half_t;
     double half;
     int64_t i_end;
     int64_t i;
     int64_t strip;
     double v2;
     double v1;
-    double v1_t;
-    double u_t;
+    lanes v1_t;
+    lanes u_t;
     double u;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v3;
-    double v3_t;
-    double influence_t;
+    lanes v3_t;
+    lanes influence_t;
     double influence;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
     double v8;
     double v9;
-    double v9_t;
+    lanes v9_t;
     double v7;
-    double v7_t;
+    lanes v7_t;
     double v10;
     double v11;
-    double v11_t;
+    lanes v11_t;
     double v12;
-    double v12_t;
+    lanes v12_t;
     other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-    x_t = (*cspan_at(&work_t, other + layout__STRIP_X)) + (*cspan_at(&work_t, other + layout__STRIP_LEAD));
+    EACH_LANE each(x_t) = each((*lanes_at(&work_t, other + layout__STRIP_X))) + each((*lanes_at(&work_t, other + layout__STRIP_LEAD)));
     x = (*cspan_at(&work, other + layout__STRIP_X)) + (*cspan_at(&work, other + layout__STRIP_LEAD));
-    half_t = (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH));
+    EACH_LANE each(half_t) = each((*lanes_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
     half = (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH));
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
@@ -5296,26 +5364,30 @@ static inline int64_t derivative_strip_pressures__fill_column_t(array_double_1d 
         if (i != j)
         {
             v2 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-            derivative_strip_pressures__nearness_t(&v1, &v1_t, fabs(v2), derivative_rates__size_rate(v2, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), half, half_t);
-            u_t = v1_t;
+            lanes rates_1;
+            EACH_LANE each(rates_1) = derivative_rates__size_rate(v2, each((*lanes_at(&work_t, strip + layout__STRIP_PLACE))) - each((*lanes_at(&work_t, other + layout__STRIP_PLACE))));
+            derivative_strip_pressures__nearness_t(&v1, &v1_t, fabs(v2), rates_1, half, half_t);
+            EACH_LANE each(u_t) = each(v1_t);
             u = v1;
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u_t;
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j))) = each(u_t);
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + j)) = u;
             if (yawed)
             {
-                derivative_strip_pressures__apartness_t(&v4, &v4_t, (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - x_t, half, half_t);
+                lanes rates_2;
+                EACH_LANE each(rates_2) = each((*lanes_at(&work_t, strip + layout__STRIP_X))) + each((*lanes_at(&work_t, strip + layout__STRIP_LEAD))) - each(x_t);
+                derivative_strip_pressures__apartness_t(&v4, &v4_t, (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, rates_2, half, half_t);
                 derivative_strip_pressures__influence_at_t(&v3, &v3_t, tables, table, INT64_C(0), u, u_t, v4, v4_t);
-                influence_t = v3_t;
+                EACH_LANE each(influence_t) = each(v3_t);
                 influence = v3;
             }
             else
             {
                 derivative_strip_pressures__middle_influence_t(&v5, &v5_t, tables, table, INT64_C(0), u, u_t);
-                influence_t = v5_t;
+                EACH_LANE each(influence_t) = each(v5_t);
                 influence = v5;
             }
             v6 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence_t * v6 + influence * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN))));
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j))) = each(influence_t) * v6 + influence * (each((*lanes_at(&work_t, strip + layout__STRIP_COS))) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * each((*lanes_at(&work_t, other + layout__STRIP_COS))) + (each((*lanes_at(&work_t, strip + layout__STRIP_SIN))) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * each((*lanes_at(&work_t, other + layout__STRIP_SIN)))));
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * v6;
         }
     }
@@ -5325,61 +5397,69 @@ static inline int64_t derivative_strip_pressures__fill_column_t(array_double_1d 
         {
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
             v8 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-            derivative_strip_pressures__apartness_t(&v9, &v9_t, (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - x_t, half, half_t);
-            derivative_strip_pressures__mean_at_t(&v7, &v7_t, tables, work, work_t, table, other, fabs(v8), derivative_rates__size_rate(v8, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), v9, v9_t);
-            influence_t = v7_t;
+            lanes rates_3;
+            EACH_LANE each(rates_3) = each((*lanes_at(&work_t, strip + layout__STRIP_X))) + each((*lanes_at(&work_t, strip + layout__STRIP_LEAD))) - each(x_t);
+            derivative_strip_pressures__apartness_t(&v9, &v9_t, (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) - x, rates_3, half, half_t);
+            lanes rates_4;
+            EACH_LANE each(rates_4) = derivative_rates__size_rate(v8, each((*lanes_at(&work_t, strip + layout__STRIP_PLACE))) - each((*lanes_at(&work_t, other + layout__STRIP_PLACE))));
+            derivative_strip_pressures__mean_at_t(&v7, &v7_t, tables, work, work_t, table, other, fabs(v8), rates_4, v9, v9_t);
+            EACH_LANE each(influence_t) = each(v7_t);
             influence = v7;
             v10 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence_t * v10 + influence * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN))));
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j))) = each(influence_t) * v10 + influence * (each((*lanes_at(&work_t, strip + layout__STRIP_COS))) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * each((*lanes_at(&work_t, other + layout__STRIP_COS))) + (each((*lanes_at(&work_t, strip + layout__STRIP_SIN))) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * each((*lanes_at(&work_t, other + layout__STRIP_SIN)))));
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i + j)) = influence * v10;
         }
     }
-    derivative_strip_pressures__nearness_t(&v11, &v11_t, 0.5 * (*cspan_at(&work, other + layout__STRIP_BREADTH)), 0.5 * (*cspan_at(&work_t, other + layout__STRIP_BREADTH)), half, half_t);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)) = v11_t;
+    lanes rates_5;
+    EACH_LANE each(rates_5) = 0.5 * each((*lanes_at(&work_t, other + layout__STRIP_BREADTH)));
+    derivative_strip_pressures__nearness_t(&v11, &v11_t, 0.5 * (*cspan_at(&work, other + layout__STRIP_BREADTH)), rates_5, half, half_t);
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j))) = each(v11_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)) = v11;
-    derivative_strip_pressures__middle_influence_t(&v12, &v12_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * j + j)) = v12_t;
+    derivative_strip_pressures__middle_influence_t(&v12, &v12_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * j + j)));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * j + j))) = each(v12_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * j + j)) = v12;
     return INT64_C(0);
 }
 
 /* Derivative of ``far_displacement``. */
-static inline int64_t derivative_strip_pressures__far_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double x, double x_t, int64_t first, int64_t last)
+static inline int64_t derivative_strip_pressures__far_displacement_t(double* total, lanes* total_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t i, double x, lanes x_t, int64_t first, int64_t last)
 {
     int64_t near;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
-    double sine_t;
+    lanes sine_t;
     double sine;
     int64_t j;
     int64_t other;
     double v1;
-    double v1_t;
-    double v_t;
+    lanes v1_t;
+    lanes v_t;
     double v;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     double v4;
     near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i;
-    cosine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
+    EACH_LANE each(cosine_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS)));
     cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_COS));
-    sine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN));
+    EACH_LANE each(sine_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN)));
     sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SIN));
-    (*total_t) = 0.0;
+    (*total_t) = all_lanes(0.0);
     (*total) = 0.0;
     for (j = first; j < last; j += INT64_C(1))
     {
         other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
         if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
         {
-            derivative_strip_pressures__apartness_t(&v1, &v1_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
-            v_t = v1_t;
+            lanes rates_1;
+            EACH_LANE each(rates_1) = each(x_t) - each((*lanes_at(&work_t, other + layout__STRIP_X))) - each((*lanes_at(&work_t, other + layout__STRIP_LEAD)));
+            derivative_strip_pressures__apartness_t(&v1, &v1_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), rates_1, (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*lanes_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
+            EACH_LANE each(v_t) = each(v1_t);
             v = v1;
-            derivative_strip_pressures__influence_at_t(&v2, &v2_t, tables, table, INT64_C(0), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), v, v_t);
+            derivative_strip_pressures__influence_at_t(&v2, &v2_t, tables, table, INT64_C(0), (*cspan_at(&work, near + j)), (*lanes_at(&work_t, near + j)), v, v_t);
             v3 = v2 * (*cspan_at(&work, other + layout__STRIP_Y));
             v4 = cosine * (*cspan_at(&work, other + layout__STRIP_COS)) + sine * (*cspan_at(&work, other + layout__STRIP_SIN));
-            (*total_t) = (*total_t) + ((v2_t * (*cspan_at(&work, other + layout__STRIP_Y)) + v2 * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v4 + v3 * (cosine_t * (*cspan_at(&work, other + layout__STRIP_COS)) + cosine * (*cspan_at(&work_t, other + layout__STRIP_COS)) + (sine_t * (*cspan_at(&work, other + layout__STRIP_SIN)) + sine * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
+            EACH_LANE each((*total_t)) = each((*total_t)) + ((each(v2_t) * (*cspan_at(&work, other + layout__STRIP_Y)) + v2 * each((*lanes_at(&work_t, other + layout__STRIP_Y)))) * v4 + v3 * (each(cosine_t) * (*cspan_at(&work, other + layout__STRIP_COS)) + cosine * each((*lanes_at(&work_t, other + layout__STRIP_COS))) + (each(sine_t) * (*cspan_at(&work, other + layout__STRIP_SIN)) + sine * each((*lanes_at(&work_t, other + layout__STRIP_SIN))))));
             (*total) = (*total) + v3 * v4;
         }
     }
@@ -5387,40 +5467,40 @@ static inline int64_t derivative_strip_pressures__far_displacement_t(double* tot
 }
 
 /* Derivative of ``end_displacement``. */
-static inline int64_t derivative_strip_pressures__end_displacement_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, double away, double away_t)
+static inline int64_t derivative_strip_pressures__end_displacement_t(double* total, lanes* total_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t i, double away, lanes away_t)
 {
     int64_t count;
     int64_t strip;
-    double x_t;
+    lanes x_t;
     double x;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v1;
-    double v1_t;
+    lanes v1_t;
     int64_t first;
     int64_t last;
     int64_t j;
     int64_t other;
     double v4;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v3;
-    double v3_t;
-    double influence_t;
+    lanes v3_t;
+    lanes influence_t;
     double influence;
     double v6;
     double v7;
     double v8;
-    double v8_t;
+    lanes v8_t;
     double v9;
-    double v9_t;
+    lanes v9_t;
     count = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-    x_t = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + away_t;
+    EACH_LANE each(x_t) = each((*lanes_at(&work_t, strip + layout__STRIP_X))) + each((*lanes_at(&work_t, strip + layout__STRIP_LEAD))) + each(away_t);
     x = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away;
-    derivative_strip_pressures__apartness_t(&v2, &v2_t, away, away_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
-    derivative_strip_pressures__influence_at_t(&v1, &v1_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), v2, v2_t);
-    (*total_t) = (*cspan_at(&work_t, strip + layout__STRIP_Y)) * v1 + (*cspan_at(&work, strip + layout__STRIP_Y)) * v1_t;
+    derivative_strip_pressures__apartness_t(&v2, &v2_t, away, away_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+    derivative_strip_pressures__influence_at_t(&v1, &v1_t, tables, table, layout__INFLUENCE_MAP, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(104) * i + i)), v2, v2_t);
+    EACH_LANE each((*total_t)) = each((*lanes_at(&work_t, strip + layout__STRIP_Y))) * v1 + (*cspan_at(&work, strip + layout__STRIP_Y)) * each(v1_t);
     (*total) = (*cspan_at(&work, strip + layout__STRIP_Y)) * v1;
     first = i;
     last = i + INT64_C(1);
@@ -5440,39 +5520,43 @@ static inline int64_t derivative_strip_pressures__end_displacement_t(double* tot
             if ((*cspan_at(&work, other + layout__STRIP_Y)) > 0.0)
             {
                 v4 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-                derivative_strip_pressures__apartness_t(&v5, &v5_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), x_t - (*cspan_at(&work_t, other + layout__STRIP_X)) - (*cspan_at(&work_t, other + layout__STRIP_LEAD)), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
-                derivative_strip_pressures__mean_at_t(&v3, &v3_t, tables, work, work_t, table, other, fabs(v4), derivative_rates__size_rate(v4, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), v5, v5_t);
-                influence_t = v3_t;
+                lanes rates_1;
+                EACH_LANE each(rates_1) = each(x_t) - each((*lanes_at(&work_t, other + layout__STRIP_X))) - each((*lanes_at(&work_t, other + layout__STRIP_LEAD)));
+                derivative_strip_pressures__apartness_t(&v5, &v5_t, x - (*cspan_at(&work, other + layout__STRIP_X)) - (*cspan_at(&work, other + layout__STRIP_LEAD)), rates_1, (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*lanes_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
+                lanes rates_2;
+                EACH_LANE each(rates_2) = derivative_rates__size_rate(v4, each((*lanes_at(&work_t, strip + layout__STRIP_PLACE))) - each((*lanes_at(&work_t, other + layout__STRIP_PLACE))));
+                derivative_strip_pressures__mean_at_t(&v3, &v3_t, tables, work, work_t, table, other, fabs(v4), rates_2, v5, v5_t);
+                EACH_LANE each(influence_t) = each(v3_t);
                 influence = v3;
                 v6 = influence * (*cspan_at(&work, other + layout__STRIP_Y));
                 v7 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-                (*total_t) = (*total_t) + ((influence_t * (*cspan_at(&work, other + layout__STRIP_Y)) + influence * (*cspan_at(&work_t, other + layout__STRIP_Y))) * v7 + v6 * ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN)))));
+                EACH_LANE each((*total_t)) = each((*total_t)) + ((each(influence_t) * (*cspan_at(&work, other + layout__STRIP_Y)) + influence * each((*lanes_at(&work_t, other + layout__STRIP_Y)))) * v7 + v6 * (each((*lanes_at(&work_t, strip + layout__STRIP_COS))) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * each((*lanes_at(&work_t, other + layout__STRIP_COS))) + (each((*lanes_at(&work_t, strip + layout__STRIP_SIN))) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * each((*lanes_at(&work_t, other + layout__STRIP_SIN))))));
                 (*total) = (*total) + v6 * v7;
             }
         }
     }
     derivative_strip_pressures__far_displacement_t(&v8, &v8_t, tables, work, work_t, table, i, x, x_t, INT64_C(0), first);
-    (*total_t) = (*total_t) + v8_t;
+    EACH_LANE each((*total_t)) = each((*total_t)) + each(v8_t);
     (*total) = (*total) + v8;
     derivative_strip_pressures__far_displacement_t(&v9, &v9_t, tables, work, work_t, table, i, x, x_t, last, count);
-    (*total_t) = (*total_t) + v9_t;
+    EACH_LANE each((*total_t)) = each((*total_t)) + each(v9_t);
     (*total) = (*total) + v9;
     return 0;
 }
 
 /* Derivative of ``solve_pressures``. */
-static inline int64_t derivative_strip_pressures__solve_pressures_t(double* result_0, double* result_1, bool* result_2_0001, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration, bool yawed)
+static inline int64_t derivative_strip_pressures__solve_pressures_t(double* result_0, lanes* result_1, bool* result_2_0001, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double force, lanes force_t, bool by_penetration, bool yawed)
 {
-    double penetration_t;
+    lanes penetration_t;
     double penetration;
     int64_t exchange;
     int64_t n1;
     int64_t size;
     double v2;
-    double v2_t;
+    lanes v2_t;
     bool single;
     int64_t n3;
-    penetration_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    EACH_LANE each(penetration_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)));
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     for (exchange = INT64_C(0); exchange < strip_pressures__EXCHANGE_LIMIT; exchange += INT64_C(1))
     {
@@ -5485,7 +5569,7 @@ static inline int64_t derivative_strip_pressures__solve_pressures_t(double* resu
         if (!by_penetration)
         {
             derivative_strip_pressures__equilibrium_penetration_t(&v2, &v2_t, work, work_t, tables, size, force, force_t);
-            penetration_t = v2_t;
+            EACH_LANE each(penetration_t) = each(v2_t);
             penetration = v2;
         }
         derivative_strip_pressures__read_solution_t(work, work_t, size, penetration, penetration_t);
@@ -5494,19 +5578,19 @@ static inline int64_t derivative_strip_pressures__solve_pressures_t(double* resu
         if (n3 == INT64_C(0))
         {
             (*result_0) = penetration;
-            (*result_1) = penetration_t;
+            EACH_LANE each((*result_1)) = each(penetration_t);
             (*result_2_0001) = 1;
             return 0;
         }
     }
     (*result_0) = penetration;
-    (*result_1) = penetration_t;
+    EACH_LANE each((*result_1)) = each(penetration_t);
     (*result_2_0001) = 0;
     return 0;
 }
 
 /* Derivative of ``list_loaded``. */
-static inline int64_t derivative_strip_pressures__list_loaded_t(array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_strip_pressures__list_loaded_t(array_double_1d work, array_lanes_1d work_t)
 {
     int64_t i_end;
     int64_t i;
@@ -5517,7 +5601,7 @@ static inline int64_t derivative_strip_pressures__list_loaded_t(array_double_1d 
     {
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_LOADED)) == 1.0)
         {
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + size)) = 0.0;
+            (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + size)) = all_lanes(0.0);
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + size)) = (double)(i);
             size = size + INT64_C(1);
         }
@@ -5526,7 +5610,7 @@ static inline int64_t derivative_strip_pressures__list_loaded_t(array_double_1d 
 }
 
 /* Derivative of ``write_equations``. */
-static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_double_1d work_t, int64_t size)
+static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_lanes_1d work_t, int64_t size)
 {
     int64_t rank;
     int64_t row;
@@ -5542,55 +5626,55 @@ static inline int64_t derivative_strip_pressures__write_equations_t(array_double
         for (other = INT64_C(0); other < size; other += INT64_C(1))
         {
             k1 = influences + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + other)));
-            (*cspan_at(&work_t, row + other)) = (*cspan_at(&work_t, k1));
+            EACH_LANE each((*lanes_at(&work_t, row + other))) = each((*lanes_at(&work_t, k1)));
             (*cspan_at(&work, row + other)) = (*cspan_at(&work, k1));
         }
-        (*cspan_at(&work_t, row + size)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
+        EACH_LANE each((*lanes_at(&work_t, row + size))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE)));
         (*cspan_at(&work, row + size)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
-        (*cspan_at(&work_t, row + (size + INT64_C(1)))) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
+        EACH_LANE each((*lanes_at(&work_t, row + (size + INT64_C(1))))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP)));
         (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``equilibrium_penetration``. */
-static inline int64_t derivative_strip_pressures__equilibrium_penetration_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t size, double force, double force_t)
+static inline int64_t derivative_strip_pressures__equilibrium_penetration_t(double* v3, lanes* result_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t size, double force, lanes force_t)
 {
-    double unit_load_t;
+    lanes unit_load_t;
     double unit_load;
-    double rest_load_t;
+    lanes rest_load_t;
     double rest_load;
     int64_t rank;
     int64_t row;
     int64_t strip;
-    double half_t;
+    lanes half_t;
     double half;
     double v1;
     double v2;
-    unit_load_t = 0.0;
+    unit_load_t = all_lanes(0.0);
     unit_load = 0.0;
-    rest_load_t = 0.0;
+    rest_load_t = all_lanes(0.0);
     rest_load = 0.0;
     for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
     {
         row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank)));
-        half_t = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_COUNTED)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, strip + layout__STRIP_COUNTED));
+        EACH_LANE each(half_t) = each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__STRIP_COUNTED)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * each((*lanes_at(&work_t, strip + layout__STRIP_COUNTED)));
         half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_COUNTED));
-        unit_load_t = unit_load_t + (half_t * (*cspan_at(&work, row + size)) + half * (*cspan_at(&work_t, row + size)));
+        EACH_LANE each(unit_load_t) = each(unit_load_t) + (each(half_t) * (*cspan_at(&work, row + size)) + half * each((*lanes_at(&work_t, row + size))));
         unit_load = unit_load + half * (*cspan_at(&work, row + size));
-        rest_load_t = rest_load_t + (half_t * (*cspan_at(&work, row + (size + INT64_C(1)))) + half * (*cspan_at(&work_t, row + (size + INT64_C(1)))));
+        EACH_LANE each(rest_load_t) = each(rest_load_t) + (each(half_t) * (*cspan_at(&work, row + (size + INT64_C(1)))) + half * each((*lanes_at(&work_t, row + (size + INT64_C(1))))));
         rest_load = rest_load + half * (*cspan_at(&work, row + (size + INT64_C(1))));
     }
     v1 = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
     v2 = force / v1 + rest_load;
     (*v3) = v2 / unit_load;
-    (*result_1) = (force_t / v1 + rest_load_t - (*v3) * unit_load_t) / unit_load;
+    EACH_LANE each((*result_1)) = (each(force_t) / v1 + each(rest_load_t) - (*v3) * each(unit_load_t)) / unit_load;
     return 0;
 }
 
 /* Derivative of ``read_solution``. */
-static inline int64_t derivative_strip_pressures__read_solution_t(array_double_1d work, array_double_1d work_t, int64_t size, double penetration, double penetration_t)
+static inline int64_t derivative_strip_pressures__read_solution_t(array_double_1d work, array_lanes_1d work_t, int64_t size, double penetration, lanes penetration_t)
 {
     int64_t i_end;
     int64_t i;
@@ -5600,28 +5684,28 @@ static inline int64_t derivative_strip_pressures__read_solution_t(array_double_1
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = 0.0;
     }
     for (rank = INT64_C(0); rank < size; rank += INT64_C(1))
     {
         row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(106) * rank;
         k1 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_LOADED + rank))) + layout__STRIP_Y;
-        (*cspan_at(&work_t, k1)) = penetration_t * (*cspan_at(&work, row + size)) + penetration * (*cspan_at(&work_t, row + size)) - (*cspan_at(&work_t, row + (size + INT64_C(1))));
+        EACH_LANE each((*lanes_at(&work_t, k1))) = each(penetration_t) * (*cspan_at(&work, row + size)) + penetration * each((*lanes_at(&work_t, row + size))) - each((*lanes_at(&work_t, row + (size + INT64_C(1)))));
         (*cspan_at(&work, k1)) = penetration * (*cspan_at(&work, row + size)) - (*cspan_at(&work, row + (size + INT64_C(1))));
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``exchange_strips``. */
-static inline int64_t derivative_strip_pressures__exchange_strips_t(array_double_1d work, array_double_1d work_t, double penetration, double penetration_t, bool single)
+static inline int64_t derivative_strip_pressures__exchange_strips_t(array_double_1d work, array_lanes_1d work_t, double penetration, lanes penetration_t, bool single)
 {
     int64_t count;
     int64_t back;
     int64_t i;
     int64_t strip;
     double v1;
-    double pushed_t;
+    lanes pushed_t;
     double pushed;
     int64_t row;
     int64_t j;
@@ -5638,7 +5722,7 @@ static inline int64_t derivative_strip_pressures__exchange_strips_t(array_double
             {
                 if ((*cspan_at(&work, strip + layout__STRIP_Y)) < 0.0)
                 {
-                    (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
+                    (*lanes_at(&work_t, strip + layout__STRIP_LOADED)) = all_lanes(0.0);
                     (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(0);
                     changed = changed + INT64_C(1);
                 }
@@ -5646,20 +5730,20 @@ static inline int64_t derivative_strip_pressures__exchange_strips_t(array_double
             else
             {
                 v1 = (*cspan_at(&work, strip + layout__STRIP_SHARE)) - strip_pressures__TOUCH;
-                pushed_t = (*cspan_at(&work_t, strip + layout__STRIP_SHARE)) * penetration + v1 * penetration_t - (*cspan_at(&work_t, strip + layout__STRIP_GAP));
+                EACH_LANE each(pushed_t) = each((*lanes_at(&work_t, strip + layout__STRIP_SHARE))) * penetration + v1 * each(penetration_t) - each((*lanes_at(&work_t, strip + layout__STRIP_GAP)));
                 pushed = v1 * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP));
                 row = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_INFLUENCES + INT64_C(104) * i;
                 for (j = INT64_C(0); j < count; j += INT64_C(1))
                 {
                     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)) != 0.0)
                     {
-                        pushed_t = pushed_t - ((*cspan_at(&work_t, row + j)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)) + (*cspan_at(&work, row + j)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)));
+                        EACH_LANE each(pushed_t) = each(pushed_t) - (each((*lanes_at(&work_t, row + j))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y)) + (*cspan_at(&work, row + j)) * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y))));
                         pushed = pushed - (*cspan_at(&work, row + j)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_Y));
                     }
                 }
                 if (pushed > 0.0)
                 {
-                    (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
+                    (*lanes_at(&work_t, strip + layout__STRIP_LOADED)) = all_lanes(0.0);
                     (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(1);
                     changed = changed + INT64_C(1);
                 }
@@ -5676,7 +5760,7 @@ static inline int64_t derivative_strip_pressures__exchange_strips_t(array_double
  */
 
 /* Derivative of ``trace_strips``. */
-static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count)
+static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count)
 {
     int64_t index;
     int64_t region;
@@ -5684,7 +5768,7 @@ static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d 
     int64_t i_end;
     int64_t i;
     int64_t strip;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
@@ -5699,8 +5783,8 @@ static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d 
             {
                 if (!started)
                 {
-                    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-                    derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, 0.0);
+                    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*lanes_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
+                    derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, all_lanes(0.0));
                     started = 1;
                 }
                 derivative_strip_surfaces__trace_strip_t(tables, work, work_t, pair, region, strip);
@@ -5712,85 +5796,87 @@ static inline int64_t derivative_strip_surfaces__trace_strips_t(array_double_1d 
 }
 
 /* Derivative of ``trace_strip``. */
-static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t strip)
+static inline int64_t derivative_strip_surfaces__trace_strip_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t strip)
 {
     double gap;
-    double gap_t;
+    lanes gap_t;
     double rate;
-    double rate_t;
+    lanes rate_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double curvature;
-    double curvature_t;
+    lanes curvature_t;
     double height;
-    double height_t;
+    lanes height_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double v1;
     double v2;
     double v3;
     double v4;
-    double v4_t;
-    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE, 0.0);
-    (*cspan_at(&work_t, strip + layout__STRIP_RISE)) = 0.0;
+    lanes v4_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, strip + layout__STRIP_STATION))) - each((*lanes_at(&work_t, region + layout__REGION_OFFSET)));
+    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), rates_1, strip_surfaces__STRIP_TRACE, all_lanes(0.0));
+    (*lanes_at(&work_t, strip + layout__STRIP_RISE)) = all_lanes(0.0);
     (*cspan_at(&work, strip + layout__STRIP_RISE)) = 0.0;
-    (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) = 0.0;
+    (*lanes_at(&work_t, strip + layout__STRIP_OVERLAP)) = all_lanes(0.0);
     (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = -frame__NO_GAP;
     if (gap < frame__NO_GAP)
     {
-        (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_OVERLAP))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED))) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))) - each(gap_t);
         (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap;
-        (*cspan_at(&work_t, strip + layout__STRIP_RISE)) = -rate_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_RISE))) = -each(rate_t);
         (*cspan_at(&work, strip + layout__STRIP_RISE)) = -rate;
     }
-    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    (*cspan_at(&work_t, strip + layout__STRIP_COS)) = (-v3) * derivative_rates__root_rate(v2, slope_t * slope + slope * slope_t) / v2;
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_COS))) = (-v3) * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t)) / v2;
     (*cspan_at(&work, strip + layout__STRIP_COS)) = v3;
-    (*cspan_at(&work_t, strip + layout__STRIP_SIN)) = slope_t * (*cspan_at(&work, strip + layout__STRIP_COS)) + slope * (*cspan_at(&work_t, strip + layout__STRIP_COS));
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_SIN))) = each(slope_t) * (*cspan_at(&work, strip + layout__STRIP_COS)) + slope * each((*lanes_at(&work_t, strip + layout__STRIP_COS)));
     (*cspan_at(&work, strip + layout__STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__STRIP_COS));
-    (*cspan_at(&work_t, strip + layout__STRIP_X)) = 0.0;
+    (*lanes_at(&work_t, strip + layout__STRIP_X)) = all_lanes(0.0);
     (*cspan_at(&work, strip + layout__STRIP_X)) = 0.0;
-    (*cspan_at(&work_t, strip + layout__STRIP_A)) = 0.5 * curvature_t;
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_A))) = 0.5 * each(curvature_t);
     (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * curvature;
-    (*cspan_at(&work_t, strip + layout__STRIP_SKEW)) = 0.0;
+    (*lanes_at(&work_t, strip + layout__STRIP_SKEW)) = all_lanes(0.0);
     (*cspan_at(&work, strip + layout__STRIP_SKEW)) = 0.0;
-    (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_WHEEL))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     (*cspan_at(&work, strip + layout__STRIP_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     if (frame__is_yawed(work))
     {
-        derivative_locus__outline_x_t(&v4, &v4_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)), (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)));
-        (*cspan_at(&work_t, strip + layout__STRIP_X)) = v4_t;
+        derivative_locus__outline_x_t(&v4, &v4_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)), (*lanes_at(&work_t, strip + layout__STRIP_WHEEL)));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_X))) = each(v4_t);
         (*cspan_at(&work, strip + layout__STRIP_X)) = v4;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``place_on_middle``. */
-static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_double_1d work_t, int64_t count)
+static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_lanes_1d work_t, int64_t count)
 {
-    double stretch_t;
+    lanes stretch_t;
     double stretch;
     int64_t i;
     int64_t strip;
     int64_t before;
     int64_t after;
-    double turned_t;
+    lanes turned_t;
     double turned;
-    double reach_t;
+    lanes reach_t;
     double reach;
-    double last_t;
+    lanes last_t;
     double last;
     double v1;
     double v2;
     double v3;
-    double way_t;
+    lanes way_t;
     double way;
     double v4;
     double v5;
-    stretch_t = 0.0;
+    stretch_t = all_lanes(0.0);
     stretch = 1.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
@@ -5805,33 +5891,33 @@ static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_
         {
             after = i + INT64_C(1);
         }
-        turned_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_SIN)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_COS)) - ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_SIN)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_COS)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_SIN)));
+        EACH_LANE each(turned_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_SIN))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_SIN)) * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_COS))) - (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_COS))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_SIN)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_COS)) * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_SIN))));
         turned = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_SIN));
-        reach_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_STATION));
+        EACH_LANE each(reach_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_STATION)));
         reach = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before + layout__STRIP_STATION));
-        last_t = stretch_t;
+        EACH_LANE each(last_t) = each(stretch_t);
         last = stretch;
-        stretch_t = 0.0;
+        stretch_t = all_lanes(0.0);
         stretch = 1.0;
         if ((reach > 0.0) && ((*cspan_at(&work, strip + layout__STRIP_OVERLAP)) > 0.0))
         {
             v1 = 0.5 * (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
             v2 = v1 * turned;
             v3 = v2 / reach;
-            stretch_t = -((0.5 * (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) * turned + v1 * turned_t - v3 * reach_t) / reach);
+            EACH_LANE each(stretch_t) = -((0.5 * each((*lanes_at(&work_t, strip + layout__STRIP_OVERLAP))) * turned + v1 * each(turned_t) - v3 * each(reach_t)) / reach);
             stretch = 1.0 - v3;
         }
-        (*cspan_at(&work_t, strip + layout__STRIP_BREADTH)) = (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) * stretch + (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * stretch_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_BREADTH))) = each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH))) * stretch + (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * each(stretch_t);
         (*cspan_at(&work, strip + layout__STRIP_BREADTH)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * stretch;
-        (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) = (*cspan_at(&work_t, strip + layout__STRIP_STATION));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_PLACE))) = each((*lanes_at(&work_t, strip + layout__STRIP_STATION)));
         (*cspan_at(&work, strip + layout__STRIP_PLACE)) = (*cspan_at(&work, strip + layout__STRIP_STATION));
         if (i > INT64_C(0))
         {
-            way_t = (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
+            EACH_LANE each(way_t) = each((*lanes_at(&work_t, strip + layout__STRIP_STATION))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION)));
             way = (*cspan_at(&work, strip + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_STATION));
             v4 = last + stretch;
             v5 = 0.5 * v4;
-            (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PLACE)) + (0.5 * (last_t + stretch_t) * way + v5 * way_t);
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_PLACE))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PLACE))) + (0.5 * (each(last_t) + each(stretch_t)) * way + v5 * each(way_t));
             (*cspan_at(&work, strip + layout__STRIP_PLACE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)) + layout__STRIP_PLACE)) + v5 * way;
         }
     }
@@ -5839,53 +5925,53 @@ static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_
 }
 
 /* Derivative of ``incline_strips``. */
-static inline int64_t derivative_strip_surfaces__incline_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables)
+static inline int64_t derivative_strip_surfaces__incline_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables)
 {
     int64_t i_end;
     int64_t i;
     int64_t strip;
-    double half_t;
+    lanes half_t;
     double half;
     double v1;
     double v2;
     double v3;
-    double scale_t;
+    lanes scale_t;
     double scale;
     double v4;
     double v5;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
     double v6;
     double v7;
-    double v7_t;
+    lanes v7_t;
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        half_t = 0.5 * (*cspan_at(&work_t, strip + layout__STRIP_RISE));
+        EACH_LANE each(half_t) = 0.5 * each((*lanes_at(&work_t, strip + layout__STRIP_RISE)));
         half = 0.5 * (*cspan_at(&work, strip + layout__STRIP_RISE));
         v1 = 1.0 + half * half;
         v2 = sqrt(v1);
         v3 = 1.0 / v2;
-        scale_t = (-v3) * derivative_rates__root_rate(v2, half_t * half + half * half_t) / v2;
+        EACH_LANE each(scale_t) = (-v3) * derivative_rates__root_rate(v2, each(half_t) * half + half * each(half_t)) / v2;
         scale = v3;
         v4 = (*cspan_at(&work, strip + layout__STRIP_COS)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        (*cspan_at(&work_t, strip + layout__STRIP_SHARE)) = ((*cspan_at(&work_t, strip + layout__STRIP_COS)) - v4 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_SHARE))) = (each((*lanes_at(&work_t, strip + layout__STRIP_COS))) - v4 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         (*cspan_at(&work, strip + layout__STRIP_SHARE)) = v4;
         v5 = (*cspan_at(&work, strip + layout__STRIP_COS)) - half * (*cspan_at(&work, strip + layout__STRIP_SIN));
-        cosine_t = ((*cspan_at(&work_t, strip + layout__STRIP_COS)) - (half_t * (*cspan_at(&work, strip + layout__STRIP_SIN)) + half * (*cspan_at(&work_t, strip + layout__STRIP_SIN)))) * scale + v5 * scale_t;
+        EACH_LANE each(cosine_t) = (each((*lanes_at(&work_t, strip + layout__STRIP_COS))) - (each(half_t) * (*cspan_at(&work, strip + layout__STRIP_SIN)) + half * each((*lanes_at(&work_t, strip + layout__STRIP_SIN))))) * scale + v5 * each(scale_t);
         cosine = v5 * scale;
         v6 = (*cspan_at(&work, strip + layout__STRIP_SIN)) + half * (*cspan_at(&work, strip + layout__STRIP_COS));
-        (*cspan_at(&work_t, strip + layout__STRIP_SIN)) = ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) + (half_t * (*cspan_at(&work, strip + layout__STRIP_COS)) + half * (*cspan_at(&work_t, strip + layout__STRIP_COS)))) * scale + v6 * scale_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_SIN))) = (each((*lanes_at(&work_t, strip + layout__STRIP_SIN))) + (each(half_t) * (*cspan_at(&work, strip + layout__STRIP_COS)) + half * each((*lanes_at(&work_t, strip + layout__STRIP_COS))))) * scale + v6 * each(scale_t);
         (*cspan_at(&work, strip + layout__STRIP_SIN)) = v6 * scale;
-        (*cspan_at(&work_t, strip + layout__STRIP_COS)) = cosine_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_COS))) = each(cosine_t);
         (*cspan_at(&work, strip + layout__STRIP_COS)) = cosine;
-        (*cspan_at(&work_t, strip + layout__STRIP_COUNTED)) = 0.0;
+        (*lanes_at(&work_t, strip + layout__STRIP_COUNTED)) = all_lanes(0.0);
         (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = 1.0;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            derivative_rails__upright_share_t(&v7, &v7_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, cosine_t, (*cspan_at(&work, strip + layout__STRIP_SIN)), (*cspan_at(&work_t, strip + layout__STRIP_SIN)));
-            (*cspan_at(&work_t, strip + layout__STRIP_COUNTED)) = v7_t;
+            derivative_rails__upright_share_t(&v7, &v7_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, cosine_t, (*cspan_at(&work, strip + layout__STRIP_SIN)), (*lanes_at(&work_t, strip + layout__STRIP_SIN)));
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_COUNTED))) = each(v7_t);
             (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = v7;
         }
     }
@@ -5893,66 +5979,66 @@ static inline int64_t derivative_strip_surfaces__incline_strips_t(array_double_1
 }
 
 /* Derivative of ``profile_within``. */
-static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, double* z_t, array_double_1d tables, int64_t pair, double y, double y_t)
+static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, lanes* z_t, array_double_1d tables, int64_t pair, double y, lanes y_t)
 {
     int64_t wheel;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
     v1 = y;
-    v1_t = y_t;
+    EACH_LANE each(v1_t) = each(y_t);
     if ((*cspan_at(&tables, wheel + layout__PROFILE_START)) > v1)
     {
         v1 = (*cspan_at(&tables, wheel + layout__PROFILE_START));
-        v1_t = 0.0;
+        v1_t = all_lanes(0.0);
     }
     v2 = v1;
-    v2_t = v1_t;
+    EACH_LANE each(v2_t) = each(v1_t);
     if ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) < v2)
     {
         v2 = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
-        v2_t = 0.0;
+        v2_t = all_lanes(0.0);
     }
-    y_t = v2_t;
+    EACH_LANE each(y_t) = each(v2_t);
     y = v2;
     derivative_tables__height_slope_t(z, z_t, &slope, &slope_t, tables, wheel, y, y_t);
     return 0;
 }
 
 /* Derivative of ``measure_ridge``. */
-static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t strip, double away, double away_t)
+static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t strip, double away, lanes away_t)
 {
     double v1;
-    double across_t;
+    lanes across_t;
     double across;
     double z;
-    double z_t;
+    lanes z_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double v2;
-    double v2_t;
-    double before_t;
+    lanes v2_t;
+    lanes before_t;
     double before;
     double v3;
-    double v3_t;
-    double after_t;
+    lanes v3_t;
+    lanes after_t;
     double after;
-    double mean_t;
+    lanes mean_t;
     double mean;
-    double square_t;
+    lanes square_t;
     double square;
     double v4;
     double v5;
     double v6;
-    double v6_t;
+    lanes v6_t;
     double v7;
-    double odd_t;
+    lanes odd_t;
     double odd;
     double v8;
     double v9;
@@ -5963,31 +6049,35 @@ static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) != layout__LONGITUDINAL_BASIC)
     {
         v1 = away * (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
-        across_t = (away_t * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) + away * (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW))) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
+        EACH_LANE each(across_t) = (each(away_t) * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) + away * each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW)))) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL)));
         across = v1 * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-        derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)), (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)));
-        derivative_strip_surfaces__profile_within_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) - across, (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) - across_t);
-        before_t = v2_t;
+        derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, strip + layout__STRIP_WHEEL)), (*lanes_at(&work_t, strip + layout__STRIP_WHEEL)));
+        lanes rates_1;
+        EACH_LANE each(rates_1) = each((*lanes_at(&work_t, strip + layout__STRIP_WHEEL))) - each(across_t);
+        derivative_strip_surfaces__profile_within_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) - across, rates_1);
+        EACH_LANE each(before_t) = each(v2_t);
         before = v2;
-        derivative_strip_surfaces__profile_within_t(&v3, &v3_t, tables, pair, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) + across, (*cspan_at(&work_t, strip + layout__STRIP_WHEEL)) + across_t);
-        after_t = v3_t;
+        lanes rates_2;
+        EACH_LANE each(rates_2) = each((*lanes_at(&work_t, strip + layout__STRIP_WHEEL))) + each(across_t);
+        derivative_strip_surfaces__profile_within_t(&v3, &v3_t, tables, pair, (*cspan_at(&work, strip + layout__STRIP_WHEEL)) + across, rates_2);
+        EACH_LANE each(after_t) = each(v3_t);
         after = v3;
-        mean_t = bend_t;
+        EACH_LANE each(mean_t) = each(bend_t);
         mean = bend;
-        square_t = across_t * across + across * across_t;
+        EACH_LANE each(square_t) = each(across_t) * across + across * each(across_t);
         square = across * across;
         if (square > 0.0)
         {
             v4 = before + after - 2.0 * z;
             v5 = v4 / square;
-            mean_t = (before_t + after_t - 2.0 * z_t - v5 * square_t) / square;
+            EACH_LANE each(mean_t) = (each(before_t) + each(after_t) - 2.0 * each(z_t) - v5 * each(square_t)) / square;
             mean = v5;
         }
         derivative_curvature__longitudinal_curvature_t(&v6, &v6_t, work, work_t, tables, place, z, z_t, slope, slope_t, mean, mean_t);
-        (*cspan_at(&work_t, strip + layout__STRIP_A)) = 0.5 * v6_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_A))) = 0.5 * each(v6_t);
         (*cspan_at(&work, strip + layout__STRIP_A)) = 0.5 * v6;
         v7 = after - before;
-        odd_t = 0.5 * (after_t - before_t) - (slope_t * across + slope * across_t);
+        EACH_LANE each(odd_t) = 0.5 * (each(after_t) - each(before_t)) - (each(slope_t) * across + slope * each(across_t));
         odd = 0.5 * v7 - slope * across;
         v8 = 1.0 + slope * slope;
         v9 = sqrt(v8);
@@ -5995,64 +6085,64 @@ static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d
         v11 = v10 * away;
         v12 = v11 * away;
         v13 = odd / v12;
-        (*cspan_at(&work_t, strip + layout__STRIP_SKEW)) = (odd_t - v13 * (((derivative_rates__root_rate(v9, slope_t * slope + slope * slope_t) * away + v9 * away_t) * away + v10 * away_t) * away + v11 * away_t)) / v12;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_SKEW))) = (each(odd_t) - v13 * (((derivative_rates__root_rate(v9, each(slope_t) * slope + slope * each(slope_t)) * away + v9 * each(away_t)) * away + v10 * each(away_t)) * away + v11 * each(away_t))) / v12;
         (*cspan_at(&work, strip + layout__STRIP_SKEW)) = v13;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``first_lengths``. */
-static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count)
+static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count)
 {
     int64_t index;
     int64_t region;
     int64_t zone;
-    double depth_t;
+    lanes depth_t;
     double depth;
-    double middle_t;
+    lanes middle_t;
     double middle;
-    double A_t;
+    lanes A_t;
     double A;
     double v1;
-    double v1_t;
-    double low_t;
+    lanes v1_t;
+    lanes low_t;
     double low;
     double v2;
-    double v2_t;
-    double high_t;
+    lanes v2_t;
+    lanes high_t;
     double high;
     double v3;
     double v4;
-    double B_t;
+    lanes B_t;
     double B;
     double one_alpha;
-    double one_alpha_t;
+    lanes one_alpha_t;
     double one_beta;
-    double one_beta_t;
+    lanes one_beta_t;
     double nr;
-    double nr_t;
-    double lean_t;
+    lanes nr_t;
+    lanes lean_t;
     double lean;
     double v6;
     double v5;
-    double v5_t;
-    double low_beta_t;
+    lanes v5_t;
+    lanes low_beta_t;
     double low_beta;
     double v8;
     double v7;
-    double v7_t;
-    double high_beta_t;
+    lanes v7_t;
+    lanes high_beta_t;
     double high_beta;
     double v9;
-    double v9_t;
-    double slant_t;
+    lanes v9_t;
+    lanes slant_t;
     double slant;
     double alpha;
-    double alpha_t;
+    lanes alpha_t;
     double beta;
-    double beta_t;
+    lanes beta_t;
     double v10;
-    double v10_t;
+    lanes v10_t;
     double v11;
     double v12;
     int64_t i_end;
@@ -6060,63 +6150,71 @@ static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d
     int64_t strip;
     double v13;
     double v14;
-    double v14_t;
-    double overlap_t;
+    lanes v14_t;
+    lanes overlap_t;
     double overlap;
     double v15;
     double v16;
-    double farthest_t;
+    lanes farthest_t;
     double farthest;
     double v18;
     double v17;
-    double v17_t;
+    lanes v17_t;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
         zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * index;
-        depth_t = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work_t, region + layout__REGION_GAP));
+        EACH_LANE each(depth_t) = each((*lanes_at(&work_t, region + layout__REGION_ALIGNMENT))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION))) - each((*lanes_at(&work_t, region + layout__REGION_GAP)));
         depth = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, region + layout__REGION_GAP));
-        middle_t = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
+        EACH_LANE each(middle_t) = each((*lanes_at(&work_t, region + layout__REGION_OFFSET))) + each((*lanes_at(&work_t, region + layout__REGION_STATION)));
         middle = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-        A_t = 0.5 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
+        EACH_LANE each(A_t) = 0.5 * each((*lanes_at(&work_t, region + layout__REGION_CURVATURE)));
         A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-        derivative_strip_surfaces__zone_curvature_t(&v1, &v1_t, depth, depth_t, middle - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), middle_t - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)), A, A_t);
-        low_t = v1_t;
+        lanes rates_1;
+        EACH_LANE each(rates_1) = each(middle_t) - each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_START)));
+        derivative_strip_surfaces__zone_curvature_t(&v1, &v1_t, depth, depth_t, middle - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), rates_1, A, A_t);
+        EACH_LANE each(low_t) = each(v1_t);
         low = v1;
-        derivative_strip_surfaces__zone_curvature_t(&v2, &v2_t, depth, depth_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - middle, (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) - middle_t, A, A_t);
-        high_t = v2_t;
+        lanes rates_2;
+        EACH_LANE each(rates_2) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_STOP))) - each(middle_t);
+        derivative_strip_surfaces__zone_curvature_t(&v2, &v2_t, depth, depth_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - middle, rates_2, A, A_t);
+        EACH_LANE each(high_t) = each(v2_t);
         high = v2;
         v3 = low * high;
         v4 = sqrt(v3);
-        B_t = derivative_rates__root_rate(v4, low_t * high + low * high_t);
+        EACH_LANE each(B_t) = derivative_rates__root_rate(v4, each(low_t) * high + low * each(high_t));
         B = v4;
         derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
-        lean_t = 0.0;
+        lean_t = all_lanes(0.0);
         lean = 0.0;
         v6 = A / low;
-        derivative_coefficients__table_value_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v6, (A_t - v6 * low_t) / low);
-        low_beta_t = v5_t;
+        lanes rates_3;
+        EACH_LANE each(rates_3) = (each(A_t) - v6 * each(low_t)) / low;
+        derivative_coefficients__table_value_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v6, rates_3);
+        EACH_LANE each(low_beta_t) = each(v5_t);
         low_beta = v5;
         v8 = A / high;
-        derivative_coefficients__table_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v8, (A_t - v8 * high_t) / high);
-        high_beta_t = v7_t;
+        lanes rates_4;
+        EACH_LANE each(rates_4) = (each(A_t) - v8 * each(high_t)) / high;
+        derivative_coefficients__table_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v8, rates_4);
+        EACH_LANE each(high_beta_t) = each(v7_t);
         high_beta = v7;
         if (frame__is_yawed(work))
         {
             derivative_strip_surfaces__ridge_slant_t(&v9, &v9_t, work, work_t, index);
-            slant_t = v9_t;
+            EACH_LANE each(slant_t) = each(v9_t);
             slant = v9;
             derivative_coefficients__skewed_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, slant, slant_t);
             derivative_coefficients__middle_slant_t(&v10, &v10_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, slant, slant_t);
-            lean_t = v10_t - slant_t;
+            EACH_LANE each(lean_t) = each(v10_t) - each(slant_t);
             lean = v10 - slant;
             v11 = beta / one_beta;
-            low_beta_t = low_beta_t * v11 + low_beta * ((beta_t - v11 * one_beta_t) / one_beta);
+            EACH_LANE each(low_beta_t) = each(low_beta_t) * v11 + low_beta * ((each(beta_t) - v11 * each(one_beta_t)) / one_beta);
             low_beta = low_beta * v11;
             v12 = beta / one_beta;
-            high_beta_t = high_beta_t * v12 + high_beta * ((beta_t - v12 * one_beta_t) / one_beta);
+            EACH_LANE each(high_beta_t) = each(high_beta_t) * v12 + high_beta * ((each(beta_t) - v12 * each(one_beta_t)) / one_beta);
             high_beta = high_beta * v12;
-            one_alpha_t = alpha_t;
+            EACH_LANE each(one_alpha_t) = each(alpha_t);
             one_alpha = alpha;
         }
         i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
@@ -6129,31 +6227,35 @@ static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d
                 {
                     v13 = strip_surfaces__LEAST_OVERLAP * depth;
                     v14 = (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
-                    v14_t = (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP));
+                    EACH_LANE each(v14_t) = each((*lanes_at(&work_t, strip + layout__STRIP_OVERLAP)));
                     if (v13 > v14)
                     {
                         v14 = v13;
-                        v14_t = strip_surfaces__LEAST_OVERLAP * depth_t;
+                        EACH_LANE each(v14_t) = strip_surfaces__LEAST_OVERLAP * each(depth_t);
                     }
-                    overlap_t = v14_t;
+                    EACH_LANE each(overlap_t) = each(v14_t);
                     overlap = v14;
                     v15 = overlap * (*cspan_at(&tables, pair + layout__PAIR_RADIUS));
                     v16 = sqrt(v15);
-                    derivative_strip_surfaces__measure_ridge_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * v16, strip_lengths__TESTED * derivative_rates__root_rate(v16, overlap_t * (*cspan_at(&tables, pair + layout__PAIR_RADIUS))));
+                    lanes rates_5;
+                    EACH_LANE each(rates_5) = strip_lengths__TESTED * derivative_rates__root_rate(v16, each(overlap_t) * (*cspan_at(&tables, pair + layout__PAIR_RADIUS)));
+                    derivative_strip_surfaces__measure_ridge_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * v16, rates_5);
                 }
-                beta_t = low_beta_t;
+                EACH_LANE each(beta_t) = each(low_beta_t);
                 beta = low_beta;
                 if ((*cspan_at(&work, strip + layout__STRIP_STATION)) > middle)
                 {
-                    beta_t = high_beta_t;
+                    EACH_LANE each(beta_t) = each(high_beta_t);
                     beta = high_beta;
                 }
                 derivative_strip_surfaces__first_length_t(work, work_t, strip, depth, depth_t, one_alpha, one_alpha_t, beta, beta_t);
-                farthest_t = strip_surfaces__FIRST_LEAD * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
+                EACH_LANE each(farthest_t) = strip_surfaces__FIRST_LEAD * each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
                 farthest = strip_surfaces__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
                 v18 = (*cspan_at(&work, strip + layout__STRIP_STATION)) - middle;
-                derivative_pressed__limited_t(&v17, &v17_t, lean * v18, lean_t * v18 + lean * ((*cspan_at(&work_t, strip + layout__STRIP_STATION)) - middle_t), farthest, farthest_t);
-                (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = v17_t;
+                lanes rates_6;
+                EACH_LANE each(rates_6) = each(lean_t) * v18 + lean * (each((*lanes_at(&work_t, strip + layout__STRIP_STATION))) - each(middle_t));
+                derivative_pressed__limited_t(&v17, &v17_t, lean * v18, rates_6, farthest, farthest_t);
+                EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_LEAD))) = each(v17_t);
                 (*cspan_at(&work, strip + layout__STRIP_LEAD)) = v17;
             }
         }
@@ -6163,7 +6265,7 @@ static inline int64_t derivative_strip_surfaces__first_lengths_t(array_double_1d
 }
 
 /* Derivative of ``ridge_slant``. */
-static inline int64_t derivative_strip_surfaces__ridge_slant_t(double* slant, double* slant_t, array_double_1d work, array_double_1d work_t, int64_t index)
+static inline int64_t derivative_strip_surfaces__ridge_slant_t(double* slant, lanes* slant_t, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     int64_t first;
     int64_t last;
@@ -6186,103 +6288,103 @@ static inline int64_t derivative_strip_surfaces__ridge_slant_t(double* slant, do
             last = i;
         }
     }
-    (*slant_t) = 0.0;
+    (*slant_t) = all_lanes(0.0);
     (*slant) = 0.0;
     if (last > first)
     {
         v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_X)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_X));
         v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION));
         v3 = v1 / v2;
-        (*slant_t) = ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_X)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_X)) - v3 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION)))) / v2;
+        EACH_LANE each((*slant_t)) = (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_X))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_X))) - v3 * (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last + layout__STRIP_STATION))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_STATION))))) / v2;
         (*slant) = v3;
     }
     return 0;
 }
 
 /* Derivative of ``zone_curvature``. */
-static inline int64_t derivative_strip_surfaces__zone_curvature_t(double* B, double* B_t, double depth, double depth_t, double width, double width_t, double A, double A_t)
+static inline int64_t derivative_strip_surfaces__zone_curvature_t(double* B, lanes* B_t, double depth, lanes depth_t, double width, lanes width_t, double A, lanes A_t)
 {
-    double most_t;
+    lanes most_t;
     double most;
     double v1;
     double v2;
     double v3;
     double v4;
-    double v4_t;
-    most_t = strip_surfaces__SHARPEST_ZONE * A_t;
+    lanes v4_t;
+    EACH_LANE each(most_t) = strip_surfaces__SHARPEST_ZONE * each(A_t);
     most = strip_surfaces__SHARPEST_ZONE * A;
-    (*B_t) = most_t;
+    EACH_LANE each((*B_t)) = each(most_t);
     (*B) = most;
     if (depth < most * width * width)
     {
         v1 = width * width;
         v2 = depth / v1;
-        (*B_t) = (depth_t - v2 * (width_t * width + width * width_t)) / v1;
+        EACH_LANE each((*B_t)) = (each(depth_t) - v2 * (each(width_t) * width + width * each(width_t))) / v1;
         (*B) = v2;
     }
     v3 = strip_surfaces__FLATTEST_ZONE * A;
     v4 = (*B);
-    v4_t = (*B_t);
+    EACH_LANE each(v4_t) = each((*B_t));
     if (v3 > v4)
     {
         v4 = v3;
-        v4_t = strip_surfaces__FLATTEST_ZONE * A_t;
+        EACH_LANE each(v4_t) = strip_surfaces__FLATTEST_ZONE * each(A_t);
     }
-    (*B_t) = v4_t;
+    EACH_LANE each((*B_t)) = each(v4_t);
     (*B) = v4;
     return 0;
 }
 
 /* Derivative of ``first_length``. */
-static inline int64_t derivative_strip_surfaces__first_length_t(array_double_1d work, array_double_1d work_t, int64_t strip, double depth, double depth_t, double one_alpha, double one_alpha_t, double one_beta, double one_beta_t)
+static inline int64_t derivative_strip_surfaces__first_length_t(array_double_1d work, array_lanes_1d work_t, int64_t strip, double depth, lanes depth_t, double one_alpha, lanes one_alpha_t, double one_beta, lanes one_beta_t)
 {
     double v1;
-    double level_t;
+    lanes level_t;
     double level;
     double v2;
     double v3;
-    double v3_t;
-    double least_t;
+    lanes v3_t;
+    lanes least_t;
     double least;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
     double v6;
     double v7;
     v1 = depth - (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
-    level_t = depth_t - (one_beta_t * v1 + one_beta * (depth_t - (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP))));
+    EACH_LANE each(level_t) = each(depth_t) - (each(one_beta_t) * v1 + one_beta * (each(depth_t) - each((*lanes_at(&work_t, strip + layout__STRIP_OVERLAP)))));
     level = depth - one_beta * v1;
-    (*cspan_at(&work_t, strip + layout__STRIP_LOADED)) = 0.0;
+    (*lanes_at(&work_t, strip + layout__STRIP_LOADED)) = all_lanes(0.0);
     (*cspan_at(&work, strip + layout__STRIP_LOADED)) = (double)(level > 0.0);
     v2 = strip_surfaces__LEAST_OVERLAP * depth;
     v3 = strip_surfaces__INSIDE * (*cspan_at(&work, strip + layout__STRIP_OVERLAP));
-    v3_t = strip_surfaces__INSIDE * (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP));
+    EACH_LANE each(v3_t) = strip_surfaces__INSIDE * each((*lanes_at(&work_t, strip + layout__STRIP_OVERLAP)));
     if (v2 > v3)
     {
         v3 = v2;
-        v3_t = strip_surfaces__LEAST_OVERLAP * depth_t;
+        EACH_LANE each(v3_t) = strip_surfaces__LEAST_OVERLAP * each(depth_t);
     }
-    least_t = v3_t;
+    EACH_LANE each(least_t) = each(v3_t);
     least = v3;
     v4 = level;
-    v4_t = level_t;
+    EACH_LANE each(v4_t) = each(level_t);
     if (least > v4)
     {
         v4 = least;
-        v4_t = least_t;
+        EACH_LANE each(v4_t) = each(least_t);
     }
-    level_t = v4_t;
+    EACH_LANE each(level_t) = each(v4_t);
     level = v4;
     v5 = one_alpha * (*cspan_at(&work, strip + layout__STRIP_A));
     v6 = level / v5;
     v7 = sqrt(v6);
-    (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = derivative_rates__root_rate(v7, (level_t - v6 * (one_alpha_t * (*cspan_at(&work, strip + layout__STRIP_A)) + one_alpha * (*cspan_at(&work_t, strip + layout__STRIP_A)))) / v5);
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) = derivative_rates__root_rate(v7, (each(level_t) - v6 * (each(one_alpha_t) * (*cspan_at(&work, strip + layout__STRIP_A)) + one_alpha * each((*lanes_at(&work_t, strip + layout__STRIP_A))))) / v5);
     (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = v7;
     return INT64_C(0);
 }
 
 /* Derivative of ``lengths_before``. */
-static inline int64_t derivative_strip_surfaces__lengths_before_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
+static inline int64_t derivative_strip_surfaces__lengths_before_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
     int64_t i_end;
     int64_t i;
@@ -6294,7 +6396,9 @@ static inline int64_t derivative_strip_surfaces__lengths_before_t(array_double_1
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         if (frame__is_yawed(work))
         {
-            derivative_strip_surfaces__measure_ridge_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), strip_lengths__TESTED * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+            lanes rates_1;
+            EACH_LANE each(rates_1) = strip_lengths__TESTED * each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+            derivative_strip_surfaces__measure_ridge_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), strip, strip_lengths__TESTED * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), rates_1);
         }
     }
     derivative_strip_lengths__limit_lengths_t(work, work_t, (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))));
@@ -6302,19 +6406,19 @@ static inline int64_t derivative_strip_surfaces__lengths_before_t(array_double_1
 }
 
 /* Derivative of ``set_gaps``. */
-static inline int64_t derivative_strip_surfaces__set_gaps_t(array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_strip_surfaces__set_gaps_t(array_double_1d work, array_lanes_1d work_t)
 {
     int64_t i_end;
     int64_t i;
     int64_t strip;
     double v1;
-    double v1_t;
+    lanes v1_t;
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-        derivative_strip_lengths__gap_beside_t(&v1, &v1_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*cspan_at(&work_t, strip + layout__STRIP_LEAD)));
-        (*cspan_at(&work_t, strip + layout__STRIP_GAP)) = (*cspan_at(&work_t, strip + layout__STRIP_SHARE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) + (*cspan_at(&work, strip + layout__STRIP_SHARE)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work_t, strip + layout__STRIP_OVERLAP)) + v1_t;
+        derivative_strip_lengths__gap_beside_t(&v1, &v1_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*lanes_at(&work_t, strip + layout__STRIP_LEAD)));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_GAP))) = each((*lanes_at(&work_t, strip + layout__STRIP_SHARE))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) + (*cspan_at(&work, strip + layout__STRIP_SHARE)) * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION))) - each((*lanes_at(&work_t, strip + layout__STRIP_OVERLAP))) + each(v1_t);
         (*cspan_at(&work, strip + layout__STRIP_GAP)) = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, strip + layout__STRIP_OVERLAP)) + v1;
     }
     return INT64_C(0);
