@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 
-from tests.helpers.inside import derivative_along
+from tests.helpers.inside import solver_of
 from wrcontact.interface.variables import FIRST_OUTPUT, INTEGER, STATUS, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.kernel.layout import (
@@ -46,7 +46,7 @@ def derivative(stepper, row, seed):
     """Status and rates of the outputs at ``row`` along ``seed``: a number of one input, or a vector."""
     along = np.eye(INPUT_COUNT)[seed] if isinstance(seed, int) else np.asarray(seed, float)
     stepped(stepper, row)
-    return derivative_along(stepper, along)
+    return solver_of(stepper).derivative(along)
 
 
 def differences(stepper, row, number):

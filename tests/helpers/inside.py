@@ -32,13 +32,7 @@ def solver_of(stepper):
 
 def rates_along(stepper, seed):
     """Derivatives of all outputs at the last step along ``seed`` (inputs,)."""
-    return derivative_along(stepper, seed)[1]
-
-
-def derivative_along(stepper, seed):
-    """Status of the step at the stepper's inputs, and derivatives of all outputs along ``seed`` (inputs,)."""
-    status, rates = solver_of(stepper).derivatives(np.asarray(seed, dtype=float)[None])
-    return status, rates[0]
+    return solver_of(stepper).derivative(seed)[1]
 
 
 def tables_of(system):

@@ -19,28 +19,27 @@ INTRINSICS = {"held", "moving", "seeded", "rate_of", "differentiated", "nonzero"
 RATE_FUNCTIONS = {"root_rate", "size_rate", "nonzero", "common_rate"}
 #: Rates of functions of one argument, where {v} is the argument, {f} the value and {d} the argument's rate.
 RATES = {"sqrt": "root_rate({f}, {d})", "fabs": "size_rate({v}, {d})"}
-#: What the rates of one value are computed with; C has these functions in native/lanes.h.
+#: What else is asked of rates.  The compiled kernel has these functions, for rates along several directions,
+#: in native/lanes.h.
 HELPERS = '''"""How roots and sizes change, and what else is asked of rates."""
 
-from .layout import native
 
-
-@native
 def root_rate(root: float, rate: float) -> float:
-    pass
+    """Rate of a square root whose argument changes by ``rate``; 0 where the root is 0."""
+    return 0.5 * rate / root if root != 0.0 else 0.0
 
 
-@native
 def size_rate(value: float, rate: float) -> float:
-    pass
+    """Rate of abs(value)."""
+    return -rate if value < 0.0 else rate
 
 
-@native
 def nonzero(rate: float) -> bool:
-    pass
+    """Whether anything moves at this ``rate``."""
+    return rate != 0.0
 
 
-@native
 def common_rate(rate: float) -> float:
-    pass
+    """A ``rate`` that is the same along all directions."""
+    return rate
 '''

@@ -62,7 +62,7 @@ static ALWAYS_INLINE lanes all_lanes(double rate)
 /* Rate of a square root whose argument changes by `rate`; 0 where the root is 0. */
 static ALWAYS_INLINE lane derivative_rates__root_rate(double root, lane rate)
 {
-    return root != 0.0 ? 0.5 * rate / root : 0.0 * rate;
+    return root != 0.0 ? 0.5 * rate / root : (lane){0.0};
 }
 
 /* Rate of the size of a value. */
