@@ -75,13 +75,21 @@ static int step_as(const wrcontact_handle *own, const wrcontact_handle *handle)
     return wrcontact_step(own);
 }
 
-/* No rates but where they are written before they are read: outlines, and nodes, strips and equations of a wheel. */
+/* No rates, but where they are written before they are read: the outlines, patches, nodes, strips, equations and samples of the
+ * wheels, which are most of the memory. */
 static void clear_rates(lanes *rates)
 {
-    const int64_t parts[][2] = {{0, layout__WORK_OUTLINES},
-                                {layout__WORK_SIDES, layout__WORK_CONTACT + layout__CONTACT_NODES},
-                                {layout__WORK_CONTACT + layout__CONTACT_ORIGIN, layout__WORK_SIZE}};
-    for (int k = 0; k < 3; k += 1)
+    const int64_t right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE;
+    const int64_t parts[][2] = {
+        {0, layout__WORK_OUTLINES},
+        {layout__WORK_SIDES, layout__WORK_SIDES + layout__SIDE_SEARCH_PATCHES},
+        {layout__WORK_SIDES + layout__SIDE_SEARCH_TOTALS, layout__WORK_SIDES + layout__SIDE_SEARCH_OUTLINE},
+        {layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right + layout__SIDE_SEARCH_PATCHES},
+        {right + layout__SIDE_SEARCH_TOTALS, right + layout__SIDE_SEARCH_OUTLINE},
+        {right + layout__SIDE_SEARCH_MOTION, layout__WORK_CONTACT + layout__CONTACT_NODES},
+        {layout__WORK_CONTACT + layout__CONTACT_ORIGIN, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES},
+        {layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH, layout__WORK_ROLLING}};
+    for (size_t k = 0; k < sizeof parts / sizeof parts[0]; k += 1)
         memset(rates + parts[k][0], 0, (parts[k][1] - parts[k][0]) * sizeof(lanes));
 }
 
