@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 import wrcontact
-from tests.derivative.test_derivatives import poses
 from tests.helpers.cases import CREEP_MODELS
+from tests.helpers.derivatives import poses
 from tests.helpers.inside import solver_of
 from wrcontact.kernel.binding.library import Kernel, default_kernel
 from wrcontact.kernel.layout import INPUT_COUNT
