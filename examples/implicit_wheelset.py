@@ -66,8 +66,8 @@ class Wheelset:
         force_y, force_z, moment_x, moment_y, moment_z, torque = acting
         gyroscope = PITCH_INERTIA * SPEED / RADIUS
         return np.array([
-            *speeds[:4], (force_y - STIFFNESS * y - DAMPING * speeds[0]) / MASS, (force_z + 2.0 * LOAD) / MASS,
-            (moment_x + yaw * moment_y - gyroscope * speeds[3]) / ROLL_INERTIA,
+            *speeds[:4], (force_y - STIFFNESS * y - DAMPING * speeds[0]) / MASS,
+            (force_z + 2.0 * LOAD) / MASS, (moment_x + yaw * moment_y - gyroscope * speeds[3]) / ROLL_INERTIA,
             (moment_z - YAW_STIFFNESS * yaw + gyroscope * speeds[2]) / YAW_INERTIA, torque / PITCH_INERTIA])
 
     def jacobian(self, now, motion):
@@ -84,8 +84,8 @@ class Wheelset:
 
 
 class Nearby(Wheelset):
-    """For a solver that takes differences for its Jacobian and has no place for another one: near the last place
-    the forces follow from their derivatives there."""
+    """For a solver that takes differences for its Jacobian and has no place for another one: near the last
+    place the forces follow from their derivatives there."""
 
     #: Within this the forces are as straight as differences need them.
     NEAR = np.array([1e-7] * 4 + [1e-5] * 4 + [1e-4])

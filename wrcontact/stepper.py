@@ -50,10 +50,10 @@ class Stepper:
     inputs : those of ``input_names``, in this order; SI.  They begin with the defaults of
         :meth:`~wrcontact.ContactSystem.evaluate`.
     outputs : in the order of an FMU's variables, SI; zero until the first valid step.  :meth:`place` says
-        where one of ``output_names`` is.  With another number of stations than 31 the outlines follow behind them, see
-        wrcontact/kernel/patch/outline.py.
-    force, moment : (3,) of the wheelset [N, N m], views of the outputs: forward, to the right, down; the moment
-        is about the wheelset's centre.
+        where one of ``output_names`` is.  With another number of stations than 31 the outlines follow behind
+        them, see wrcontact/kernel/patch/outline.py.
+    force, moment : (3,) of the wheelset [N, N m], views of the outputs: forward, to the right, down; the
+        moment is about the wheelset's centre.
     state : where the next roll search starts, and counters; it never changes an answer.
     compiled : whether the compiled kernel is used.
     """
@@ -82,14 +82,14 @@ class Stepper:
 
     @property
     def input_names(self):
-        """Names of the inputs in their order, as in an FMU: ``lateral_shift``, ..., ``right.friction``, ..."""
+        """Names of the inputs in their order, as in an FMU: ``lateral_shift``, ..., ``right.friction``."""
         return INPUT_NAMES
 
     @property
     def output_names(self):
-        """Names of the outputs in the order of an FMU's variables: ``roll``, ..., ``right.patch[1].area``, ...
+        """Names of the outputs in the order of an FMU's variables: ``roll``, ``vertical_shift``, ...
 
-        With another number of stations than 31 some outputs have no name; :meth:`place` has the place of each.
+        With another number of stations than 31 some places have no name; :meth:`place` has that of each name.
         """
         return output_names(None, len(self.outputs))
 

@@ -246,8 +246,7 @@ class ContactSystem:
         """The height at which a compliant wheelset stands at a given ``roll`` [rad], an
         :class:`~wrcontact.state.Equilibrium`: both wheels together carry the load.
 
-        :attr:`WheelsetState.equilibrium <wrcontact.WheelsetState.equilibrium>` has the roll too, at which each
-        wheel carries its own.
+        The ``equilibrium`` of a state has the roll too, at which each wheel carries its own.
 
         Parameters
         ----------
@@ -259,8 +258,8 @@ class ContactSystem:
             if the contact_mode is not compliant.
         """
         if self._balancing() is None:
-            raise ValueError(f"the contact_mode is {self.parameters['contact_mode']!r}; a roll can be given with "
-                             "'compliant'")
+            raise ValueError(f"the contact_mode is {self.parameters['contact_mode']!r}; a roll can be given "
+                             "with 'compliant'")
         return stand_at(self, roll, inputs)
 
     def rail_reaction(self, state, side):

@@ -1,5 +1,5 @@
-"""Derivatives in Python: along many inputs in one pass those of one direction at a time, and of differences; what
-is refused."""
+"""Derivatives in Python: along many inputs in one pass those of one direction at a time, and of differences;
+what is refused."""
 
 import numpy as np
 import pytest
@@ -15,8 +15,8 @@ from wrcontact.stepper import Stepper
 pytestmark = pytest.mark.skipif(not default_kernel().compiled,
                                 reason="the derivatives are those of the compiled library, and none is here")
 FORCES = ["force.x", "force.y", "force.z", "moment.x", "moment.y", "moment.z"]
-MOTION = ["lateral_shift", "vertical_shift_input", "roll_input", "yaw", "lateral_velocity", "vertical_velocity",
-          "roll_rate", "yaw_rate", "wheel_rate"]
+MOTION = ["lateral_shift", "vertical_shift_input", "roll_input", "yaw", "lateral_velocity",
+          "vertical_velocity", "roll_rate", "yaw_rate", "wheel_rate"]
 #: Steps of differences [of an input's usual size].
 STEPS = (1e-8, 1e-7, 3e-7, 1e-6, 3e-6, 1e-5, 1e-4)
 SIZES = dict(zip(MOTION, (1e-3, 1e-3, 1e-3, 1e-2, 0.01, 0.01, 0.01, 0.1, 20.0)))
@@ -24,8 +24,9 @@ COMPLIANT = {"contact_mode": "compliant", "contact_damping": 1.0}
 CASES = [{"contact_mode": mode, "normal_model": normal, "tangential_model": creep, **more}
          for mode in ("rigid", "elastic", "compliant")
          for normal, creep, more in (
-             ("analyn", "none", {}), *(("analyn", creep, {}) for creep in CREEP_MODELS), ("hertz", "strips", {}),
-             ("analyn_strip", "strips", {}), ("analyn", "strips", {"separation": "vertical", "stations": 61}),
+             ("analyn", "none", {}), *(("analyn", creep, {}) for creep in CREEP_MODELS),
+             ("hertz", "strips", {}), ("analyn_strip", "strips", {}),
+             ("analyn", "strips", {"separation": "vertical", "stations": 61}),
              ("analyn", "strips", {"separation": "equidistant_chord"}),
              ("analyn", "polach", {"lateral_curvature": "rough", "load": "vertical"}))]
 
@@ -66,8 +67,8 @@ def test_many_directions_are_single_ones(case):
 
 
 def misses(stepper, row):
-    """How far the derivatives of the forces by the motion are from the nearest central difference, and from the
-    nearest one to one side, (6, 9), of their size."""
+    """How far the derivatives of the forces by the motion are from the nearest central difference, and from
+    the nearest one to one side, (6, 9), of their size."""
     stepper.inputs[:] = row
     stepper.step()
     rates, middle = stepper.derivatives(FORCES, MOTION), np.array([*stepper.force, *stepper.moment])
@@ -90,8 +91,8 @@ def misses(stepper, row):
 
 @pytest.mark.parametrize("model", ["none", *CREEP_MODELS])
 def test_forces_by_motion_against_differences(model):
-    """Half of all within 1e-7 of a difference, 99 % within 1e-5; what is beyond has a kink there, and is the rate
-    on one of its sides."""
+    """Half of all within 1e-7 of a difference, 99 % within 1e-5; what is beyond has a kink there, and is the
+    rate on one of its sides."""
     stepper, rows = running(COMPLIANT | {"tangential_model": model}, 12, 8)
     found = np.array([misses(stepper, row) for row in rows])
     central, single = found[:, 0], found[:, 1]
@@ -117,7 +118,8 @@ def test_the_equilibrium_has_derivatives():
     """As those of the elastic wheelset that stands there; nothing else moves it."""
     pose = {"lateral_shift": 2e-3, "yaw": 3e-3}
     compliant, elastic = (wrcontact.ContactSystem(contact_mode=mode) for mode in ("compliant", "elastic"))
-    of, by = ["equilibrium.roll", "force.y", "equilibrium.vertical_shift"], ["lateral_shift", "yaw", "roll_input"]
+    of = ["equilibrium.roll", "force.y", "equilibrium.vertical_shift"]
+    by = ["lateral_shift", "yaw", "roll_input"]
     found = compliant.derivatives(of, by, **pose)
     wanted = elastic.derivatives(["roll", "vertical_shift"], by, **pose)
     assert np.array_equal(found[[0, 2]], wanted) and not wanted[:, 2].any() and wanted[:, :2].all()

@@ -21,7 +21,8 @@ def test_the_example_runs():
     # the wheelset stands on its load
     assert names["force"][2] == pytest.approx(-109e3, rel=0.01) and names["moment"].shape == (3,)
     assert names["slopes"].shape == (2, 3) and np.isfinite(names["slopes"]).all()
-    assert names["on_rail"][2] == pytest.approx(54.5e3, rel=0.1) and abs(names["about_rail"][0]) < 54.5e3 * 0.03
+    assert names["on_rail"][2] == pytest.approx(54.5e3, rel=0.1)
+    assert abs(names["about_rail"][0]) < 54.5e3 * 0.03          # half a head's width is its lever at most
 
 
 @pytest.mark.full

@@ -8,8 +8,8 @@ from wrcontact.kernel.binding.library import default_kernel
 
 pytestmark = pytest.mark.skipif(not default_kernel().compiled,
                                 reason="the derivatives are those of the compiled library, and none is here")
-#: Steps and derivatives of the contact that a step of the solver takes at most; a vehicle with four wheelsets and an
-#: implicit solver has to do with 30.
+#: Steps and derivatives of the contact that a step of the solver takes at most; a vehicle with four
+#: wheelsets and an implicit solver has to do with 30.
 CALLS = {"Euler, semi-implicit, 0.25 ms": 1, "trapezoidal, linearised, 1 ms": 3}
 
 

@@ -100,7 +100,8 @@ def statement_in_lanes(line, rates, kinds, numbers):
                 own.append(argument)
             elif has_rate(argument, rates):
                 own.append(f"rates_{next(numbers)}")
-                before += [f"{space}lanes {own[-1]};", f"{space}EACH_LANE each({own[-1]}) = {by_lane(argument, rates)};"]
+                before += [f"{space}lanes {own[-1]};",
+                           f"{space}EACH_LANE each({own[-1]}) = {by_lane(argument, rates)};"]
             else:
                 own.append(f"all_lanes({argument})")
         line = line.replace(f"{name}({', '.join(arguments)})", f"{name}({', '.join(own)})")

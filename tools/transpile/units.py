@@ -58,7 +58,8 @@ def header(name, words, needs, texts, *others):
     """A header with the lines of modules, which includes others."""
     guard = f"GENERATED_{name}_H"
     return "\n".join([f"/* {words}. {NOTE}. */", f"#ifndef {guard}", f"#define {guard}", "",
-                      *(f'#include "{other}"' for other in (needs, *others)), *(line for lines in texts for line in lines), "", "#endif", ""])
+                      *(f'#include "{other}"' for other in (needs, *others)),
+             *(line for lines in texts for line in lines), "", "#endif", ""])
 
 
 def room_file(room, modules, raw):

@@ -9,7 +9,7 @@ UNIT = 1e-6
 
 
 def motion_of(position, rotation, velocity, angular_velocity, lateral=0.0, *, nominal_radius=None):
-    """The inputs of a wheelset that is a spinning body: yaw, roll, their rates and the rotation of its wheels.
+    """The inputs of a wheelset that is a spinning body: yaw, roll, their rates, the rotation of its wheels.
 
     The axle has the direction ``e = R e_2``, the second column of the rotation matrix, and moves as
     ``de/dt = w x e`` with the angular velocity w.  With R = Rz(yaw) Rx(roll) Ry(spin) it is
@@ -82,12 +82,12 @@ def _axle(rotation):
         (_, x, _), (_, y, _), (_, z, _) = rotation
         x, y, z = float(x), float(y), float(z)
     except (TypeError, ValueError):
-        raise ValueError(f"rotation is {rotation!r}; permitted is a matrix of 3 x 3 numbers, whose columns are "
-                         "the body's axes") from None
+        raise ValueError(f"rotation is {rotation!r}; permitted is a matrix of 3 x 3 numbers, whose columns "
+                         "are the body's axes") from None
     if not abs(x * x + y * y + z * z - 1.0) < UNIT:
         raise ValueError(f"the second column of rotation, the axle, has the length "
-                         f"{math.sqrt(x * x + y * y + z * z):g}; permitted is a rotation matrix, whose columns "
-                         "have the length 1")
+                         f"{math.sqrt(x * x + y * y + z * z):g}; permitted is a rotation matrix, whose "
+                         "columns have the length 1")
     if x * x + y * y < UNIT:
         raise ValueError("the second column of rotation, the axle, is vertical; it points to the right")
     return x, y, z

@@ -42,8 +42,8 @@ def differentiated_inputs(by):
 
 @lru_cache
 def differentiated_outputs(of, width):
-    """Places of the outputs, a tuple of names, whose derivatives are taken, and the least ``side`` and ``depth`` with which a
-    stepper computes them; None for both where every stepper does."""
+    """Places of the outputs, a tuple of names, whose derivatives are taken, and the least ``side`` and
+    ``depth`` with which a stepper computes them; None for both where every stepper does."""
     known = output_places(width)
     for name in of:
         if name not in known:
