@@ -9,7 +9,7 @@ import fmpy
 
 from .. import __version__
 from ..interface.variables import PLACE, REFERENCE, VARIABLES
-from ..kernel.binding.compiler import KERNEL_UNITS, compile_platform
+from ..kernel.binding.compiler import FMU_UNITS, compile_platform
 from ..kernel.binding.files import PLATFORMS, host_platform
 from ..profiles.catalogue import BUILDERS, standard_profile
 from ..progress import tracked
@@ -112,7 +112,7 @@ def sources(version, token, starts, profiles):
     headers = Path(fmpy.__file__).parent / "c-code"
     blocks = blocks_of(version)
     kernel = [file for folder in ("native", "generated")
-              for file in sorted((PACKAGE / "kernel" / folder).glob("*.[ch]"))]
+              for file in sorted((PACKAGE / "kernel" / folder).glob("*.[ch]")) if "jacobian" not in file.name]
     adapters = [file for file in sorted(NATIVE.glob("*.[ch]")) if serves(file, version)]
     return {
         **{f"kernel/{file.parent.name}/{file.name}": file.read_bytes() for file in kernel},
@@ -147,7 +147,7 @@ def serves(file, version):
 def compiled_units(version):
     """The sources that are compiled; all others are included by them."""
     adapters = [file.name for file in sorted(NATIVE.glob("*.c")) if serves(file, version)]
-    return [*adapters, "model.c", *KERNEL_UNITS]
+    return [*adapters, "model.c", *FMU_UNITS]
 
 
 def libraries(contents, units, platforms, folder, cache):
