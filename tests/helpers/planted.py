@@ -53,7 +53,7 @@ ERRORS = [
     Error("elastic_loads", "outcome = balance_side(tables, work, 1, right, height)",
           "outcome = balance_side(tables, work, 1, left, height)",
           "the right elastic wheel carries the left one's load", "wheelset"),
-    Error("elastic_sharp", "ELASTIC_SHARP: Final[float] = 3e-13", "ELASTIC_SHARP: Final[float] = 1e-8",
+    Error("elastic_sharp", "ELASTIC_SHARP: Final[float] = 1e-13", "ELASTIC_SHARP: Final[float] = 1e-8",
           "the elastic equilibrium is found to a tolerance thousands of times wider", "derivative"),
     Error("cell_joint", "cell.jump = cell.rail_jump * cell.share", "cell.jump = -cell.rail_jump * cell.share",
           "the bend of an overlap jumps the other way at a joint of the rail", "contact"),

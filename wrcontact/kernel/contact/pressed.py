@@ -178,9 +178,8 @@ def turning_point(pair: Pair, place: Place, low: float, high: float, x: float, y
     abscissae: Newton's method on its slope, bracketed, from ``x`` and ``y`` on; and whether the slope changes
     its sign there: it may do so a little beyond the bracket.  The rest is the place's ``meeting``.
 
-    The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
-    Newton's method can then alternate between two places.  Where a step has not halved the slope, the bracket
-    is halved.
+    Where curvatures jump Newton's method can alternate between two places.  Where a step has not halved the
+    slope, the bracket is halved.
     """
     meeting = place.meeting
     before = 0.0
@@ -197,11 +196,17 @@ def turning_point(pair: Pair, place: Place, low: float, high: float, x: float, y
             high = x
             moved_high = True
         following = 0.5 * (low + high)
-        if sign * meeting.rate < 0.0 and (i == 0 or fabs(meeting.rise) < 0.5 * before):
-            z_rail, slope = height_slope(pair.rail, x)
-            newton = x - meeting.rise / (meeting.rate * sqrt(1.0 + slope * slope))
-            if newton > low and newton < high:
-                following = newton
+        z_rail, slope, rail_bend = height_slope_bend(pair.rail, x)
+        stretch = sqrt(1.0 + slope * slope)
+        kappa = rail_bend / (stretch * stretch * stretch)
+        # with what the rate leaves out: the normals converge into the rail, and meet less of the wheel
+        rate = meeting.rate - (meeting.rate + kappa) * kappa * max(meeting.overlap, 0.0)
+        if sign * rate < 0.0:
+            move = -meeting.rise / (rate * stretch)
+            if fabs(move) < DEEP_SHARP:
+                break
+            if x + move > low and x + move < high and (i == 0 or fabs(meeting.rise) < 0.5 * before):
+                following = x + move
         if fabs(following - x) < DEEP_SHARP:
             break
         x = following

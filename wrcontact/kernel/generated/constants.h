@@ -1414,7 +1414,7 @@ static const double compliant__GRAZING = 1e-13;
 
 /* wheelset/elastic.py */
 static const int64_t elastic__TRIALS = INT64_C(25);
-static const double elastic__ELASTIC_SHARP = 3e-13;
+static const double elastic__ELASTIC_SHARP = 1e-13;
 static const double elastic__UNBALANCED = 1e-09;
 static const double elastic__NOT_LAST = 1e-10;
 static const double elastic__SAME_GAP = 1e-09;

@@ -1900,9 +1900,8 @@ static OUT_OF_LINE double pressed__limited(double step, double limit)
  * abscissae: Newton's method on its slope, bracketed, from ``x`` and ``y`` on; and whether the slope changes
  * its sign there: it may do so a little beyond the bracket.  The rest is the place's ``meeting``.
  *
- * The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
- * Newton's method can then alternate between two places.  Where a step has not halved the slope, the bracket
- * is halved.
+ * Where curvatures jump Newton's method can alternate between two places.  Where a step has not halved the
+ * slope, the bracket is halved.
  */
 static OUT_OF_LINE int64_t pressed__turning_point(double* result_0_0001, bool* result_1_0001, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign)
 {
@@ -1914,7 +1913,11 @@ static OUT_OF_LINE int64_t pressed__turning_point(double* result_0_0001, bool* r
     double following;
     double z_rail;
     double slope;
-    double newton;
+    double rail_bend;
+    double stretch;
+    double kappa;
+    double rate;
+    double move;
     double rise;
     meeting = place + layout__PLACE_MEETING;
     before = 0.0;
@@ -1940,13 +1943,21 @@ static OUT_OF_LINE int64_t pressed__turning_point(double* result_0_0001, bool* r
             moved_high = 1;
         }
         following = 0.5 * (low + high);
-        if ((sign * (*cspan_at(&work, meeting + layout__MEETING_RATE)) < 0.0) && ((i == INT64_C(0)) || (fabs((*cspan_at(&work, meeting + layout__MEETING_RISE))) < 0.5 * before)))
+        tables__height_slope_bend(&z_rail, &slope, &rail_bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), x);
+        stretch = sqrt(1.0 + slope * slope);
+        kappa = rail_bend / (stretch * stretch * stretch);
+        /* with what the rate leaves out: the normals converge into the rail, and meet less of the wheel */
+        rate = (*cspan_at(&work, meeting + layout__MEETING_RATE)) - ((*cspan_at(&work, meeting + layout__MEETING_RATE)) + kappa) * kappa * double_max(2, (*cspan_at(&work, meeting + layout__MEETING_OVERLAP)), 0.0);
+        if (sign * rate < 0.0)
         {
-            tables__height_slope(&z_rail, &slope, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), x);
-            newton = x - (*cspan_at(&work, meeting + layout__MEETING_RISE)) / ((*cspan_at(&work, meeting + layout__MEETING_RATE)) * sqrt(1.0 + slope * slope));
-            if ((newton > low) && (newton < high))
+            move = (-(*cspan_at(&work, meeting + layout__MEETING_RISE))) / (rate * stretch);
+            if (fabs(move) < pressed__DEEP_SHARP)
             {
-                following = newton;
+                break;
+            }
+            if ((x + move > low) && (x + move < high) && ((i == INT64_C(0)) || (fabs((*cspan_at(&work, meeting + layout__MEETING_RISE))) < 0.5 * before)))
+            {
+                following = x + move;
             }
         }
         if (fabs(following - x) < pressed__DEEP_SHARP)

@@ -1394,12 +1394,28 @@ static inline int64_t derivative_pressed__turning_point_t(double* result_0_0001,
     lanes z_rail_t;
     double slope;
     lanes slope_t;
+    double rail_bend;
+    lanes rail_bend_t;
     double v3;
     double v4;
+    lanes stretch_t;
+    double stretch;
     double v5;
     double v6;
-    lanes newton_t;
-    double newton;
+    double v7;
+    lanes kappa_t;
+    double kappa;
+    double v8;
+    double v9;
+    double v10;
+    lanes v10_t;
+    lanes rate_t;
+    double rate;
+    double v11;
+    double v12;
+    double v13;
+    lanes move_t;
+    double move;
     lanes rise_t;
     double rise;
     meeting = place + layout__PLACE_MEETING;
@@ -1434,19 +1450,42 @@ static inline int64_t derivative_pressed__turning_point_t(double* result_0_0001,
         v2 = low + high;
         EACH_LANE each(following_t) = 0.5 * (each(low_t) + each(high_t));
         following = 0.5 * v2;
-        if ((sign * (*cspan_at(&work, meeting + layout__MEETING_RATE)) < 0.0) && ((i == INT64_C(0)) || (fabs((*cspan_at(&work, meeting + layout__MEETING_RISE))) < 0.5 * before)))
+        derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &slope, &slope_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), x, x_t);
+        v3 = 1.0 + slope * slope;
+        v4 = sqrt(v3);
+        EACH_LANE each(stretch_t) = derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t));
+        stretch = v4;
+        v5 = stretch * stretch;
+        v6 = v5 * stretch;
+        v7 = rail_bend / v6;
+        EACH_LANE each(kappa_t) = (each(rail_bend_t) - v7 * ((each(stretch_t) * stretch + stretch * each(stretch_t)) * stretch + v5 * each(stretch_t))) / v6;
+        kappa = v7;
+        v8 = (*cspan_at(&work, meeting + layout__MEETING_RATE)) + kappa;
+        v9 = v8 * kappa;
+        v10 = (*cspan_at(&work, meeting + layout__MEETING_OVERLAP));
+        EACH_LANE each(v10_t) = each((*lanes_at(&work_t, meeting + layout__MEETING_OVERLAP)));
+        if (0.0 > v10)
         {
-            derivative_tables__height_slope_t(&z_rail, &z_rail_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), x, x_t);
-            v3 = 1.0 + slope * slope;
-            v4 = sqrt(v3);
-            v5 = (*cspan_at(&work, meeting + layout__MEETING_RATE)) * v4;
-            v6 = (*cspan_at(&work, meeting + layout__MEETING_RISE)) / v5;
-            EACH_LANE each(newton_t) = each(x_t) - (each((*lanes_at(&work_t, meeting + layout__MEETING_RISE))) - v6 * (each((*lanes_at(&work_t, meeting + layout__MEETING_RATE))) * v4 + (*cspan_at(&work, meeting + layout__MEETING_RATE)) * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)))) / v5;
-            newton = x - v6;
-            if ((newton > low) && (newton < high))
+            v10 = 0.0;
+            v10_t = all_lanes(0.0);
+        }
+        EACH_LANE each(rate_t) = each((*lanes_at(&work_t, meeting + layout__MEETING_RATE))) - (((each((*lanes_at(&work_t, meeting + layout__MEETING_RATE))) + each(kappa_t)) * kappa + v8 * each(kappa_t)) * v10 + v9 * each(v10_t));
+        rate = (*cspan_at(&work, meeting + layout__MEETING_RATE)) - v9 * v10;
+        if (sign * rate < 0.0)
+        {
+            v11 = -(*cspan_at(&work, meeting + layout__MEETING_RISE));
+            v12 = rate * stretch;
+            v13 = v11 / v12;
+            EACH_LANE each(move_t) = ((-each((*lanes_at(&work_t, meeting + layout__MEETING_RISE)))) - v13 * (each(rate_t) * stretch + rate * each(stretch_t))) / v12;
+            move = v13;
+            if (fabs(move) < pressed__DEEP_SHARP)
             {
-                EACH_LANE each(following_t) = each(newton_t);
-                following = newton;
+                break;
+            }
+            if ((x + move > low) && (x + move < high) && ((i == INT64_C(0)) || (fabs((*cspan_at(&work, meeting + layout__MEETING_RISE))) < 0.5 * before)))
+            {
+                EACH_LANE each(following_t) = each(x_t) + each(move_t);
+                following = x + move;
             }
         }
         if (fabs(following - x) < pressed__DEEP_SHARP)

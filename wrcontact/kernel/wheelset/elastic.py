@@ -30,7 +30,7 @@ TRIALS: Final[int] = 25
 #: Height and roll are found when either wheel moves by less [m], and this move is still made. Patches are
 #: those before it: 1e-11 would let their differences over less than a micrometre miss their derivatives by up
 #: to 1e-4.
-ELASTIC_SHARP: Final[float] = 3e-13
+ELASTIC_SHARP: Final[float] = 1e-13
 #: Where the sum of both residuals is larger, brackets have found a jump and no equilibrium [m].
 UNBALANCED: Final[float] = 1e-9
 #: After a longer move a trial is not the last one: it leaves out the patches, and follows the deepest points
