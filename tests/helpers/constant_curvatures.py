@@ -1,5 +1,7 @@
 """The kernel's nodes and strips on a gap of constant curvatures, of which Hertz's contact is the solution."""
 
+import functools
+
 import numpy as np
 
 from data.hertz import MODULUS, hertz
@@ -13,10 +15,18 @@ from wrcontact.kernel.normal.strip_surfaces import INSET, SHALLOW, ZONE_STATIONS
 from wrcontact.kernel.prepare.waves import write_waves
 
 
+@functools.lru_cache
+def waves_table(count):
+    """Numbers of the kernel's table for runs of ``count`` strips (n,)."""
+    numbers = np.zeros(layout.WAVES_SIZE)
+    write_waves(layout.Waves.at(numbers), count)
+    return numbers
+
+
 def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=10, sweeps=6):
     """The kernel's tables and workspace, as records, with nodes on the gap B s^2 and constant A,
     written by hand; and Hertz's penetration [m]."""
-    parts = {"hertz": hertz_table(), "influence": influence_table(), "waves": np.zeros(layout.WAVES_SIZE)}
+    parts = {"hertz": hertz_table(), "influence": influence_table(), "waves": waves_table(strips)}
     array = np.concatenate([np.zeros(layout.SETTING_COUNT), *parts.values()])
     tables = layout.Tables.at(array)
     tables.pairs[1].tables = tables
@@ -25,7 +35,6 @@ def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=10, swe
     for name, table in parts.items():
         setattr(tables, name, offset)
         offset += len(table)
-    write_waves(tables.waves, strips)
     work = layout.Work.at(np.zeros(layout.WORK_SIZE))
     penetration = hertz(A, B, force)[0]
     half_width = np.sqrt(penetration / B)

@@ -3,16 +3,14 @@
 import numpy as np
 import pytest
 
+from tests.helpers.constant_curvatures import waves_table
 from wrcontact.kernel import layout
-from wrcontact.kernel.prepare.waves import write_waves
 
 COUNTS = (6, 7, 10, 16)
 
 
 def waves_of(count):
-    found = layout.Waves.at(np.zeros(layout.WAVES_SIZE))
-    write_waves(found, count)
-    return found
+    return layout.Waves.at(waves_table(count))
 
 
 def table(rows, height, width):

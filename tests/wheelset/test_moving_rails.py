@@ -124,9 +124,9 @@ def test_rolling_a_rail_is_another_inclination(name, pose):
         mine, theirs = getattr(found, side), getattr(wanted, side)
         assert mine.normal_force > 1e3
         # overlaps are measured along the rail's normals and do not know down, but the place of the rigid
-        # contact does: the wheel touches first straight above, by each rail's own vertical
-        assert mine.normal_force == pytest.approx(theirs.normal_force, rel=2e-7)
-        # strips end where the first estimate of the patch does, which knows down: a few millionths of it
+        # contact does: the wheel touches first straight above, by each rail's own vertical; strips begin and are
+        # traced by their regions' zones, which know it too: a millionth, measured XX
+        assert mine.normal_force == pytest.approx(theirs.normal_force, rel=8e-7 if "strips" in name else 2e-7)
         assert mine.area == pytest.approx(theirs.area, rel=1e-5 if "strips" in name else 2e-7)
         for name_of in ("x", "y", "z"):
             assert getattr(mine.force, name_of) == pytest.approx(getattr(theirs.force, name_of), rel=1e-6,
