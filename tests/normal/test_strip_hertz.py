@@ -51,9 +51,10 @@ def test_hertz_s_pressures_displace_as_hertz_s_gap_wants(ratio, count, middle, e
     problem.runs[0].start, problem.runs[0].stop = -b, b
     for i in range(count):
         problem.strips[i].axis = a
-    lay_strips(problem, waves)
+    lay_strips(problem, waves, True)
     for i in range(count):
         problem.strips[i].y = pressure * waves.sin[i] / (math.pi * MODULUS)
+    strip_pressures.see_pairs(problem)
     strip_pressures.write_equations(tables, problem, work.contact.equations, False)
     rows = np.frombuffer(work.contact.equations).reshape(len(work.contact.equations), -1)
     displaced = rows[:count, :count] @ strip_numbers(problem, "y")

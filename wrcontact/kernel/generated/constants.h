@@ -1241,6 +1241,7 @@ static const double nodes__NODE_ROOM = 110.0;
 
 /* normal/strip_contact.py */
 static const int64_t strip_contact__FIRST_SWEEPS = INT64_C(2);
+static const int64_t strip_contact__SMOOTH_SWEEPS = INT64_C(4);
 static const double strip_contact__SUNK_DEEPER = 1.15;
 static const int64_t strip_contact__SINKINGS = INT64_C(4);
 

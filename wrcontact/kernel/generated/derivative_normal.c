@@ -3237,7 +3237,7 @@ static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetrati
         {
             given = 1;
         }
-        derivative_strip_runs__lay_strips_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+        derivative_strip_runs__lay_strips_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))), sweep >= last - strip_contact__SMOOTH_SWEEPS);
         derivative_strip_pressures__solve_pressures_t(&v1, &v1_t, work, work_t, tables, force, force_t, given, yawed);
         (*penetration_t) = v1_t;
         (*penetration) = v1;
@@ -4604,96 +4604,140 @@ static inline int64_t derivative_strip_pressures__own_influence_t(double* result
     return 0;
 }
 
+/* Derivative of ``see_pairs``. */
+static inline int64_t derivative_strip_pressures__see_pairs_t(array_double_1d work, array_double_1d work_t)
+{
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    int64_t near;
+    int64_t facing;
+    int64_t j;
+    int64_t other;
+    double v1;
+    double distance_t;
+    double distance;
+    double cosine_t;
+    double cosine;
+    double v2;
+    double v2_t;
+    double v3;
+    double v3_t;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
+        facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
+        (*cspan_at(&work_t, near + i)) = 0.0;
+        (*cspan_at(&work, near + i)) = 0.0;
+        (*cspan_at(&work_t, facing + i)) = 0.0;
+        (*cspan_at(&work, facing + i)) = 0.0;
+        for (j = INT64_C(0); j < i; j += INT64_C(1))
+        {
+            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+            v1 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
+            distance_t = derivative_rates__size_rate(v1, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE)));
+            distance = fabs(v1);
+            cosine_t = (*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN)));
+            cosine = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
+            derivative_strip_pressures__nearness_t(&v2, &v2_t, distance, distance_t, (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
+            (*cspan_at(&work_t, near + j)) = v2_t;
+            (*cspan_at(&work, near + j)) = v2;
+            (*cspan_at(&work_t, facing + j)) = cosine_t * (*cspan_at(&work, other + layout__STRIP_WIDTH)) + cosine * (*cspan_at(&work_t, other + layout__STRIP_WIDTH));
+            (*cspan_at(&work, facing + j)) = cosine * (*cspan_at(&work, other + layout__STRIP_WIDTH));
+            derivative_strip_pressures__nearness_t(&v3, &v3_t, distance, distance_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * j + i)) = v3_t;
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * j + i)) = v3;
+            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * j + i)) = cosine_t * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + cosine * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * j + i)) = cosine * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+        }
+    }
+    return INT64_C(0);
+}
+
 /* Derivative of ``write_equations``. */
 static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, bool yawed)
 {
     int64_t waves;
     int64_t size;
-    int64_t count;
-    int64_t k_end;
-    int64_t k;
-    int64_t first;
-    int64_t own;
     int64_t i;
-    int64_t strip;
     int64_t row;
     int64_t near;
     int64_t facing;
+    double middle_t;
+    double middle;
     int64_t j;
-    int64_t other;
-    double v2;
-    double v1;
-    double v1_t;
-    double v3;
     double away_t;
     double away;
-    double v4;
-    double v4_t;
-    double v5;
-    double v5_t;
+    double v1;
+    double v1_t;
+    double v2;
+    double v2_t;
+    int64_t k_end;
+    int64_t k;
+    int64_t first;
+    int64_t own_end;
+    int64_t own;
     int64_t singular;
-    double v6;
-    double v6_t;
+    int64_t strip;
+    int64_t j_end;
+    double v3;
+    double v3_t;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
     size = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    {
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
+        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
+        facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
+        if (yawed)
+        {
+            middle_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE));
+            middle = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE));
+            for (j = INT64_C(0); j < size; j += INT64_C(1))
+            {
+                away_t = middle_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE));
+                away = middle - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE));
+                derivative_strip_pressures__influence_at_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), away * away, away_t * away + away * away_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE)));
+                (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, facing + j)) * v1 + (*cspan_at(&work, facing + j)) * v1_t;
+                (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * v1;
+            }
+        }
+        else
+        {
+            for (j = INT64_C(0); j < size; j += INT64_C(1))
+            {
+                derivative_strip_pressures__middle_influence_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)));
+                (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, facing + j)) * v2 + (*cspan_at(&work, facing + j)) * v2_t;
+                (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * v2;
+            }
+        }
+        (*cspan_at(&work_t, row + size)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
+        (*cspan_at(&work, row + size)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
+        (*cspan_at(&work_t, row + (size + INT64_C(1)))) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
+        (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
+    }
     k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
     for (k = INT64_C(0); k < k_end; k += INT64_C(1))
     {
-        first = k * count;
-        for (own = INT64_C(0); own < count; own += INT64_C(1))
+        first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+        own_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+        for (own = INT64_C(0); own < own_end; own += INT64_C(1))
         {
-            i = first + own;
-            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
-            near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
-            facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
-            for (j = INT64_C(0); j < size; j += INT64_C(1))
-            {
-                other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-                v2 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-                derivative_strip_pressures__nearness_t(&v1, &v1_t, fabs(v2), derivative_rates__size_rate(v2, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE))), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
-                (*cspan_at(&work_t, near + j)) = v1_t;
-                (*cspan_at(&work, near + j)) = v1;
-                v3 = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-                (*cspan_at(&work_t, facing + j)) = ((*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN)))) * (*cspan_at(&work, other + layout__STRIP_WIDTH)) + v3 * (*cspan_at(&work_t, other + layout__STRIP_WIDTH));
-                (*cspan_at(&work, facing + j)) = v3 * (*cspan_at(&work, other + layout__STRIP_WIDTH));
-            }
-            if (yawed)
-            {
-                for (j = INT64_C(0); j < size; j += INT64_C(1))
-                {
-                    away_t = (*cspan_at(&work_t, strip + layout__STRIP_MIDDLE)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE));
-                    away = (*cspan_at(&work, strip + layout__STRIP_MIDDLE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE));
-                    derivative_strip_pressures__influence_at_t(&v4, &v4_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), away * away, away_t * away + away * away_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE)));
-                    (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, facing + j)) * v4 + (*cspan_at(&work, facing + j)) * v4_t;
-                    (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * v4;
-                }
-            }
-            else
-            {
-                for (j = INT64_C(0); j < size; j += INT64_C(1))
-                {
-                    derivative_strip_pressures__middle_influence_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)));
-                    (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, facing + j)) * v5 + (*cspan_at(&work, facing + j)) * v5_t;
-                    (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * v5;
-                }
-            }
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * (first + own);
+            facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * (first + own);
             singular = waves + layout__WAVES_SINGULAR + INT64_C(16) * own;
-            for (j = INT64_C(0); j < count; j += INT64_C(1))
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + own);
+            j_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+            for (j = INT64_C(0); j < j_end; j += INT64_C(1))
             {
                 (*cspan_at(&work_t, row + (first + j))) = (*cspan_at(&work_t, row + (first + j))) - (*cspan_at(&tables, singular + j)) * (*cspan_at(&work_t, facing + (first + j)));
                 (*cspan_at(&work, row + (first + j))) = (*cspan_at(&work, row + (first + j))) - (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j)));
             }
-            derivative_strip_pressures__own_influence_t(&v6, &v6_t, tables, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)), own, 1.0, 0.0, strip_pressures__MIDDLE_CONSTANT, 0.0, layout__INFLUENCE_MAP);
-            (*cspan_at(&work_t, row + i)) = (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) * v6 + (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * v6_t;
-            (*cspan_at(&work, row + i)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * v6;
-            (*cspan_at(&work_t, facing + i)) = 0.0;
-            (*cspan_at(&work, facing + i)) = 0.0;
-            (*cspan_at(&work_t, row + size)) = (*cspan_at(&work_t, strip + layout__STRIP_SHARE));
-            (*cspan_at(&work, row + size)) = (*cspan_at(&work, strip + layout__STRIP_SHARE));
-            (*cspan_at(&work_t, row + (size + INT64_C(1)))) = (*cspan_at(&work_t, strip + layout__STRIP_GAP));
-            (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, strip + layout__STRIP_GAP));
+            derivative_strip_pressures__own_influence_t(&v3, &v3_t, tables, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)), own, 1.0, 0.0, strip_pressures__MIDDLE_CONSTANT, 0.0, layout__INFLUENCE_MAP);
+            (*cspan_at(&work_t, row + (first + own))) = (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) * v3 + (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * v3_t;
+            (*cspan_at(&work, row + (first + own))) = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * v3;
         }
     }
     return INT64_C(0);
@@ -4814,6 +4858,7 @@ static inline int64_t derivative_strip_pressures__solve_pressures_t(double* pene
     (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     size = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) + 1.0;
+    derivative_strip_pressures__see_pairs_t(work, work_t);
     derivative_strip_pressures__write_equations_t(work, work_t, tables, yawed);
     derivative_strip_pressures__eliminate_t(work, work_t, size);
     if (!by_penetration)
@@ -5311,12 +5356,90 @@ static inline int64_t derivative_strip_runs__gap_beside_t(double* result_0, doub
 }
 
 /* Derivative of ``lay_strips``. */
-static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves)
+static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, bool smooth)
 {
     int64_t count;
     int64_t k_end;
     int64_t k;
     int64_t run;
+    int64_t j;
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    double spread_t;
+    double spread;
+    int64_t i;
+    int64_t strip;
+    double v5;
+    double v5_t;
+    double v6;
+    double v6_t;
+    double v7;
+    double v9;
+    double v8;
+    double v8_t;
+    double v10;
+    double v10_t;
+    double v11;
+    double v11_t;
+    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    {
+        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+        j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
+        v1 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
+        v2 = 0.5 * v1;
+        v3 = v2 * M_PI;
+        v4 = (double)(count);
+        spread_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START))) * M_PI / v4;
+        spread = v3 / v4;
+        for (i = INT64_C(0); i < count; i += INT64_C(1))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * count + i);
+            derivative_strip_runs__run_station_t(&v5, &v5_t, work, work_t, run, (*cspan_at(&tables, waves + layout__WAVES_COS + i)), 0.0);
+            (*cspan_at(&work_t, strip + layout__STRIP_STATION)) = v5_t;
+            (*cspan_at(&work, strip + layout__STRIP_STATION)) = v5;
+            j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, strip + layout__STRIP_STATION)));
+            derivative_strip_surfaces__way_through_t(&v6, &v6_t, work, work_t, j, (*cspan_at(&work, strip + layout__STRIP_STATION)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)));
+            derivative_strip_runs__lay_strip_t(work, work_t, strip, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1)), v6, v6_t);
+            (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            (*cspan_at(&work_t, strip + layout__STRIP_SQUARE)) = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
+            (*cspan_at(&work, strip + layout__STRIP_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
+            (*cspan_at(&work_t, strip + layout__STRIP_MIDDLE)) = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
+            (*cspan_at(&work, strip + layout__STRIP_MIDDLE)) = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD));
+            v7 = spread * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) = spread_t * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH)) + v7 * (*cspan_at(&work_t, strip + layout__STRIP_STRETCH));
+            (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = v7 * (*cspan_at(&work, strip + layout__STRIP_STRETCH));
+            v9 = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
+            derivative_powers__log_rule_t(&v8, &v8_t, v9, ((*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) - v9 * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
+            (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)) = v8_t;
+            (*cspan_at(&work, strip + layout__STRIP_SLENDER)) = v8;
+            derivative_strip_surfaces__rest_gap_t(&v10, &v10_t, work, work_t, j, (*cspan_at(&work, strip + layout__STRIP_STATION)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)));
+            (*cspan_at(&work_t, strip + layout__STRIP_GAP)) = v10_t;
+            (*cspan_at(&work, strip + layout__STRIP_GAP)) = v10;
+        }
+        if (smooth)
+        {
+            derivative_strip_runs__smooth_gaps_t(tables, work, work_t, waves, run, k * count);
+        }
+        for (i = k * count; i < (k + INT64_C(1)) * count; i += INT64_C(1))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+            derivative_strip_runs__gap_beside_t(&v11, &v11_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*cspan_at(&work_t, strip + layout__STRIP_LEAD)));
+            (*cspan_at(&work_t, strip + layout__STRIP_GAP)) = (*cspan_at(&work_t, strip + layout__STRIP_GAP)) + v11_t;
+            (*cspan_at(&work, strip + layout__STRIP_GAP)) = (*cspan_at(&work, strip + layout__STRIP_GAP)) + v11;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``smooth_gaps``. */
+static inline int64_t derivative_strip_runs__smooth_gaps_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t first)
+{
+    int64_t fine;
     int64_t j;
     int64_t i;
     double v1;
@@ -5325,82 +5448,34 @@ static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables
     double station;
     double v2;
     double v2_t;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    double spread_t;
-    double spread;
-    int64_t strip;
-    double v7;
-    double v7_t;
-    double v8;
-    double v8_t;
-    double v9;
-    double v11;
-    double v10;
-    double v10_t;
-    double v12;
-    double v12_t;
+    int64_t i_end;
     double gap_t;
     double gap;
     int64_t m;
-    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
-    for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+    fine = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
+    for (i = INT64_C(0); i < fine; i += INT64_C(1))
     {
-        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-        j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
-        for (i = INT64_C(0); i < layout__FINE_WAVES * count; i += INT64_C(1))
+        derivative_strip_runs__run_station_t(&v1, &v1_t, work, work_t, run, (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + i)), 0.0);
+        station_t = v1_t;
+        station = v1;
+        j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), station);
+        derivative_strip_surfaces__rest_gap_t(&v2, &v2_t, work, work_t, j, station, station_t);
+        (*cspan_at(&work_t, run + layout__STRIP_RUN_GAPS + i)) = v2_t;
+        (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + i)) = v2;
+    }
+    i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        gap_t = 0.0;
+        gap = 0.0;
+        for (m = INT64_C(0); m < fine; m += INT64_C(1))
         {
-            derivative_strip_runs__run_station_t(&v1, &v1_t, work, work_t, run, (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + i)), 0.0);
-            station_t = v1_t;
-            station = v1;
-            j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), station);
-            derivative_strip_surfaces__rest_gap_t(&v2, &v2_t, work, work_t, j, station, station_t);
-            (*cspan_at(&work_t, run + layout__STRIP_RUN_GAPS + i)) = v2_t;
-            (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + i)) = v2;
+            gap_t = gap_t + (*cspan_at(&tables, waves + layout__WAVES_SMOOTHING + INT64_C(48) * i + m)) * (*cspan_at(&work_t, run + layout__STRIP_RUN_GAPS + m));
+            gap = gap + (*cspan_at(&tables, waves + layout__WAVES_SMOOTHING + INT64_C(48) * i + m)) * (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + m));
         }
-        j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
-        v3 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
-        v4 = 0.5 * v3;
-        v5 = v4 * M_PI;
-        v6 = (double)(count);
-        spread_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START))) * M_PI / v6;
-        spread = v5 / v6;
-        for (i = INT64_C(0); i < count; i += INT64_C(1))
-        {
-            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * count + i);
-            derivative_strip_runs__run_station_t(&v7, &v7_t, work, work_t, run, (*cspan_at(&tables, waves + layout__WAVES_COS + i)), 0.0);
-            (*cspan_at(&work_t, strip + layout__STRIP_STATION)) = v7_t;
-            (*cspan_at(&work, strip + layout__STRIP_STATION)) = v7;
-            j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, strip + layout__STRIP_STATION)));
-            derivative_strip_surfaces__way_through_t(&v8, &v8_t, work, work_t, j, (*cspan_at(&work, strip + layout__STRIP_STATION)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)));
-            derivative_strip_runs__lay_strip_t(work, work_t, strip, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1)), v8, v8_t);
-            (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-            (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-            (*cspan_at(&work_t, strip + layout__STRIP_SQUARE)) = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
-            (*cspan_at(&work, strip + layout__STRIP_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-            (*cspan_at(&work_t, strip + layout__STRIP_MIDDLE)) = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
-            (*cspan_at(&work, strip + layout__STRIP_MIDDLE)) = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD));
-            v9 = spread * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-            (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) = spread_t * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH)) + v9 * (*cspan_at(&work_t, strip + layout__STRIP_STRETCH));
-            (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = v9 * (*cspan_at(&work, strip + layout__STRIP_STRETCH));
-            v11 = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-            derivative_powers__log_rule_t(&v10, &v10_t, v11, ((*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) - v11 * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
-            (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)) = v10_t;
-            (*cspan_at(&work, strip + layout__STRIP_SLENDER)) = v10;
-            derivative_strip_runs__gap_beside_t(&v12, &v12_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*cspan_at(&work_t, strip + layout__STRIP_LEAD)));
-            gap_t = v12_t;
-            gap = v12;
-            for (m = INT64_C(0); m < layout__FINE_WAVES * count; m += INT64_C(1))
-            {
-                gap_t = gap_t + (*cspan_at(&tables, waves + layout__WAVES_SMOOTHING + INT64_C(48) * i + m)) * (*cspan_at(&work_t, run + layout__STRIP_RUN_GAPS + m));
-                gap = gap + (*cspan_at(&tables, waves + layout__WAVES_SMOOTHING + INT64_C(48) * i + m)) * (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + m));
-            }
-            (*cspan_at(&work_t, strip + layout__STRIP_GAP)) = gap_t;
-            (*cspan_at(&work, strip + layout__STRIP_GAP)) = gap;
-        }
+        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_GAP)) = gap_t;
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_GAP)) = gap;
     }
     return INT64_C(0);
 }

@@ -432,6 +432,7 @@ static inline int64_t derivative_strip_pressures__influence_at_t(double* result_
 static inline int64_t derivative_strip_pressures__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double near, double near_t);
 static inline int64_t derivative_strip_pressures__spacing_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double slender, double slender_t);
 static inline int64_t derivative_strip_pressures__own_influence_t(double* result_0, double* result_1, array_double_1d tables, double slender, double slender_t, int64_t i, double height, double height_t, double constant, double constant_t, int64_t first);
+static inline int64_t derivative_strip_pressures__see_pairs_t(array_double_1d work, array_double_1d work_t);
 static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, bool yawed);
 static inline int64_t derivative_strip_pressures__local_displacement_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t first, int64_t own);
 static inline int64_t derivative_strip_pressures__tested_displacements_t(double* front, double* front_t, double* back, double* back_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, double away, double away_t, bool yawed);
@@ -450,7 +451,8 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
 static inline int64_t derivative_strip_runs__deepen_levels_t(double* rise, double* rise_t, array_double_1d work, array_double_1d work_t, double force, double force_t);
 static inline int64_t derivative_strip_runs__gap_beside_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t strip, double x, double x_t);
 static inline int64_t derivative_strip_runs__lay_strip_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t low, int64_t high, double u, double u_t);
-static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves);
+static inline int64_t derivative_strip_runs__smooth_gaps_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t first);
+static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, bool smooth);
 static inline int64_t derivative_strip_runs__pressed_end_t(double* station, double* station_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t k, int64_t i, int64_t outward);
 static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t k, double largest, double largest_t);
 static inline int64_t derivative_strip_runs__sample_strips_t(double* v4, double* v4_t, double* v5, double* v5_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t low, double station, double station_t);

@@ -120,6 +120,7 @@ static inline double strip_pressures__influence_at(array_double_1d tables, int64
 static inline double strip_pressures__middle_influence(array_double_1d tables, int64_t table, double near);
 static inline double strip_pressures__spacing_at(array_double_1d tables, int64_t table, int64_t first, double slender);
 static inline double strip_pressures__own_influence(array_double_1d tables, double slender, int64_t i, double height, double constant, int64_t first);
+static inline int64_t strip_pressures__see_pairs(array_double_1d work);
 static inline int64_t strip_pressures__write_equations(array_double_1d work, array_double_1d tables, bool yawed);
 static inline double strip_pressures__local_displacement(array_double_1d work, array_double_1d tables, int64_t first, int64_t own);
 static inline int64_t strip_pressures__tested_displacements(double* front, double* back, array_double_1d work, array_double_1d tables, int64_t i, double away, bool yawed);
@@ -138,7 +139,8 @@ static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_doubl
 static inline double strip_runs__deepen_levels(array_double_1d work, double force);
 static inline double strip_runs__gap_beside(array_double_1d work, int64_t strip, double x);
 static inline int64_t strip_runs__lay_strip(array_double_1d work, int64_t strip, int64_t low, int64_t high, double u);
-static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_double_1d work, int64_t waves);
+static inline int64_t strip_runs__smooth_gaps(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first);
+static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_double_1d work, int64_t waves, bool smooth);
 static inline double strip_runs__pressed_end(array_double_1d tables, array_double_1d work, int64_t waves, int64_t k, int64_t i, int64_t outward);
 static inline int64_t strip_runs__part_run(array_double_1d tables, array_double_1d work, int64_t waves, int64_t k, double largest);
 static inline int64_t strip_runs__sample_strips(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t waves, int64_t low, double station);
@@ -2409,7 +2411,7 @@ static inline double strip_contact__sweep_strips(array_double_1d tables, array_d
         {
             given = 1;
         }
-        strip_runs__lay_strips(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+        strip_runs__lay_strips(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))), sweep >= last - strip_contact__SMOOTH_SWEEPS);
         penetration = strip_pressures__solve_pressures(work, tables, force, given, yawed);
         relaxed = 0.5;
         if (sweep < INT64_C(1))
@@ -3113,70 +3115,104 @@ static inline double strip_pressures__own_influence(array_double_1d tables, doub
     return result;
 }
 
+/* How near all strips lie to each other, and how they face each other. */
+static inline int64_t strip_pressures__see_pairs(array_double_1d work)
+{
+    int64_t i_end;
+    int64_t i;
+    int64_t strip;
+    int64_t near;
+    int64_t facing;
+    int64_t j;
+    int64_t other;
+    double distance;
+    double cosine;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
+        facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
+        (*cspan_at(&work, near + i)) = 0.0;
+        (*cspan_at(&work, facing + i)) = 0.0;
+        for (j = INT64_C(0); j < i; j += INT64_C(1))
+        {
+            other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+            distance = fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE)));
+            cosine = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
+            (*cspan_at(&work, near + j)) = strip_pressures__nearness(distance, (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)));
+            (*cspan_at(&work, facing + j)) = cosine * (*cspan_at(&work, other + layout__STRIP_WIDTH));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * j + i)) = strip_pressures__nearness(distance, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
+            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * j + i)) = cosine * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
+        }
+    }
+    return INT64_C(0);
+}
+
 /* sum_j F_ij y_j = right-hand side: once the displacement for a penetration of 1, once the gap. */
 static inline int64_t strip_pressures__write_equations(array_double_1d work, array_double_1d tables, bool yawed)
 {
     int64_t waves;
     int64_t size;
-    int64_t count;
-    int64_t k_end;
-    int64_t k;
-    int64_t first;
-    int64_t own;
     int64_t i;
-    int64_t strip;
     int64_t row;
     int64_t near;
     int64_t facing;
+    double middle;
     int64_t j;
-    int64_t other;
     double away;
+    int64_t k_end;
+    int64_t k;
+    int64_t first;
+    int64_t own_end;
+    int64_t own;
     int64_t singular;
+    int64_t strip;
+    int64_t j_end;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
     size = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-    count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    for (i = INT64_C(0); i < size; i += INT64_C(1))
+    {
+        row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
+        near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
+        facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
+        if (yawed)
+        {
+            middle = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE));
+            for (j = INT64_C(0); j < size; j += INT64_C(1))
+            {
+                away = middle - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE));
+                (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), away * away, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE)));
+            }
+        }
+        else
+        {
+            /* all middles lie on one line */
+            for (j = INT64_C(0); j < size; j += INT64_C(1))
+            {
+                (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * strip_pressures__middle_influence(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)));
+            }
+        }
+        (*cspan_at(&work, row + size)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
+        (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
+    }
     k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
     for (k = INT64_C(0); k < k_end; k += INT64_C(1))
     {
-        first = k * count;
-        for (own = INT64_C(0); own < count; own += INT64_C(1))
+        first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+        own_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+        for (own = INT64_C(0); own < own_end; own += INT64_C(1))
         {
-            i = first + own;
-            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
-            near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
-            facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
-            for (j = INT64_C(0); j < size; j += INT64_C(1))
-            {
-                other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-                (*cspan_at(&work, near + j)) = strip_pressures__nearness(fabs((*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE))), (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)));
-                (*cspan_at(&work, facing + j)) = ((*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN))) * (*cspan_at(&work, other + layout__STRIP_WIDTH));
-            }
-            if (yawed)
-            {
-                for (j = INT64_C(0); j < size; j += INT64_C(1))
-                {
-                    away = (*cspan_at(&work, strip + layout__STRIP_MIDDLE)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE));
-                    (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), away * away, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE)));
-                }
-            }
-            else
-            {
-                /* all middles lie on one line */
-                for (j = INT64_C(0); j < size; j += INT64_C(1))
-                {
-                    (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * strip_pressures__middle_influence(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)));
-                }
-            }
+            row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * (first + own);
+            facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * (first + own);
             singular = waves + layout__WAVES_SINGULAR + INT64_C(16) * own;
-            for (j = INT64_C(0); j < count; j += INT64_C(1))
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + own);
+            j_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+            for (j = INT64_C(0); j < j_end; j += INT64_C(1))
             {
                 (*cspan_at(&work, row + (first + j))) -= (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j)));
             }
-            (*cspan_at(&work, row + i)) = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * strip_pressures__own_influence(tables, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), own, 1.0, strip_pressures__MIDDLE_CONSTANT, layout__INFLUENCE_MAP);
-            (*cspan_at(&work, facing + i)) = 0.0;
-            (*cspan_at(&work, row + size)) = (*cspan_at(&work, strip + layout__STRIP_SHARE));
-            (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, strip + layout__STRIP_GAP));
+            (*cspan_at(&work, row + (first + own))) = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * strip_pressures__own_influence(tables, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), own, 1.0, strip_pressures__MIDDLE_CONSTANT, layout__INFLUENCE_MAP);
         }
     }
     return INT64_C(0);
@@ -3265,6 +3301,7 @@ static inline double strip_pressures__solve_pressures(array_double_1d work, arra
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     size = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) += 1.0;
+    strip_pressures__see_pairs(work);
     strip_pressures__write_equations(work, tables, yawed);
     strip_pressures__eliminate(work, size);
     if (!by_penetration)
@@ -3588,32 +3625,24 @@ static inline double strip_runs__gap_beside(array_double_1d work, int64_t strip,
     return result;
 }
 
-/* Wheel and rail under all strips, their half-lengths, widths and gaps. */
-static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_double_1d work, int64_t waves)
+/* Wheel and rail under all strips, their half-lengths, widths and gaps; these as the smooth part of the
+ * gap has them, or as they are just there.
+ */
+static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_double_1d work, int64_t waves, bool smooth)
 {
     int64_t count;
     int64_t k_end;
     int64_t k;
     int64_t run;
     int64_t j;
-    int64_t i;
-    double station;
     double spread;
+    int64_t i;
     int64_t strip;
-    double gap;
-    int64_t m;
     count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
     k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
     for (k = INT64_C(0); k < k_end; k += INT64_C(1))
     {
         run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-        j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
-        for (i = INT64_C(0); i < layout__FINE_WAVES * count; i += INT64_C(1))
-        {
-            station = strip_runs__run_station(work, run, (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + i)));
-            j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), station);
-            (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + i)) = strip_surfaces__rest_gap(work, j, station);
-        }
         j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
         spread = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START))) * M_PI / (double)(count);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -3627,13 +3656,50 @@ static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_doubl
             (*cspan_at(&work, strip + layout__STRIP_MIDDLE)) = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD));
             (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = spread * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH));
             (*cspan_at(&work, strip + layout__STRIP_SLENDER)) = powers__log((*cspan_at(&work, strip + layout__STRIP_WIDTH)) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
-            gap = strip_runs__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)));
-            for (m = INT64_C(0); m < layout__FINE_WAVES * count; m += INT64_C(1))
-            {
-                gap += (*cspan_at(&tables, waves + layout__WAVES_SMOOTHING + INT64_C(48) * i + m)) * (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + m));
-            }
-            (*cspan_at(&work, strip + layout__STRIP_GAP)) = gap;
+            (*cspan_at(&work, strip + layout__STRIP_GAP)) = strip_surfaces__rest_gap(work, j, (*cspan_at(&work, strip + layout__STRIP_STATION)));
         }
+        if (smooth)
+        {
+            strip_runs__smooth_gaps(tables, work, waves, run, k * count);
+        }
+        for (i = k * count; i < (k + INT64_C(1)) * count; i += INT64_C(1))
+        {
+            strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+            (*cspan_at(&work, strip + layout__STRIP_GAP)) += strip_runs__gap_beside(work, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)));
+        }
+    }
+    return INT64_C(0);
+}
+
+/* The gap at the fine strips of a run that begins with strip ``first``, and under its strips what the first
+ * cosines are of it.
+ */
+static inline int64_t strip_runs__smooth_gaps(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first)
+{
+    int64_t fine;
+    int64_t j;
+    int64_t i;
+    double station;
+    int64_t i_end;
+    double gap;
+    int64_t m;
+    fine = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
+    for (i = INT64_C(0); i < fine; i += INT64_C(1))
+    {
+        station = strip_runs__run_station(work, run, (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + i)));
+        j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), station);
+        (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + i)) = strip_surfaces__rest_gap(work, j, station);
+    }
+    i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        gap = 0.0;
+        for (m = INT64_C(0); m < fine; m += INT64_C(1))
+        {
+            gap += (*cspan_at(&tables, waves + layout__WAVES_SMOOTHING + INT64_C(48) * i + m)) * (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + m));
+        }
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_GAP)) = gap;
     }
     return INT64_C(0);
 }

@@ -32,6 +32,8 @@ from .strip_surfaces import find_zones, measure_ridges, trace_zones
 
 #: Sweeps of the form for first trials.
 FIRST_SWEEPS: Final[int] = 2
+#: The gap counts by its smooth part in so many last sweeps; before, points of it are near enough.
+SMOOTH_SWEEPS: Final[int] = 4
 #: A wheel that just touched is sunk anew where it stands deeper than this many times its estimate, at most so
 #: often: the patch may reach farther than its strips do.
 SUNK_DEEPER: Final[float] = 1.15
@@ -125,7 +127,7 @@ def sweep_strips(pair: Pair, contact: Contact, first: int, last: int, force: flo
         given = by_penetration
         if contact.frame.pressed and not contact.frame.sunk and sweep < last - 1:
             given = True
-        lay_strips(problem, tables.waves)
+        lay_strips(problem, tables.waves, sweep >= last - SMOOTH_SWEEPS)
         penetration = solve_pressures(tables, problem, contact.equations, force, given, yawed)
         relaxed = 0.5
         if sweep < 1:

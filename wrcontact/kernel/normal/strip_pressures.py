@@ -111,39 +111,56 @@ def own_influence(tables: Tables, slender: float, i: int, height: float, constan
     return rest - height * (2.0 * (slender + waves.spread[i]) + waves.singular[i][i])
 
 
+def see_pairs(problem: StripProblem):
+    """How near all strips lie to each other, and how they face each other."""
+    strips = problem.strips
+    for i in range(problem.count):
+        strip = strips[i]
+        near = problem.near[i]
+        facing = problem.facing[i]
+        near[i] = 0.0
+        facing[i] = 0.0
+        for j in range(i):
+            other = strips[j]
+            distance = fabs(strip.place - other.place)
+            cosine = strip.cos * other.cos + strip.sin * other.sin
+            near[j] = nearness(distance, other.half_length)
+            facing[j] = cosine * other.width
+            problem.near[j][i] = nearness(distance, strip.half_length)
+            problem.facing[j][i] = cosine * strip.width
+
+
 def write_equations(tables: Tables, problem: StripProblem, equations: Equations, yawed: bool):
     """sum_j F_ij y_j = right-hand side: once the displacement for a penetration of 1, once the gap."""
     waves = tables.waves
     strips = problem.strips
     size = problem.count
-    count = waves.count
-    for k in range(problem.run_count):
-        first = k * count
-        for own in range(count):
-            i = first + own
-            strip = strips[i]
-            row = equations[i]
-            near = problem.near[i]
-            facing = problem.facing[i]
+    for i in range(size):
+        row = equations[i]
+        near = problem.near[i]
+        facing = problem.facing[i]
+        if yawed:
+            middle = strips[i].middle
             for j in range(size):
-                other = strips[j]
-                near[j] = nearness(fabs(strip.place - other.place), other.half_length)
-                facing[j] = (strip.cos * other.cos + strip.sin * other.sin) * other.width
-            if yawed:
-                for j in range(size):
-                    away = strip.middle - strips[j].middle
-                    row[j] = facing[j] * influence_at(tables.influence, near[j], away * away, strips[j].square)
-            else:
-                # all middles lie on one line
-                for j in range(size):
-                    row[j] = facing[j] * middle_influence(tables.influence, near[j])
+                away = middle - strips[j].middle
+                row[j] = facing[j] * influence_at(tables.influence, near[j], away * away, strips[j].square)
+        else:
+            # all middles lie on one line
+            for j in range(size):
+                row[j] = facing[j] * middle_influence(tables.influence, near[j])
+        row[size] = strips[i].share
+        row[size + 1] = strips[i].gap
+    for k in range(problem.run_count):
+        first = k * waves.count
+        for own in range(waves.count):
+            row = equations[first + own]
+            facing = problem.facing[first + own]
             singular = waves.singular[own]
-            for j in range(count):
+            strip = strips[first + own]
+            for j in range(waves.count):
                 row[first + j] -= singular[j] * facing[first + j]
-            row[i] = strip.width * own_influence(tables, strip.slender, own, 1.0, MIDDLE_CONSTANT, INFLUENCE_MAP)
-            facing[i] = 0.0
-            row[size] = strip.share
-            row[size + 1] = strip.gap
+            row[first + own] = strip.width * own_influence(tables, strip.slender, own, 1.0, MIDDLE_CONSTANT,
+                                                           INFLUENCE_MAP)
 
 
 def local_displacement(tables: Tables, problem: StripProblem, first: int, own: int):
@@ -192,6 +209,7 @@ def solve_pressures(tables: Tables, problem: StripProblem, equations: Equations,
     penetration = problem.penetration
     size = problem.count
     problem.strip_count += 1.0
+    see_pairs(problem)
     write_equations(tables, problem, equations, yawed)
     eliminate(equations, size)
     if not by_penetration:

@@ -178,16 +178,12 @@ def gap_beside(strip: Strip, x: float):
     return x * x * (strip.A + strip.skew * x)
 
 
-def lay_strips(problem: StripProblem, waves: Waves):
-    """Wheel and rail under all strips, their half-lengths, widths and gaps."""
+def lay_strips(problem: StripProblem, waves: Waves, smooth: bool):
+    """Wheel and rail under all strips, their half-lengths, widths and gaps; these as the smooth part of the
+    gap has them, or as they are just there."""
     count = waves.count
     for k in range(problem.run_count):
         run = problem.runs[k]
-        j = run.low
-        for i in range(FINE_WAVES * count):
-            station = run_station(run, waves.fine_cos[i])
-            j = interval(problem, j, run.high, station)
-            run.gaps[i] = rest_gap(problem, j, station)
         j = run.low
         spread = 0.5 * (run.stop - run.start) * pi / float(count)
         for i in range(count):
@@ -200,10 +196,28 @@ def lay_strips(problem: StripProblem, waves: Waves):
             strip.middle = strip.x + strip.lead
             strip.width = spread * waves.sin[i] * strip.stretch
             strip.slender = log(strip.width / strip.half_length)
-            gap = gap_beside(strip, strip.lead)
-            for m in range(FINE_WAVES * count):
-                gap += waves.smoothing[i][m] * run.gaps[m]
-            strip.gap = gap
+            strip.gap = rest_gap(problem, j, strip.station)
+        if smooth:
+            smooth_gaps(problem, waves, run, k * count)
+        for i in range(k * count, (k + 1) * count):
+            strip = problem.strips[i]
+            strip.gap += gap_beside(strip, strip.lead)
+
+
+def smooth_gaps(problem: StripProblem, waves: Waves, run: StripRun, first: int):
+    """The gap at the fine strips of a run that begins with strip ``first``, and under its strips what the first
+    cosines are of it."""
+    fine = FINE_WAVES * waves.count
+    j = run.low
+    for i in range(fine):
+        station = run_station(run, waves.fine_cos[i])
+        j = interval(problem, j, run.high, station)
+        run.gaps[i] = rest_gap(problem, j, station)
+    for i in range(waves.count):
+        gap = 0.0
+        for m in range(fine):
+            gap += waves.smoothing[i][m] * run.gaps[m]
+        problem.strips[first + i].gap = gap
 
 
 def lay_strip(strip: Strip, low: TracedStation, high: TracedStation, u: float):
