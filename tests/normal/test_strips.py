@@ -79,7 +79,8 @@ def test_half_space_on_random_poses(count, seed, material):
     error = np.abs(found)
     # measured 0.04, 0.14, 0.12 % on the first poses, 0.03, 0.25, 0.22 % of aluminium
     assert np.all(error[~near].mean(axis=0) <= (5.5e-4, 3.8e-3, 3.4e-3)), error[~near].mean(axis=0)
-    for rows, limit in ((np.flatnonzero(~near), (0.02, 0.06, 0.06)),
-                        (np.flatnonzero(near), (0.03, 0.10, 0.35))):
+    # measured 0.20, 3.4, 3.0 % at most on the longest run, near jumps 0.50, 5.0, 2.4 %
+    for rows, limit in ((np.flatnonzero(~near), (0.003, 0.05, 0.045)),
+                        (np.flatnonzero(near), (0.0076, 0.075, 0.036))):
         for row in rows:
             assert np.all(error[row] <= limit), (found[row].round(4), where[row])
