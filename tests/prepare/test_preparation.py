@@ -16,6 +16,7 @@ from wrcontact.kernel.binding.library import Kernel, default_kernel
 from wrcontact.kernel.binding.setup import setup_of
 from wrcontact.kernel.prepare import pieces as made
 from wrcontact.kernel.prepare import scan as raster
+from wrcontact.kernel.prepare import scan_bends
 from wrcontact.kernel.prepare import tables as prepare
 from wrcontact.kernel.prepare.tables import START_STEP, STARTS_EACH_METRE
 from wrcontact.kernel.search.bounds import STEEP, WIDEST
@@ -285,6 +286,39 @@ def test_the_raster_and_its_bounds_are_those_of_samples(prepared):
         assert cell.least_bends[:] == pytest.approx(wanted, **near)
 
 
+def test_departures_from_straight_lines_are_bounded(prepared):
+    """What samples of an overlap are judged by: the wheel's bend between the nodes of the raster, and the
+    rail's over any chord near a cell, its joints taken out, in steps of some micrometres."""
+    system, tables = prepared
+    wheel, rail, _ = system.profile_tables()
+    scan, rng = tables.pairs[1].scan, np.random.default_rng(4)
+    nodes = [scan.nodes[k] for k in range(int(scan.count))]
+    for node, after in zip(nodes, nodes[1:]):
+        y = np.linspace(node.y, after.y, 301)
+        bends = evaluate_table(wheel, y)[2]
+        assert (node.bend, after.bend) == pytest.approx(bends[[0, -1]], rel=1e-12)
+        departure = np.abs(bends - np.interp(y, y[[0, -1]], bends[[0, -1]])).max()
+        assert departure - 1e-9 <= node.departure <= 1.3 * departure + 2e-2, node.y
+    joints = [scan.joints[k] for k in range(200)]
+    joints = joints[:next(k for k, joint in enumerate(joints) if joint.place > 1.0)]
+    for joint in joints:
+        before, after = evaluate_table(rail, joint.place + np.array([-1e-12, 0.0]))[2]
+        assert joint.jump == pytest.approx(after - before, abs=1e-6 * abs(after))
+    places, jumps = (np.array([getattr(joint, name) for joint in joints]) for name in ("place", "jump"))
+    for k in range(int(scan.rail_count)):
+        cell, edge = scan.rail[k], rail[0] + raster.FINE_STEP * k
+        assert np.count_nonzero(places < edge - scan_bends.FOOT_REACH) == cell.joint
+        for _ in range(5):
+            low = np.clip(edge + rng.uniform(-scan_bends.FOOT_REACH, raster.FINE_STEP), rail[0],
+                          rail[1] - 1e-4)
+            x = np.linspace(low, min(low + rng.uniform(1e-4, scan_bends.CELL_REACH), rail[1]), 101)
+            bends = evaluate_table(rail, x)[2] - (jumps * (places <= x[:, None])).sum(axis=1)
+            departure = np.abs(bends - np.interp(x, x[[0, -1]], bends[[0, -1]])).max()
+            length = x[-1] - x[0]
+            bound = length * (length * cell.wave / 8.0 + cell.kinks / 4.0)
+            assert departure <= bound + scan_bends.LEAST_JUMP, (k, low)
+
+
 def test_starts_are_those_of_steps(prepared):
     """Roll and contacts of a system that is told a step before; opposite shifts are mirror images."""
     system, tables = prepared
@@ -416,6 +450,7 @@ def test_a_rail_is_exchanged_by_itself():
     for pair in tables.pairs:
         end = prepare.write_rail(setup, tables, pair, 1 / 40, end, held, work)
         end = raster.write_scan(setup, tables, pair, end, work)
+        end = scan_bends.write_scan_bends(tables, pair, end)
     assert size < end <= len(array)
     expected = tables_of(other).copy()
     for each in (array, expected):

@@ -120,23 +120,23 @@ def test_rolling_a_rail_is_another_inclination(name, pose):
     methods = METHODS.get(name) or dict(contact_mode="compliant", load="vertical")
     given = height_and_roll(*pose, left_rail_roll=0.006, right_rail_roll=-0.004)
     found, wanted = over_rolled_rails(pose, given, **methods)
+    few = 2e-6 if "strips" in name else 1e-6
     for side in ("left", "right"):
         mine, theirs = getattr(found, side), getattr(wanted, side)
         assert mine.normal_force > 1e3
         # overlaps are measured along the rail's normals and do not know down, but the place of the rigid
-        # contact does: the wheel touches first straight above, by each rail's own vertical; strips begin and are
-        # traced by their regions' zones, which know it too: a millionth, measured 5e-7 of the load, 5e-7 of its moment, 1.2e-6
-        # of its lateral part, 1.3e-7 rad
-        assert mine.normal_force == pytest.approx(theirs.normal_force, rel=8e-7 if "strips" in name else 2e-7)
-        assert mine.area == pytest.approx(theirs.area, rel=1e-6 if "strips" in name else 2e-7)
-        close = 2e-6 if "strips" in name else 1e-6
+        # contact does: the wheel touches first straight above, by each rail's own vertical; stations of strips
+        # lie between the ends of the overlap: 6e-7 of the force
+        assert mine.normal_force == pytest.approx(theirs.normal_force, rel=few if "strips" in name else 2e-7)
+        # strips end where the first estimate of the patch does, which knows down: a few millionths of it
+        assert mine.area == pytest.approx(theirs.area, rel=1e-5 if "strips" in name else 2e-7)
         for name_of in ("x", "y", "z"):
-            assert getattr(mine.force, name_of) == pytest.approx(getattr(theirs.force, name_of), rel=close,
+            assert getattr(mine.force, name_of) == pytest.approx(getattr(theirs.force, name_of), rel=few,
                                                                  abs=1e-3)
-            assert getattr(mine.moment, name_of) == pytest.approx(getattr(theirs.moment, name_of), rel=close,
+            assert getattr(mine.moment, name_of) == pytest.approx(getattr(theirs.moment, name_of), rel=few,
                                                                   abs=1e-3)
         for one, other in zip(mine.patches, theirs.patches, strict=True):
-            assert one.contact_angle == pytest.approx(other.contact_angle, abs=0.2 * close)
+            assert one.contact_angle == pytest.approx(other.contact_angle, abs=1e-7)
             assert one.y_track == pytest.approx(other.y_track, abs=1e-8)
             assert one.z_track == pytest.approx(other.z_track, abs=1e-8)
             assert one.rolling_radius == pytest.approx(other.rolling_radius, abs=1e-8)

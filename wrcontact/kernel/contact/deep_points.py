@@ -150,7 +150,7 @@ def follow_overlaps(pair: Pair, overlap: Overlap, kept: DeepPoints, place: Place
         point = overlap.points[entry]
         copy(kept.points[entry], point)
         x = point.rail
-        x, turned = turning_point(pair, place, x - FOLLOWED, x + FOLLOWED, point.wheel, height, 1.0)
+        x, turned = turning_point(pair, place, x - FOLLOWED, x + FOLLOWED, x, point.wheel, height, 1.0)
         if not turned or not place.meeting.overlap > 0.0:
             return 0
         point.rail = x
@@ -165,8 +165,10 @@ def follow_saddle(pair: Pair, place: Place, point: DeepPoint, following: DeepPoi
     """Find the saddle between two neighbouring points from where it was."""
     y = 0.5 * (point.wheel + following.wheel)
     reach = min(min(FOLLOWED, point.saddle - point.rail), following.rail - point.saddle)
-    x, turned = turning_point(pair, place, point.saddle - reach, point.saddle + reach, y, height, -1.0)
+    x, turned = turning_point(pair, place, point.saddle - reach, point.saddle + reach, point.saddle, y,
+                              height, -1.0)
     if not turned:
-        x, turned = turning_point(pair, place, point.rail, following.rail, y, height, -1.0)
+        x, turned = turning_point(pair, place, point.rail, following.rail,
+                                  0.5 * (point.rail + following.rail), y, height, -1.0)
     point.saddle = x
     point.between = place.meeting.overlap

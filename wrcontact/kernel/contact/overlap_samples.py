@@ -3,11 +3,16 @@
 The overlap is taken straight down there and converted to the rail's normal.
 """
 
+from typing import Final
+
 from ..layout import EXPONENTS, OVERLAP_LIMIT, Pair, Place, Samples, seldom
 from ..search.bounds import clear_exponent
 from ..surface.gap import above_rail
-from ..surface.locus import outline_point
+from ..surface.locus import outline_jet, outline_point
 from ..surface.tables import height_slope_bend
+
+#: In place of how far aside the foot is [m].
+FAR_ASIDE: Final[float] = 1.0
 
 
 @seldom
@@ -28,6 +33,11 @@ def sample_overlap(pair: Pair, samples: Samples, place: Place, node: int, height
     turn = 0.0
     if height > gap:
         turn = (height - gap) * m * bend * square
+    samples.node[entry] = float(node)
+    samples.gap[entry] = gap
+    samples.aside[entry] = (height - gap) * m * square
+    samples.rail_slope[entry] = m
+    samples.rail_bend[entry] = bend
     samples.turn[entry] = turn
     samples.rise[entry] = outline_slope - m - turn
     return gap, m - outline_slope, abscissa
@@ -38,11 +48,12 @@ def sample_end(pair: Pair, samples: Samples, direction: int, entry: int):
     """Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be
     searched.
 
-    It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not
-    sampled yet.
+    Its foot is nowhere near.  It keeps its own wheel abscissa, less than a cell away: it may be the first
+    one, whose neighbour is not sampled yet.
     """
     samples.rail[entry] = pair.rail.start
     samples.rise[entry] = 1.0
+    samples.aside[entry] = FAR_ASIDE
     if direction > 0:
         samples.rail[entry] = pair.rail.stop
         samples.rise[entry] = -1.0

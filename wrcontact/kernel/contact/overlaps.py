@@ -1,7 +1,8 @@
 """Where a pressed wheel overlaps its rail: the deepest point of every region, and the saddles between them.
 
 Between two samples (:mod:`overlap_samples`) where the overlap changes from rising to falling lies a deepest
-point, which is located along the rail's normals (:mod:`pressed`, :mod:`pressed`).  Two with a low saddle
+point, which is located along the rail's normals (:mod:`pressed`).  Where more than one may lie between them,
+both samples say how many there are (:mod:`turning_cells`), or the stretch is searched.  Two with a low saddle
 between them are one region (deep_points.MERGE).
 """
 
@@ -15,6 +16,7 @@ from ..surface.locus import outline_point
 from ..surface.tables import height_slope
 from .deep_points import append_point, deepest_entry, is_listed, merge_points, sort_last
 from .overlap_samples import walk_overlap
+from .turning_cells import UNCLEAR, count_turns, foot_aside, list_from_samples
 from .pressed import LINE_SHARP, NODE_SHARP, meet_wheel, turning_point
 
 #: Between two samples the overlap is examined in this many parts at most; in half as many where both samples
@@ -47,10 +49,13 @@ def find_overlaps(pair: Pair, overlap: Overlap, side: SideSearch, height: float)
     overlap.stretch.known = -1
     start = walk_overlap(pair, samples, place, node, -1, height, OVERLAP_LIMIT - 1) + 1
     stop = walk_overlap(pair, samples, place, node + 1, 1, height, OVERLAP_LIMIT)
+    searched = False
     for entry in range(start, stop - 1):
         if samples.adjacent[entry + 1] == 1.0:
-            list_in_cell(pair, overlap, place, entry)
-    list_beside_smallest_gap(pair, overlap, side)
+            if list_in_cell(pair, overlap, place, entry):
+                searched = True
+    if searched or overlap.count == 0:
+        list_beside_smallest_gap(pair, overlap, side)
     if overlap.count > 0:
         find_saddles(pair, overlap, place)
         merge_points(overlap)
@@ -58,14 +63,26 @@ def find_overlaps(pair: Pair, overlap: Overlap, side: SideSearch, height: float)
 
 
 @seldom
-def list_in_cell(pair: Pair, overlap: Overlap, place: Place, entry: int):
-    """List the deepest points between the sample ``entry`` and the next one."""
+def list_in_cell(pair: Pair, overlap: Overlap, place: Place, entry: int) -> bool:
+    """List the deepest points between the sample ``entry`` and the next one; whether that took a search."""
     samples = overlap.samples
     rise = samples.rise[entry]
     following = samples.rise[entry + 1]
     hidden = may_turn(pair, samples, place, entry)
     if not hidden and not (rise > 0.0 and following <= 0.0):
-        return
+        return False
+    turns = count_turns(pair, overlap, place, entry)
+    if turns == 1 and list_from_samples(pair, overlap, place, entry):
+        turns = 0
+    if turns > 0:
+        search_cell(pair, overlap, place, entry, hidden)
+    return turns > 0
+
+
+@seldom
+def search_cell(pair: Pair, overlap: Overlap, place: Place, entry: int, hidden: bool):
+    """The same by a search, of a cell in which the overlap may turn unseen if ``hidden``."""
+    samples = overlap.samples
     open_stretch(pair, overlap, place, entry)
     stretch = overlap.stretch
     finest = OVERLAP_PART
@@ -98,12 +115,15 @@ def open_stretch(pair: Pair, overlap: Overlap, place: Place, entry: int):
     down."""
     samples = overlap.samples
     stretch = overlap.stretch
-    set_point(stretch.first, samples.rail[entry], samples.rise[entry], 0.0)
-    set_point(stretch.last, samples.rail[entry + 1], samples.rise[entry + 1], 0.0)
+    # from foot to foot where cells beside it are judged from their samples
+    low = samples.rail[entry] + min(foot_aside(samples, entry), 0.0)
+    high = samples.rail[entry + 1] + max(foot_aside(samples, entry + 1), 0.0)
+    set_point(stretch.first, max(low, pair.rail.start), samples.rise[entry], 0.0)
+    set_point(stretch.last, min(high, pair.rail.stop), samples.rise[entry + 1], 0.0)
     stretch.wheel = 0.5 * (samples.wheel[entry] + samples.wheel[entry + 1])
     stretch.width = samples.wheel[entry + 1] - samples.wheel[entry]
-    node = node_below(pair.scan, samples.wheel[entry])
-    stretch.least, stretch.most = bend_bounds(pair.scan, place, node, stretch.first.x)
+    node = int(samples.node[entry])
+    stretch.least, stretch.most = bend_bounds(pair.scan, place, node, samples.rail[entry])
 
 
 @seldom
@@ -135,7 +155,7 @@ def widen_bounds(pair: Pair, overlap: Overlap, place: Place, entry: int):
     """
     scan = pair.scan
     stretch = overlap.stretch
-    node = node_below(scan, overlap.samples.wheel[entry])
+    node = int(overlap.samples.node[entry])
     if node > 0:
         low, high = bend_bounds(scan, place, node - 1, stretch.first.x)
         stretch.least = min(stretch.least, low)
@@ -153,7 +173,7 @@ def widen_bounds(pair: Pair, overlap: Overlap, place: Place, entry: int):
 def list_turning_point(pair: Pair, overlap: Overlap, place: Place, low: float, high: float, y: float) -> bool:
     """List the deepest point between two rail abscissae [m], sought from the wheel's ``y`` [m], if there is
     an overlap and it is not listed yet; whether there is a turning point."""
-    rail, turned = turning_point(pair, place, low, high, y, overlap.height, 1.0)
+    rail, turned = turning_point(pair, place, low, high, 0.5 * (low + high), y, overlap.height, 1.0)
     if turned and place.meeting.overlap > 0.0 and not is_listed(overlap, rail):
         append_point(overlap, rail, place.meeting)
     return turned
@@ -169,7 +189,7 @@ def may_turn(pair: Pair, samples: Samples, place: Place, entry: int) -> bool:
         # the bounds are those of the overlap straight down
         answer = True
     elif rise * following > 0.0:
-        node = node_below(pair.scan, samples.wheel[entry])
+        node = int(samples.node[entry])
         least, most = bend_bounds(pair.scan, place, node, samples.rail[entry])
         if least < 0.0:
             width = samples.wheel[entry + 1] - samples.wheel[entry]
@@ -336,7 +356,8 @@ def list_beside_smallest_gap(pair: Pair, overlap: Overlap, side: SideSearch):
         if far < x:
             low = far
             high = x
-        rail, turned = turning_point(pair, place, low, high, side.best_y, overlap.height, 1.0)
+        rail, turned = turning_point(pair, place, low, high, 0.5 * (low + high), side.best_y,
+                                     overlap.height, 1.0)
         if turned and meeting.overlap > deepest:
             append_point(overlap, rail, meeting)
             sort_last(overlap)
@@ -349,6 +370,7 @@ def find_saddles(pair: Pair, overlap: Overlap, place: Place):
         point = overlap.points[entry]
         following = overlap.points[entry + 1]
         x, turned = turning_point(pair, place, point.rail, following.rail,
+                                  0.5 * (point.rail + following.rail),
                                   0.5 * (point.wheel + following.wheel), overlap.height, -1.0)
         point.saddle = x
         point.between = place.meeting.overlap

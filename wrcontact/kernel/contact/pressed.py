@@ -172,17 +172,17 @@ def limited(step: float, limit: float):
 
 
 @seldom
-def turning_point(pair: Pair, place: Place, low: float, high: float, y: float, height: float, sign: float):
+def turning_point(pair: Pair, place: Place, low: float, high: float, x: float, y: float, height: float,
+                  sign: float):
     """Rail abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
-    abscissae: Newton's method on its slope, bracketed, from the middle on; and whether the slope changes its
-    sign there: it may do so a little beyond the bracket.  The rest is the place's ``meeting``.
+    abscissae: Newton's method on its slope, bracketed, from ``x`` and ``y`` on; and whether the slope changes
+    its sign there: it may do so a little beyond the bracket.  The rest is the place's ``meeting``.
 
     The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
     Newton's method can then alternate between two places.  Where a step has not halved the slope, the bracket
     is halved.
     """
     meeting = place.meeting
-    x = 0.5 * (low + high)
     before = 0.0
     moved_low = False
     moved_high = False

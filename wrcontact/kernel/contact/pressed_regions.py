@@ -78,6 +78,7 @@ def give_own_frame(pair: Pair, frame: Frame, region: Region, point: DeepPoint):
     abscissa = frame.rail.y
     height = frame.height
     depth = frame.depth
+    sunk = frame.sunk
     aside, shift = touching_shift(pair, frame.place, point)
     open_frame(pair, frame, frame.place, point.wheel, aside, shift)
     region.own = True
@@ -85,6 +86,7 @@ def give_own_frame(pair: Pair, frame: Frame, region: Region, point: DeepPoint):
     region.gap = region.alignment * depth - point.depth
     region.offset = rail_length(pair, abscissa, point.rail)
     press_frame(frame, height, point.depth, region.gap)
+    frame.sunk = sunk
 
 
 @seldom

@@ -5,7 +5,7 @@ from its width.
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import RAIL, WHEEL, Contact, Frame, Origin, Pair, Region
+from ..layout import RAIL, WHEEL, Contact, FirstWidths, Frame, Origin, Pair, Region
 from ..surface.locus import outline_x
 from .curves import open_origin
 from .frame import NO_GAP, is_yawed
@@ -20,8 +20,12 @@ WIDTH_ITERATIONS: Final[int] = 60
 HALVED_SHARP: Final[float] = 1e-9
 #: Last Newton step, relative [-]; its error is a tenth of the square.
 WIDTH_SHARP: Final[float] = 1e-2
-#: The same where height and roll are sought, which asks for a smooth answer [-].
+#: The same of the nodes of a wheel that stands where it just touches or a little deeper, and where height and
+#: roll are sought, which asks for a smooth answer [-].
+SUNK_SHARP: Final[float] = 2e-3
 PRESSED_SHARP: Final[float] = 1e-5
+#: A region begins with the half-widths about the contact point if its minimum leaves this share of both.
+LEAST_LEFT: Final[float] = 0.2
 #: The narrower half of a region counts as at most so many times narrower than the mean.
 NARROWER: Final[float] = 4.0
 #: Second derivative of the gap, over 1/R_x, that a first half-width is guessed with.
@@ -64,7 +68,9 @@ def zone_width(pair: Pair, frame: Frame, origin: Origin, region: Region, directi
     abscissa = region.rail
     y = region.wheel
     near = WIDTH_SHARP
-    if frame.pressed:
+    if frame.sunk:
+        near = SUNK_SHARP
+    elif frame.pressed:
         near = PRESSED_SHARP
     for i in range(WIDTH_ITERATIONS):
         width = min(width, limit)
@@ -101,6 +107,24 @@ def zone_width(pair: Pair, frame: Frame, origin: Origin, region: Region, directi
             return following
         width = following
     return width
+
+
+def keep_widths(first: FirstWidths, region: Region):
+    """Note the half-widths of a region about the contact point."""
+    first.penetration = region.width_penetration
+    first.low = region.width_low
+    first.high = region.width_high
+
+
+def start_widths(first: FirstWidths, region: Region):
+    """Let a region whose minimum lies within the ``first`` widths begin with them."""
+    region.width_penetration = 0.0
+    low = first.low + region.offset
+    high = first.high - region.offset
+    if first.penetration > 0.0 and low > LEAST_LEFT * first.low and high > LEAST_LEFT * first.high:
+        region.width_penetration = first.penetration
+        region.width_low = low
+        region.width_high = high
 
 
 def measure_widths(pair: Pair, contact: Contact, region: Region, local_penetration: float):

@@ -60,7 +60,8 @@ static OUT_OF_LINE double overlaps__wheel_beside(array_double_1d work, double pa
 static OUT_OF_LINE bool overlaps__turns_once(array_double_1d work, double share);
 static OUT_OF_LINE int64_t overlaps__list_hidden_point(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
 static OUT_OF_LINE int64_t overlaps__list_on_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t finest);
-static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
+static OUT_OF_LINE int64_t overlaps__search_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry, bool hidden);
+static OUT_OF_LINE bool overlaps__list_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
 static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place);
 static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double height);
@@ -70,7 +71,7 @@ static ALWAYS_INLINE bool pressed__meet_wheel(array_double_1d tables, array_doub
 static OUT_OF_LINE double pressed__mean_bend(array_double_1d tables, array_double_1d work, int64_t pair, double y, double bend);
 static OUT_OF_LINE int64_t pressed__pressed_gap(double* gap, double* rate, double* bend, double* curvature, array_double_1d tables, array_double_1d work, int64_t pair, double station);
 static OUT_OF_LINE double pressed__limited(double step, double limit);
-static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, bool* result_1_0001, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double y, double height, double sign);
+static OUT_OF_LINE int64_t pressed__turning_point(double* result_0_0001, bool* result_1_0001, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign);
 
 /* contact/pressed_regions.py */
 static OUT_OF_LINE int64_t pressed_regions__touching_shift(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t point);
@@ -96,10 +97,23 @@ static inline int64_t traces__trace_rail(double* ordinate, double* rate, double*
 static inline int64_t traces__trace_outline(double* ordinate, double* result_1, double* ordinate_bend, double* curvature, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
 static inline int64_t traces__trace_wheel(double* ordinate, double* rate, double* bend, double* curvature, bool* exists, array_double_1d tables, array_double_1d work, int64_t pair, double station, double tolerance);
 
+/* contact/turning_cells.py */
+static ALWAYS_INLINE int64_t turning_cells__sample_bend(double* share, double* result_1, array_double_1d tables, array_double_1d work, int64_t scan, int64_t place, int64_t entry);
+static ALWAYS_INLINE double turning_cells__foot_error(array_double_1d work, int64_t entry);
+static OUT_OF_LINE bool turning_cells__open_cell(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry);
+static OUT_OF_LINE int64_t turning_cells__bound_departure(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry);
+static OUT_OF_LINE int64_t turning_cells__part_turns(double first, double last, double first_error, double last_error, double least, double most, double width);
+static OUT_OF_LINE int64_t turning_cells__joined_turns(array_double_1d work, double before, double after, double rise);
+static OUT_OF_LINE int64_t turning_cells__count_turns(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
+static OUT_OF_LINE double turning_cells__foot_aside(array_double_1d work, int64_t entry);
+static OUT_OF_LINE bool turning_cells__list_from_samples(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
+
 /* contact/widths.py */
 static inline double widths__width_limit(array_double_1d work, int64_t region, double direction);
 static inline double widths__width_tolerance(double estimate);
 static inline double widths__zone_width(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double direction, double level, double estimate);
+static inline int64_t widths__keep_widths(array_double_1d work, int64_t region);
+static inline int64_t widths__start_widths(array_double_1d work, int64_t region);
 static inline double widths__side_curvature(double reached, double own, double mean);
 static inline int64_t widths__measure_widths(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double local_penetration);
 
@@ -745,7 +759,7 @@ static inline int64_t deep_points__follow_overlaps(array_double_1d tables, array
             (*cspan_at(&work, point + i_1)) = (*cspan_at(&work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
         }
         x = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-        pressed__turning_point(&x, &turned, tables, work, pair, place, x - deep_points__FOLLOWED, x + deep_points__FOLLOWED, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), height, 1.0);
+        pressed__turning_point(&x, &turned, tables, work, pair, place, x - deep_points__FOLLOWED, x + deep_points__FOLLOWED, x, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), height, 1.0);
         if ((!turned) || (!((*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)) > 0.0)))
         {
             return INT64_C(0);
@@ -772,10 +786,10 @@ static inline int64_t deep_points__follow_saddle(array_double_1d tables, array_d
     bool turned;
     y = 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL)));
     reach = double_min(2, double_min(2, deep_points__FOLLOWED, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL))), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)));
-    pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, y, height, -1.0);
+    pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), y, height, -1.0);
     if (!turned)
     {
-        pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), y, height, -1.0);
+        pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&work, following + layout__DEEP_POINT_RAIL))), y, height, -1.0);
     }
     (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
     (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
@@ -1014,6 +1028,11 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
     {
         turn = (height - (*gap)) * m * bend * square;
     }
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)) = (double)(node);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry)) = (*gap);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry)) = (height - (*gap)) * m * square;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_SLOPE + entry)) = m;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry)) = bend;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + entry)) = turn;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = outline_slope - m - turn;
     (*result_1) = m - outline_slope;
@@ -1023,13 +1042,14 @@ static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* 
 /* Let sample ``entry``, beyond the rail, stand for its end, with a slope that lets the last stretch be
  * searched.
  *
- * It keeps its own wheel abscissa, less than a cell away: it may be the first one, whose neighbour is not
- * sampled yet.
+ * Its foot is nowhere near.  It keeps its own wheel abscissa, less than a cell away: it may be the first
+ * one, whose neighbour is not sampled yet.
  */
 static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t direction, int64_t entry)
 {
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)) = 1.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry)) = overlap_samples__FAR_ASIDE;
     if (direction > INT64_C(0))
     {
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP));
@@ -1108,7 +1128,8 @@ static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d tables,
  * Where a pressed wheel overlaps its rail: the deepest point of every region, and the saddles between them.
  *
  * Between two samples (:mod:`overlap_samples`) where the overlap changes from rising to falling lies a deepest
- * point, which is located along the rail's normals (:mod:`pressed`, :mod:`pressed`).  Two with a low saddle
+ * point, which is located along the rail's normals (:mod:`pressed`).  Where more than one may lie between them,
+ * both samples say how many there are (:mod:`turning_cells`), or the stretch is searched.  Two with a low saddle
  * between them are one region (deep_points.MERGE).
  */
 
@@ -1121,6 +1142,7 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     int64_t node;
     int64_t start;
     int64_t stop;
+    bool searched;
     int64_t entry;
     int64_t result;
     place = side + layout__SIDE_SEARCH_PLACE;
@@ -1130,14 +1152,21 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_KNOWN)) = (double)(-INT64_C(1));
     start = overlap_samples__walk_overlap(tables, work, pair, place, node, -INT64_C(1), height, layout__OVERLAP_LIMIT - INT64_C(1)) + INT64_C(1);
     stop = overlap_samples__walk_overlap(tables, work, pair, place, node + INT64_C(1), INT64_C(1), height, layout__OVERLAP_LIMIT);
+    searched = 0;
     for (entry = start; entry < stop - INT64_C(1); entry += INT64_C(1))
     {
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ADJACENT + (entry + INT64_C(1)))) == 1.0)
         {
-            overlaps__list_in_cell(tables, work, pair, place, entry);
+            if (overlaps__list_in_cell(tables, work, pair, place, entry))
+            {
+                searched = 1;
+            }
         }
     }
-    overlaps__list_beside_smallest_gap(tables, work, pair, side);
+    if (searched || ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) == INT64_C(0)))
+    {
+        overlaps__list_beside_smallest_gap(tables, work, pair, side);
+    }
     if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))) > INT64_C(0))
     {
         overlaps__find_saddles(tables, work, pair, place);
@@ -1147,23 +1176,39 @@ static OUT_OF_LINE int64_t overlaps__find_overlaps(array_double_1d tables, array
     return result;
 }
 
-/* List the deepest points between the sample ``entry`` and the next one. */
-static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
+/* List the deepest points between the sample ``entry`` and the next one; whether that took a search. */
+static OUT_OF_LINE bool overlaps__list_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
 {
     double rise;
     double following;
     bool hidden;
-    int64_t finest;
-    bool listed;
-    int64_t i_1;
-    int64_t i_2;
+    int64_t turns;
     rise = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry));
     following = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1))));
     hidden = overlaps__may_turn(tables, work, pair, place, entry);
     if ((!hidden) && (!((rise > 0.0) && (following <= 0.0))))
     {
-        return INT64_C(0);
+        return 0;
     }
+    turns = turning_cells__count_turns(tables, work, pair, place, entry);
+    if ((turns == INT64_C(1)) && turning_cells__list_from_samples(tables, work, pair, place, entry))
+    {
+        turns = INT64_C(0);
+    }
+    if (turns > INT64_C(0))
+    {
+        overlaps__search_cell(tables, work, pair, place, entry, hidden);
+    }
+    return turns > INT64_C(0);
+}
+
+/* The same by a search, of a cell in which the overlap may turn unseen if ``hidden``. */
+static OUT_OF_LINE int64_t overlaps__search_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry, bool hidden)
+{
+    int64_t finest;
+    bool listed;
+    int64_t i_1;
+    int64_t i_2;
     overlaps__open_stretch(tables, work, pair, place, entry);
     finest = overlaps__OVERLAP_PART;
     listed = 0;
@@ -1215,13 +1260,18 @@ static OUT_OF_LINE int64_t overlaps__list_in_cell(array_double_1d tables, array_
  */
 static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
 {
+    double low;
+    double high;
     int64_t node;
-    overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)), 0.0);
-    overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1)))), 0.0);
+    /* from foot to foot where cells beside it are judged from their samples */
+    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) + double_min(2, turning_cells__foot_aside(work, entry), 0.0);
+    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) + double_max(2, turning_cells__foot_aside(work, entry + INT64_C(1)), 0.0);
+    overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST, double_max(2, low, (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry)), 0.0);
+    overlaps__set_point(work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LAST, double_min(2, high, (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1)))), 0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WHEEL)) = 0.5 * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_WIDTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
-    node = bounds__node_below(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
-    bounds__bend_bounds(cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST), cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST), tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)));
+    node = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
+    bounds__bend_bounds(cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_LEAST), cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_MOST), tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
     return INT64_C(0);
 }
 
@@ -1265,7 +1315,7 @@ static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d tables, array_
     double high;
     double share;
     scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
-    node = bounds__node_below(tables, scan, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+    node = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
     if (node > INT64_C(0))
     {
         bounds__bend_bounds(&low, &high, tables, work, scan, place, node - INT64_C(1), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_STRETCH + layout__STRETCH_FIRST + layout__RISE_POINT_X)));
@@ -1291,7 +1341,7 @@ static OUT_OF_LINE bool overlaps__list_turning_point(array_double_1d tables, arr
 {
     double rail;
     bool turned;
-    pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
+    pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, 0.5 * (low + high), y, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
     if (turned && ((*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)) > 0.0) && (!deep_points__is_listed(work, rail)))
     {
         deep_points__append_point(work, rail, place + layout__PLACE_MEETING);
@@ -1319,7 +1369,7 @@ static OUT_OF_LINE bool overlaps__may_turn(array_double_1d tables, array_double_
     }
     else if (rise * following > 0.0)
     {
-        node = bounds__node_below(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)));
+        node = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
         bounds__bend_bounds(&least, &most, tables, work, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN))), place, node, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)));
         if (least < 0.0)
         {
@@ -1614,7 +1664,7 @@ static OUT_OF_LINE int64_t overlaps__list_beside_smallest_gap(array_double_1d ta
             low = far;
             high = x;
         }
-        pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
+        pressed__turning_point(&rail, &turned, tables, work, pair, place, low, high, 0.5 * (low + high), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
         if (turned && ((*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) > deepest))
         {
             deep_points__append_point(work, rail, meeting);
@@ -1638,7 +1688,7 @@ static OUT_OF_LINE int64_t overlaps__find_saddles(array_double_1d tables, array_
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
-        pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), -1.0);
+        pressed__turning_point(&x, &turned, tables, work, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&work, following + layout__DEEP_POINT_RAIL))), 0.5 * ((*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), -1.0);
         (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
         (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
     }
@@ -1847,17 +1897,16 @@ static OUT_OF_LINE double pressed__limited(double step, double limit)
 }
 
 /* Rail abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
- * abscissae: Newton's method on its slope, bracketed, from the middle on; and whether the slope changes its
- * sign there: it may do so a little beyond the bracket.  The rest is the place's ``meeting``.
+ * abscissae: Newton's method on its slope, bracketed, from ``x`` and ``y`` on; and whether the slope changes
+ * its sign there: it may do so a little beyond the bracket.  The rest is the place's ``meeting``.
  *
  * The bend leaves out a factor (:mod:`pressed`); between nearly conformal profiles under a deep overlap
  * Newton's method can then alternate between two places.  Where a step has not halved the slope, the bracket
  * is halved.
  */
-static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, bool* result_1_0001, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double y, double height, double sign)
+static OUT_OF_LINE int64_t pressed__turning_point(double* result_0_0001, bool* result_1_0001, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, double low, double high, double x, double y, double height, double sign)
 {
     int64_t meeting;
-    double x;
     double before;
     bool moved_low;
     bool moved_high;
@@ -1868,7 +1917,6 @@ static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, bool* result
     double newton;
     double rise;
     meeting = place + layout__PLACE_MEETING;
-    x = 0.5 * (low + high);
     before = 0.0;
     moved_low = 0;
     moved_high = 0;
@@ -1876,7 +1924,7 @@ static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, bool* result
     {
         if (!pressed__meet_wheel(tables, work, pair, place, x, y, height, pressed__LINE_SHARP))
         {
-            (*result_0) = x;
+            (*result_0_0001) = x;
             (*result_1_0001) = 0;
             return 0;
         }
@@ -1909,7 +1957,7 @@ static OUT_OF_LINE int64_t pressed__turning_point(double* result_0, bool* result
         before = fabs((*cspan_at(&work, meeting + layout__MEETING_RISE)));
     }
     rise = fabs((*cspan_at(&work, meeting + layout__MEETING_RISE)));
-    (*result_0) = x;
+    (*result_0_0001) = x;
     (*result_1_0001) = (rise < pressed__ZERO_RISE) || ((rise < pressed__LEVEL_RISE) && moved_low && moved_high);
     return 0;
 }
@@ -2026,6 +2074,7 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d table
     double abscissa;
     double height;
     double depth;
+    bool sunk;
     double aside;
     double shift;
     double Dummy_0000_0;
@@ -2037,6 +2086,7 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d table
     abscissa = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
     depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    sunk = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0;
     pressed_regions__touching_shift(&aside, &shift, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), point);
     frame__open_frame(&Dummy_0000_0, &Dummy_0000_1, &Dummy_0000_2, &Dummy_0000_3, &Dummy_0000_4, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), aside, shift);
     (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(1);
@@ -2044,6 +2094,7 @@ static OUT_OF_LINE int64_t pressed_regions__give_own_frame(array_double_1d table
     (*cspan_at(&work, region + layout__REGION_GAP)) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * depth - (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
     (*cspan_at(&work, region + layout__REGION_OFFSET)) = curves__rail_length(tables, pair, abscissa, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)));
     pressed_regions__press_frame(work, height, (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work, region + layout__REGION_GAP)));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(sunk);
     return INT64_C(0);
 }
 
@@ -2511,6 +2562,300 @@ static inline int64_t traces__trace_outline(double* ordinate, double* result_1, 
 }
 
 
+/* ---- From contact/turning_cells.py; change that one.
+ *
+ * How often the overlap of a pressed wheel turns between two neighbouring samples, from both samples alone.
+ *
+ * Along the wheel's outline, the overlap along the rail's normals turns where F = m - m_w is zero: the slope m
+ * of the rail at the foot x of the normal through the wheel's point, less the wheel's m_w there.  F is positive
+ * where the overlap falls.  With Y' the outline's stretch,
+ *
+ *     F' = z_rail''(x) x' - m_w',   x' = Y' (1 + m m_w) / (1 + m^2 - depth z_rail'')
+ *
+ * F and F' are known at every sample.  Between two of them F' follows a straight line but for a departure that
+ * tables bound (prepare/scan_bends.py), and for a jump where a joint of the rail lies between.  Bounds of F' say
+ * how often F comes up through zero: nowhere, once, or it is unclear and overlaps.py looks more closely.
+ */
+
+/* How many deepest points lie between the sample ``entry`` and the next one: 0, 1 or UNCLEAR. */
+static OUT_OF_LINE int64_t turning_cells__count_turns(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
+{
+    int64_t scan;
+    double x;
+    int64_t rail;
+    double before;
+    double after;
+    double least;
+    double most;
+    double rise;
+    int64_t turns;
+    double gap;
+    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
+    x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
+    rail = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, bounds__rail_place(tables, scan, x));
+    if (!turning_cells__open_cell(tables, work, scan, rail, place, entry))
+    {
+        return turning_cells__UNCLEAR;
+    }
+    turning_cells__bound_departure(tables, work, scan, rail, place, entry);
+    before = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT)) * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)));
+    after = before + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP));
+    least = double_min(2, double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))), double_min(2, before, after)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE));
+    most = double_max(2, double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))), double_max(2, before, after)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE));
+    rise = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT)) * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)) + before) + (1.0 - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT))) * (after + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))));
+    if (!(fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) - rise) <= 2.0 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH))))
+    {
+        return turning_cells__UNCLEAR;
+    }
+    turns = turning_cells__part_turns((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)), least, most, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)));
+    if ((turns == turning_cells__UNCLEAR) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) != 0.0))
+    {
+        turns = turning_cells__joined_turns(work, before, after, rise);
+    }
+    if (turns > INT64_C(0))
+    {
+        gap = double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + (entry + INT64_C(1)))));
+        if (gap - 0.125 * double_max(2, most, 0.0) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)))
+        {
+            turns = INT64_C(0);
+        }
+    }
+    return turns;
+}
+
+/* The same of a ``width`` [m] in which F changes from ``first`` to ``last``, both but for their errors,
+ * and F' lies between ``least`` and ``most`` [1/m].
+ */
+static OUT_OF_LINE int64_t turning_cells__part_turns(double first, double last, double first_error, double last_error, double least, double most, double width)
+{
+    int64_t turns;
+    turns = turning_cells__UNCLEAR;
+    if (most <= 0.0)
+    {
+        turns = INT64_C(0);
+    }
+    else if ((first > first_error) && (last > last_error))
+    {
+        if (bounds__only_rises_or_falls(least, most, width, first - first_error, last - last_error))
+        {
+            turns = INT64_C(0);
+        }
+    }
+    else if ((first < -first_error) && (last < -last_error))
+    {
+        if (bounds__only_rises_or_falls(least, most, width, first + first_error, last + last_error))
+        {
+            turns = INT64_C(0);
+        }
+    }
+    else if ((first < -first_error) && (last > last_error) && (least > 0.0))
+    {
+        turns = INT64_C(1);
+    }
+    return turns;
+}
+
+/* The same of both sides of the cell's joint, where F' is ``before`` and ``after`` [1/m], and ``rise``
+ * [-] what F' adds to F in the cell; UNCLEAR where the sign of F at the joint is.
+ */
+static OUT_OF_LINE int64_t turning_cells__joined_turns(array_double_1d work, double before, double after, double rise)
+{
+    double share;
+    double middle;
+    double error;
+    int64_t turns;
+    share = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT));
+    middle = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) + 0.5 * share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)) + before);
+    middle += share * ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) - rise);
+    error = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)) + 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH));
+    if (!(fabs(middle) > error))
+    {
+        return turning_cells__UNCLEAR;
+    }
+    turns = turning_cells__part_turns((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)), middle, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)), error, double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), before) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)), before) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)));
+    turns += turning_cells__part_turns(middle, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)), error, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)), double_min(2, after, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), double_max(2, after, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND))) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)), (1.0 - share) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)));
+    return int64_t_min(2, turns, turning_cells__UNCLEAR);
+}
+
+/* Write F, F' and a joint between the sample ``entry``, above the cell ``rail``, and the next one to the
+ * overlap's ``cell``; whether that can be judged.
+ */
+static OUT_OF_LINE bool turning_cells__open_cell(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry)
+{
+    double x;
+    double length;
+    double aside;
+    double next_aside;
+    double share;
+    double low;
+    double high;
+    int64_t index;
+    double at;
+    x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
+    length = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) - x;
+    aside = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry));
+    next_aside = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + INT64_C(1))));
+    if (!((length > 0.0) && (length < turning_cells__WIDEST_CELL) && (double_max(2, fabs(aside), fabs(next_aside)) < turning_cells__FARTHEST_FOOT) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) - double_min(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + (entry + INT64_C(1))))) < turning_cells__DEEPEST)))
+    {
+        return 0;
+    }
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) = -(*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + entry));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)) = -(*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RISE + (entry + INT64_C(1))));
+    turning_cells__sample_bend(cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_SHARE), cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND), tables, work, scan, place, entry);
+    turning_cells__sample_bend(&share, cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND), tables, work, scan, place, entry + INT64_C(1));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_ERROR)) = turning_cells__SLOPE_STEP + double_max(2, turning_cells__foot_error(work, entry), turning_cells__foot_error(work, entry + INT64_C(1)));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT)) = 1.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) = 0.0;
+    low = x + double_min(2, aside, 0.0);
+    high = x + length + double_max(2, next_aside, 0.0);
+    index = (int64_t)((*cspan_at(&tables, rail + layout__RAIL_CELL_JOINT)));
+    while((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * index + layout__RAIL_JOINT_PLACE)) < low)
+    {
+        index += INT64_C(1);
+    }
+    at = (*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * index + layout__RAIL_JOINT_PLACE));
+    if (at <= high)
+    {
+        if (!((at > x + double_max(2, aside, 0.0)) && (at < x + length + double_min(2, next_aside, 0.0)) && ((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * (index + INT64_C(1)) + layout__RAIL_JOINT_PLACE)) > high)))
+        {
+            return 0;
+        }
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) = (*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * index + layout__RAIL_JOINT_JUMP));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JUMP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_SHARE));
+        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_JOINT)) = (at - x - aside) / (length + next_aside - aside);
+    }
+    return 1;
+}
+
+/* x' [-] and F' [1/m] at the sample ``entry``. */
+static ALWAYS_INLINE int64_t turning_cells__sample_bend(double* share, double* result_1, array_double_1d tables, array_double_1d work, int64_t scan, int64_t place, int64_t entry)
+{
+    int64_t node;
+    double y_track;
+    double z_track;
+    double outline_slope;
+    double stretch;
+    double rate;
+    double m;
+    double bend;
+    double depth;
+    node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
+    locus__outline_jet(&y_track, &z_track, &outline_slope, &stretch, &rate, work, place, (*cspan_at(&tables, node + layout__SCAN_NODE_Y)), (*cspan_at(&tables, node + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, node + layout__SCAN_NODE_SLOPE)), (*cspan_at(&tables, node + layout__SCAN_NODE_BEND)));
+    m = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_SLOPE + entry));
+    bend = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry));
+    depth = double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_GAP + entry)), 0.0);
+    (*share) = stretch * (1.0 + (m * (outline_slope - m) + depth * bend) / (1.0 + m * m));
+    (*result_1) = (*share) * bend - rate;
+    return 0;
+}
+
+/* By how much F may differ from the one of the sample ``entry``, which has changed on the way to the foot
+ * by ``turn``, if it went there at all.
+ */
+static ALWAYS_INLINE double turning_cells__foot_error(array_double_1d work, int64_t entry)
+{
+    double change;
+    double error;
+    change = fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry)));
+    error = turning_cells__FOOT_SHARE * change;
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_TURN + entry)) == 0.0)
+    {
+        error += change;
+    }
+    return error;
+}
+
+/* How far the foot of the sample ``entry`` may lie aside [m]; 0 where cells beside it are not judged. */
+static OUT_OF_LINE double turning_cells__foot_aside(array_double_1d work, int64_t entry)
+{
+    double aside;
+    aside = (1.0 + turning_cells__FOOT_SHARE) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry));
+    if (fabs(aside) > (1.0 + turning_cells__FOOT_SHARE) * turning_cells__FARTHEST_FOOT)
+    {
+        aside = 0.0;
+    }
+    return aside;
+}
+
+/* Write how far F' may depart from the straight line in the open cell. */
+static OUT_OF_LINE int64_t turning_cells__bound_departure(array_double_1d tables, array_double_1d work, int64_t scan, int64_t rail, int64_t place, int64_t entry)
+{
+    int64_t node;
+    double length;
+    double aside;
+    double change;
+    double share;
+    double slid;
+    double stretch;
+    double rest;
+    node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
+    length = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
+    aside = double_max(2, fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry))), fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + INT64_C(1))))));
+    change = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry));
+    share = turning_cells__CELL_SHARE;
+    slid = turning_cells__CELL_SHARE + aside / length;
+    if ((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0)
+    {
+        stretch = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_RADIUS)) * (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0)));
+        share = bounds__YAWED_SHARE + bounds__STRETCHED_SHARE * stretch;
+        slid += stretch;
+    }
+    /* a foot may lie beyond the chord's ends */
+    rest = (*cspan_at(&tables, node + layout__SCAN_NODE_DEPARTURE)) + length * (0.2 * length * (*cspan_at(&tables, rail + layout__RAIL_CELL_WAVE)) + 0.4 * (*cspan_at(&tables, rail + layout__RAIL_CELL_KINKS)));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)) = turning_cells__LEAST_DEPARTURE + (1.0 + share) * rest + slid * fabs(change) + turning_cells__WHEEL_SHARE * (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0))) + 2.0 * turning_cells__DEEPEST * fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry)));
+    return INT64_C(0);
+}
+
+/* List the one deepest point in the open cell after the sample ``entry``, sought from where the cubic
+ * through both samples is zero; whether it was found.
+ */
+static OUT_OF_LINE bool turning_cells__list_from_samples(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
+{
+    double rise;
+    double start;
+    double end;
+    double t;
+    int64_t i;
+    double rest;
+    double curve;
+    double slope;
+    double low;
+    double high;
+    double slack;
+    double x;
+    int64_t meeting;
+    bool turned;
+    rise = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST));
+    start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST_BEND)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) - rise;
+    end = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_LAST_BEND)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)) - rise;
+    t = (-(*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST))) / rise;
+    for (i = INT64_C(0); i < turning_cells__CUBIC_ITERATIONS; i += INT64_C(1))
+    {
+        rest = 1.0 - t;
+        curve = rest * start - t * end;
+        slope = rise + (rest - t) * curve - t * rest * (start + end);
+        if (slope > 0.0)
+        {
+            t -= ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_FIRST)) + t * (rise + rest * curve)) / slope;
+        }
+        t = double_min(2, double_max(2, t, 0.0), 1.0);
+    }
+    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry));
+    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + INT64_C(1))));
+    slack = turning_cells__FOOT_SHARE * double_max(2, fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry))), fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + INT64_C(1))))));
+    pressed__turning_point(&x, &turned, tables, work, pair, place, low - slack, high + slack, low + t * (high - low), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_WHEEL + entry)) + t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_WIDTH)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)), 1.0);
+    meeting = place + layout__PLACE_MEETING;
+    turned = turned && ((*cspan_at(&work, meeting + layout__MEETING_RATE)) < 0.0);
+    if (turned && ((*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) > 0.0) && (!deep_points__is_listed(work, x)))
+    {
+        deep_points__append_point(work, x, meeting);
+    }
+    return turned;
+}
+
+
 /* ---- From contact/widths.py; change that one.
  *
  * How far the interpenetration of a region reaches to either side, and the lateral curvatures that follow
@@ -2578,7 +2923,11 @@ static inline double widths__zone_width(array_double_1d tables, array_double_1d 
     abscissa = (*cspan_at(&work, region + layout__REGION_RAIL));
     y = (*cspan_at(&work, region + layout__REGION_WHEEL));
     near = widths__WIDTH_SHARP;
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)
+    {
+        near = widths__SUNK_SHARP;
+    }
+    else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         near = widths__PRESSED_SHARP;
     }
@@ -2638,6 +2987,32 @@ static inline double widths__zone_width(array_double_1d tables, array_double_1d 
         width = following;
     }
     return width;
+}
+
+/* Note the half-widths of a region about the contact point. */
+static inline int64_t widths__keep_widths(array_double_1d work, int64_t region)
+{
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
+    return INT64_C(0);
+}
+
+/* Let a region whose minimum lies within the ``first`` widths begin with them. */
+static inline int64_t widths__start_widths(array_double_1d work, int64_t region)
+{
+    double low;
+    double high;
+    (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) + (*cspan_at(&work, region + layout__REGION_OFFSET));
+    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) - (*cspan_at(&work, region + layout__REGION_OFFSET));
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) > 0.0) && (low > widths__LEAST_LEFT * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW))) && (high > widths__LEAST_LEFT * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))))
+    {
+        (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION));
+        (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
+        (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
+    }
+    return INT64_C(0);
 }
 
 /* Half-widths of a region's interpenetration at this local penetration [m], the lateral curvatures on

@@ -565,7 +565,7 @@ static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d 
         }
         x_t = (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL));
         x = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, x - deep_points__FOLLOWED, x_t, x + deep_points__FOLLOWED, x_t, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), height, height_t, 1.0, 0.0);
+        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, x - deep_points__FOLLOWED, x_t, x + deep_points__FOLLOWED, x_t, x, x_t, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), height, height_t, 1.0, 0.0);
         if ((!turned) || (!((*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)) > 0.0)))
         {
             return INT64_C(0);
@@ -603,6 +603,7 @@ static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d ta
     double x;
     double x_t;
     bool turned;
+    double v6;
     v1 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
     y_t = 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_WHEEL)));
     y = 0.5 * v1;
@@ -624,10 +625,11 @@ static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d ta
     }
     reach_t = v5_t;
     reach = v5;
-    derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) - reach_t, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) + reach_t, y, y_t, height, height_t, -1.0, 0.0);
+    derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) - reach_t, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) + reach_t, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)), y, y_t, height, height_t, -1.0, 0.0);
     if (!turned)
     {
-        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL)), y, y_t, height, height_t, -1.0, 0.0);
+        v6 = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&work, following + layout__DEEP_POINT_RAIL));
+        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL)), 0.5 * v6, 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL))), y, y_t, height, height_t, -1.0, 0.0);
     }
     (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) = x_t;
     (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
@@ -1364,48 +1366,42 @@ static inline int64_t derivative_pressed__limited_t(double* result_0, double* re
 }
 
 /* Derivative of ``turning_point``. */
-static inline int64_t derivative_pressed__turning_point_t(double* result_0, double* result_1, bool* result_2_0001, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double low, double low_t, double high, double high_t, double y, double y_t, double height, double height_t, double sign, double sign_t)
+static inline int64_t derivative_pressed__turning_point_t(double* result_0_0001, double* result_1_0001, bool* result_2_0001, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double low, double low_t, double high, double high_t, double x, double x_t, double y, double y_t, double height, double height_t, double sign, double sign_t)
 {
     int64_t meeting;
-    double v1;
-    double x_t;
-    double x;
     double before_t;
     double before;
     bool moved_low;
     bool moved_high;
     int64_t i;
-    bool n2;
-    double v3;
+    bool n1;
+    double v2;
     double following_t;
     double following;
     double z_rail;
     double z_rail_t;
     double slope;
     double slope_t;
+    double v3;
     double v4;
     double v5;
     double v6;
-    double v7;
     double newton_t;
     double newton;
     double rise_t;
     double rise;
     meeting = place + layout__PLACE_MEETING;
-    v1 = low + high;
-    x_t = 0.5 * (low_t + high_t);
-    x = 0.5 * v1;
     before_t = 0.0;
     before = 0.0;
     moved_low = 0;
     moved_high = 0;
     for (i = INT64_C(0); i < pressed__DEEP_ITERATIONS; i += INT64_C(1))
     {
-        n2 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, 0.0);
-        if (!n2)
+        n1 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, 0.0);
+        if (!n1)
         {
-            (*result_0) = x;
-            (*result_1) = x_t;
+            (*result_0_0001) = x;
+            (*result_1_0001) = x_t;
             (*result_2_0001) = 0;
             return 0;
         }
@@ -1423,18 +1419,18 @@ static inline int64_t derivative_pressed__turning_point_t(double* result_0, doub
             high = x;
             moved_high = 1;
         }
-        v3 = low + high;
+        v2 = low + high;
         following_t = 0.5 * (low_t + high_t);
-        following = 0.5 * v3;
+        following = 0.5 * v2;
         if ((sign * (*cspan_at(&work, meeting + layout__MEETING_RATE)) < 0.0) && ((i == INT64_C(0)) || (fabs((*cspan_at(&work, meeting + layout__MEETING_RISE))) < 0.5 * before)))
         {
             derivative_tables__height_slope_t(&z_rail, &z_rail_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), x, x_t);
-            v4 = 1.0 + slope * slope;
-            v5 = sqrt(v4);
-            v6 = (*cspan_at(&work, meeting + layout__MEETING_RATE)) * v5;
-            v7 = (*cspan_at(&work, meeting + layout__MEETING_RISE)) / v6;
-            newton_t = x_t - ((*cspan_at(&work_t, meeting + layout__MEETING_RISE)) - v7 * ((*cspan_at(&work_t, meeting + layout__MEETING_RATE)) * v5 + (*cspan_at(&work, meeting + layout__MEETING_RATE)) * derivative_rates__root_rate(v5, slope_t * slope + slope * slope_t))) / v6;
-            newton = x - v7;
+            v3 = 1.0 + slope * slope;
+            v4 = sqrt(v3);
+            v5 = (*cspan_at(&work, meeting + layout__MEETING_RATE)) * v4;
+            v6 = (*cspan_at(&work, meeting + layout__MEETING_RISE)) / v5;
+            newton_t = x_t - ((*cspan_at(&work_t, meeting + layout__MEETING_RISE)) - v6 * ((*cspan_at(&work_t, meeting + layout__MEETING_RATE)) * v4 + (*cspan_at(&work, meeting + layout__MEETING_RATE)) * derivative_rates__root_rate(v4, slope_t * slope + slope * slope_t))) / v5;
+            newton = x - v6;
             if ((newton > low) && (newton < high))
             {
                 following_t = newton_t;
@@ -1452,8 +1448,8 @@ static inline int64_t derivative_pressed__turning_point_t(double* result_0, doub
     }
     rise_t = derivative_rates__size_rate((*cspan_at(&work, meeting + layout__MEETING_RISE)), (*cspan_at(&work_t, meeting + layout__MEETING_RISE)));
     rise = fabs((*cspan_at(&work, meeting + layout__MEETING_RISE)));
-    (*result_0) = x;
-    (*result_1) = x_t;
+    (*result_0_0001) = x;
+    (*result_1_0001) = x_t;
     (*result_2_0001) = (rise < pressed__ZERO_RISE) || ((rise < pressed__LEVEL_RISE) && moved_low && moved_high);
     return 0;
 }
@@ -1607,6 +1603,7 @@ static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_
     double height;
     double depth_t;
     double depth;
+    bool sunk;
     double aside;
     double aside_t;
     double shift;
@@ -1632,6 +1629,7 @@ static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
     depth_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    sunk = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0;
     derivative_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), point);
     derivative_frame__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
     (*cspan_at(&work_t, region + layout__REGION_OWN)) = 0.0;
@@ -1645,6 +1643,8 @@ static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_
     (*cspan_at(&work_t, region + layout__REGION_OFFSET)) = v7_t;
     (*cspan_at(&work, region + layout__REGION_OFFSET)) = v7;
     derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work_t, region + layout__REGION_GAP)));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(sunk);
     return INT64_C(0);
 }
 
@@ -2561,7 +2561,11 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
     y_t = (*cspan_at(&work_t, region + layout__REGION_WHEEL));
     y = (*cspan_at(&work, region + layout__REGION_WHEEL));
     near = widths__WIDTH_SHARP;
-    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)
+    {
+        near = widths__SUNK_SHARP;
+    }
+    else if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         near = widths__PRESSED_SHARP;
     }
@@ -2655,6 +2659,43 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
     (*result_0_0001) = width;
     (*result_1_0001) = width_t;
     return 0;
+}
+
+/* Derivative of ``keep_widths``. */
+static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_double_1d work_t, int64_t region)
+{
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) = (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
+    return INT64_C(0);
+}
+
+/* Derivative of ``start_widths``. */
+static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_double_1d work_t, int64_t region)
+{
+    double low_t;
+    double low;
+    double high_t;
+    double high;
+    (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+    (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+    low_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) + (*cspan_at(&work_t, region + layout__REGION_OFFSET));
+    low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) + (*cspan_at(&work, region + layout__REGION_OFFSET));
+    high_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET));
+    high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) - (*cspan_at(&work, region + layout__REGION_OFFSET));
+    if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) > 0.0) && (low > widths__LEAST_LEFT * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW))) && (high > widths__LEAST_LEFT * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))))
+    {
+        (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION));
+        (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION));
+        (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) = low_t;
+        (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
+        (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)) = high_t;
+        (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
+    }
+    return INT64_C(0);
 }
 
 /* Derivative of ``measure_widths``. */

@@ -446,6 +446,8 @@ static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetrat
     {
         by_penetration = 1;
     }
+    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = 0.0;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = 0.0;
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, force_t, by_penetration);
@@ -456,6 +458,7 @@ static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetrat
         derivative_estimate__first_penetration_t(&v1, &v1_t, tables, work, work_t, pair, force, force_t);
         (*penetration_t) = v1_t;
         (*penetration) = v1;
+        derivative_widths__keep_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     }
     (*count) = INT64_C(0);
     (*satisfied) = 0;
@@ -505,13 +508,15 @@ static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1
     int64_t count;
     for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
         (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
     n1 = derivative_pressed_regions__gather_overlaps_t(tables, work, work_t, pair);
     count = n1;
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        derivative_widths__start_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+    }
     derivative_estimate__start_penetrations_t(work, work_t, count, penetration, penetration_t);
     return count;
 }

@@ -78,6 +78,7 @@ static inline bool nodes__covered(array_double_1d work, int64_t count);
 /* normal/normal_contact.py */
 static inline int64_t normal_contact__solve_normal(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline bool normal_contact__has_coarse_form(array_double_1d tables);
+static inline double normal_contact__residual_rate(array_double_1d tables);
 
 /* normal/patch_places.py */
 static inline int64_t patch_places__mean_normal(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t nodes, double local_penetration);
@@ -590,6 +591,7 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
     {
         by_penetration = 1;
     }
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = 0.0;
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         analyn_contact__solve_estimated(penetration, count, satisfied, tables, work, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, by_penetration);
@@ -598,6 +600,7 @@ static inline int64_t analyn_contact__solve_analyn(double* penetration, int64_t*
     if (!by_penetration)
     {
         (*penetration) = estimate__first_penetration(tables, work, pair, force);
+        widths__keep_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     }
     (*count) = INT64_C(0);
     (*satisfied) = 0;
@@ -646,10 +649,13 @@ static inline int64_t analyn_contact__gather_regions(array_double_1d tables, arr
     int64_t count;
     for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
     {
-        (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_WIDTH_PENETRATION)) = 0.0;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
     count = pressed_regions__gather_overlaps(tables, work, pair);
+    for (i = INT64_C(0); i < count; i += INT64_C(1))
+    {
+        widths__start_widths(work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
+    }
     estimate__start_penetrations(work, count, penetration);
     return count;
 }
@@ -2002,6 +2008,21 @@ static inline bool normal_contact__has_coarse_form(array_double_1d tables)
     bool result;
     result = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP;
     return result;
+}
+
+/* About how fast the penetration under a force falls behind the depth, where a wheel is pressed deeper.
+ *
+ * Strips are as long as at that depth, and a strip's pressure keeps its shape.
+ */
+static inline double normal_contact__residual_rate(array_double_1d tables)
+{
+    double rate;
+    rate = 1.0;
+    if ((int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL))) == layout__MODEL_ANALYN_STRIP)
+    {
+        rate = normal_contact__STRIP_RATE;
+    }
+    return rate;
 }
 
 

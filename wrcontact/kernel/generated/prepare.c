@@ -43,6 +43,16 @@ static inline int64_t prepare_scan__write_levers(array_double_1d tables, int64_t
 static inline int64_t prepare_scan__write_rail_bounds(array_double_1d tables, int64_t pair, int64_t scan, array_double_1d work, int64_t scratch);
 static inline int64_t prepare_scan__write_scan(array_double_1d setup, array_double_1d tables, int64_t pair, int64_t at, array_double_1d work);
 
+/* prepare/scan_bends.py */
+static inline int64_t prepare_scan_bends__third_fourth(double* result_0, double* result_1, array_double_1d tables, int64_t at, double u);
+static inline double prepare_scan_bends__largest_fourth(array_double_1d tables, int64_t at, double low, double high);
+static inline double prepare_scan_bends__piece_departure(array_double_1d tables, int64_t at, double low, double high, double value, double rise);
+static inline int64_t prepare_scan_bends__write_departures(array_double_1d tables, int64_t pair, int64_t scan);
+static inline int64_t prepare_scan_bends__jumps_after(double* result_0, double* result_1, array_double_1d tables, int64_t base, int64_t at);
+static inline int64_t prepare_scan_bends__write_joints(array_double_1d tables, int64_t pair, int64_t scan, int64_t at);
+static inline int64_t prepare_scan_bends__write_waves(array_double_1d tables, int64_t pair, int64_t scan);
+static inline int64_t prepare_scan_bends__write_scan_bends(array_double_1d tables, int64_t pair, int64_t at);
+
 /* prepare/tables.py */
 static inline int64_t prepare_tables__fixed_table(array_double_1d fixed, int64_t index);
 static inline int64_t prepare_tables__append_fixed(array_double_1d tables, int64_t at, array_double_1d fixed, int64_t index);
@@ -1294,6 +1304,232 @@ static inline int64_t prepare_scan__write_scan(array_double_1d setup, array_doub
 }
 
 
+/* ---- From prepare/scan_bends.py; change that one.
+ *
+ * How far second derivatives depart from straight lines: of the wheel between the raster's nodes, and of the
+ * rail around each of its cells.
+ *
+ * With them two samples of an overlap bound its bend between them (contact/turning_cells.py).  From its chord
+ * over a length L a function departs by no more than L^2 / 8 times its largest second derivative and L / 4 times
+ * the jumps of its first one.  Where the rail's second derivative itself jumps is a joint, and the rest of it is
+ * bounded so.
+ */
+
+/* Third and fourth derivative [1/m^2, 1/m^3] of the piece at ``at``, ``u`` [m] from its start. */
+static inline int64_t prepare_scan_bends__third_fourth(double* result_0, double* result_1, array_double_1d tables, int64_t at, double u)
+{
+    double c4;
+    double c5;
+    c4 = (*cspan_at(&tables, at + INT64_C(5)));
+    c5 = (*cspan_at(&tables, at + INT64_C(6)));
+    (*result_0) = 6.0 * (*cspan_at(&tables, at + INT64_C(4))) + u * (24.0 * c4 + u * 60.0 * c5);
+    (*result_1) = 24.0 * c4 + u * 120.0 * c5;
+    return 0;
+}
+
+/* Largest absolute fourth derivative [1/m^3] between two places [m] of the piece at ``at``: it is
+ * straight.
+ */
+static inline double prepare_scan_bends__largest_fourth(array_double_1d tables, int64_t at, double low, double high)
+{
+    double third;
+    double first;
+    double last;
+    prepare_scan_bends__third_fourth(&third, &first, tables, at, low - (*cspan_at(&tables, at)));
+    prepare_scan_bends__third_fourth(&third, &last, tables, at, high - (*cspan_at(&tables, at)));
+    return double_max(2, fabs(first), fabs(last));
+}
+
+/* Largest departure [1/m] of the second derivative of the piece at ``at``, between ``low`` and ``high``
+ * [m], from the straight line that has the ``value`` at ``low`` and this ``rise`` [1/m^2].
+ */
+static inline double prepare_scan_bends__piece_departure(array_double_1d tables, int64_t at, double low, double high, double value, double rise)
+{
+    double part;
+    double largest;
+    int64_t i;
+    double along;
+    double slope;
+    double bend;
+    double result;
+    part = (high - low) / (double)(prepare_scan_bends__DEPARTURE_PARTS);
+    largest = 0.0;
+    for (i = INT64_C(0); i < prepare_scan_bends__DEPARTURE_PARTS + INT64_C(1); i += INT64_C(1))
+    {
+        along = part * (double)(i);
+        prepare_scan__slope_bend(&slope, &bend, tables, at, low + along - (*cspan_at(&tables, at)));
+        largest = double_max(2, largest, fabs(bend - value - rise * along));
+    }
+    result = largest + 0.125 * part * part * prepare_scan_bends__largest_fourth(tables, at, low, high);
+    return result;
+}
+
+/* The wheel's second derivative at each node, and its departure up to the next one. */
+static inline int64_t prepare_scan_bends__write_departures(array_double_1d tables, int64_t pair, int64_t scan)
+{
+    int64_t base;
+    int64_t i_end;
+    int64_t i;
+    int64_t node;
+    int64_t at;
+    double slope;
+    int64_t following;
+    double rise;
+    double low;
+    double stop;
+    double high;
+    double departure;
+    base = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
+    i_end = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * i;
+        at = tables__find_piece(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&tables, node + layout__SCAN_NODE_Y)));
+        prepare_scan__slope_bend(&slope, cspan_at(&tables, node + layout__SCAN_NODE_BEND), tables, at, (*cspan_at(&tables, node + layout__SCAN_NODE_Y)) - (*cspan_at(&tables, at)));
+        (*cspan_at(&tables, node + layout__SCAN_NODE_DEPARTURE)) = 0.0;
+    }
+    i_end = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT))) - INT64_C(1);
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * i;
+        following = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (i + INT64_C(1));
+        rise = ((*cspan_at(&tables, following + layout__SCAN_NODE_BEND)) - (*cspan_at(&tables, node + layout__SCAN_NODE_BEND))) / ((*cspan_at(&tables, following + layout__SCAN_NODE_Y)) - (*cspan_at(&tables, node + layout__SCAN_NODE_Y)));
+        at = tables__find_piece(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&tables, node + layout__SCAN_NODE_Y)));
+        low = (*cspan_at(&tables, node + layout__SCAN_NODE_Y));
+        while(low < (*cspan_at(&tables, following + layout__SCAN_NODE_Y)))
+        {
+            stop = (*cspan_at(&tables, at)) + prepare_scan__piece_width(tables, base, at);
+            high = double_min(2, stop, (*cspan_at(&tables, following + layout__SCAN_NODE_Y)));
+            departure = prepare_scan_bends__piece_departure(tables, at, low, high, (*cspan_at(&tables, node + layout__SCAN_NODE_BEND)) + rise * (low - (*cspan_at(&tables, node + layout__SCAN_NODE_Y))), rise);
+            (*cspan_at(&tables, node + layout__SCAN_NODE_DEPARTURE)) = double_max(2, (*cspan_at(&tables, node + layout__SCAN_NODE_DEPARTURE)), departure);
+            low = stop;
+            at += layout__PIECE_SIZE;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* By how much second and third derivative [1/m, 1/m^2] jump at the end of the piece at ``at``. */
+static inline int64_t prepare_scan_bends__jumps_after(double* result_0, double* result_1, array_double_1d tables, int64_t base, int64_t at)
+{
+    double width;
+    double slope;
+    double bend;
+    double third;
+    double fourth;
+    double next_bend;
+    double next_third;
+    width = prepare_scan__piece_width(tables, base, at);
+    prepare_scan__slope_bend(&slope, &bend, tables, at, width);
+    prepare_scan_bends__third_fourth(&third, &fourth, tables, at, width);
+    prepare_scan__slope_bend(&slope, &next_bend, tables, at + layout__PIECE_SIZE, 0.0);
+    prepare_scan_bends__third_fourth(&next_third, &fourth, tables, at + layout__PIECE_SIZE, 0.0);
+    (*result_0) = next_bend - bend;
+    (*result_1) = next_third - third;
+    return 0;
+}
+
+/* The joints of the rail at ``at``; the offset after them, or FULL. */
+static inline int64_t prepare_scan_bends__write_joints(array_double_1d tables, int64_t pair, int64_t scan, int64_t at)
+{
+    int64_t base;
+    int64_t last;
+    int64_t piece;
+    int64_t count;
+    int64_t joint;
+    double jump;
+    double kink;
+    base = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
+    last = tables__find_piece(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP)));
+    piece = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + (int64_t)((*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_PIECES)));
+    (*cspan_at(&tables, scan + layout__SCAN_JOINTS)) = (double)(at - scan);
+    count = INT64_C(0);
+    while(at + layout__RAIL_JOINT_SIZE <= (int64_t)tables.shape[INT64_C(0)])
+    {
+        joint = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * count;
+        (*cspan_at(&tables, joint + layout__RAIL_JOINT_PLACE)) = prepare_scan__FAR;
+        (*cspan_at(&tables, joint + layout__RAIL_JOINT_JUMP)) = 0.0;
+        if (piece >= last)
+        {
+            return at + layout__RAIL_JOINT_SIZE;
+        }
+        prepare_scan_bends__jumps_after(&jump, &kink, tables, base, piece);
+        piece += layout__PIECE_SIZE;
+        if (fabs(jump) > prepare_scan_bends__LEAST_JUMP)
+        {
+            (*cspan_at(&tables, joint + layout__RAIL_JOINT_PLACE)) = (*cspan_at(&tables, piece));
+            (*cspan_at(&tables, joint + layout__RAIL_JOINT_JUMP)) = jump;
+            at += layout__RAIL_JOINT_SIZE;
+            count += INT64_C(1);
+        }
+    }
+    return prepare_pieces__FULL;
+}
+
+/* What bounds the rail's second derivative around each cell, but for its joints. */
+static inline int64_t prepare_scan_bends__write_waves(array_double_1d tables, int64_t pair, int64_t scan)
+{
+    int64_t base;
+    int64_t joint;
+    int64_t i_end;
+    int64_t i;
+    int64_t cell;
+    double edge;
+    double low;
+    double high;
+    int64_t at;
+    double stop;
+    double jump;
+    double kink;
+    base = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
+    joint = INT64_C(0);
+    i_end = (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL_COUNT)));
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        cell = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * i;
+        edge = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START)) + prepare_scan__FINE_STEP * (double)(i);
+        low = double_max(2, edge - prepare_scan_bends__FOOT_REACH, (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START)));
+        high = double_min(2, edge + prepare_scan__FINE_STEP + prepare_scan_bends__CELL_REACH + prepare_scan_bends__FOOT_REACH, (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP)));
+        while((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE)) < low)
+        {
+            joint += INT64_C(1);
+        }
+        (*cspan_at(&tables, cell + layout__RAIL_CELL_JOINT)) = (double)(joint);
+        (*cspan_at(&tables, cell + layout__RAIL_CELL_WAVE)) = 0.0;
+        (*cspan_at(&tables, cell + layout__RAIL_CELL_KINKS)) = 0.0;
+        at = tables__find_piece(tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), low);
+        while(low < high)
+        {
+            stop = (*cspan_at(&tables, at)) + prepare_scan__piece_width(tables, base, at);
+            (*cspan_at(&tables, cell + layout__RAIL_CELL_WAVE)) = double_max(2, (*cspan_at(&tables, cell + layout__RAIL_CELL_WAVE)), prepare_scan_bends__largest_fourth(tables, at, low, double_min(2, stop, high)));
+            if (stop < high)
+            {
+                prepare_scan_bends__jumps_after(&jump, &kink, tables, base, at);
+                (*cspan_at(&tables, cell + layout__RAIL_CELL_KINKS)) += fabs(kink);
+            }
+            low = stop;
+            at += layout__PIECE_SIZE;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* All of it for the pair's raster, the joints at ``at``; the offset after them, or FULL. */
+static inline int64_t prepare_scan_bends__write_scan_bends(array_double_1d tables, int64_t pair, int64_t at)
+{
+    int64_t scan;
+    int64_t end;
+    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
+    end = prepare_scan_bends__write_joints(tables, pair, scan, at);
+    if (end != prepare_pieces__FULL)
+    {
+        prepare_scan_bends__write_departures(tables, pair, scan);
+        prepare_scan_bends__write_waves(tables, pair, scan);
+    }
+    return end;
+}
+
+
 /* ---- From prepare/tables.py; change that one.
  *
  * The array that the kernel reads, from definitions of the profiles and the parameters: what ContactSystem
@@ -1650,6 +1886,10 @@ static inline int64_t prepare_tables__write_right(array_double_1d setup, array_d
     if (end >= INT64_C(0))
     {
         end = prepare_scan__write_scan(setup, tables, pair, end, work);
+        if (end >= INT64_C(0))
+        {
+            end = prepare_scan_bends__write_scan_bends(tables, pair, end);
+        }
     }
     return end;
 }
@@ -1692,6 +1932,10 @@ static inline int64_t prepare_tables__write_left(array_double_1d setup, array_do
     else if (end >= INT64_C(0))
     {
         end = prepare_scan__write_scan(setup, tables, layout__TABLES_PAIRS, end, work);
+        if (end >= INT64_C(0))
+        {
+            end = prepare_scan_bends__write_scan_bends(tables, layout__TABLES_PAIRS, end);
+        }
     }
     return end;
 }

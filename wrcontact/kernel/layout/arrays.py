@@ -10,7 +10,7 @@
 
 from typing import Final
 
-from .contact import (CubicTable, CurvatureTable, DeepPoints, Frame, KeptFrames, Origin, Overlap, Profile,
+from .contact import (CubicTable, CurvatureTable, DeepPoints, FirstWidths, Frame, KeptFrames, Origin, Overlap, Profile,
                       Regions)
 from .creep import Rolling, RollingTable
 from .interface import Inputs, Outputs, Parameters, PatchOutputs, Resolution, SideOutputs
@@ -164,6 +164,7 @@ class Contact:
     coarse: bool                    # whether an approximate penetration is enough
     following: bool                 # whether deepest points may be followed from the trial before
     frame: Frame
+    first_widths: FirstWidths
     regions: Regions
     nodes: NodesOfRegions
     strips: SolvedStrips

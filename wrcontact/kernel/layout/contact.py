@@ -228,6 +228,16 @@ class Region:
     solve_count: float              # of the first region: iterations of the force solve
 
 
+@record
+class FirstWidths:
+    """Half-widths of the interpenetration about the contact point, from which those of a region beside it are
+    sought."""
+
+    penetration: float              # at which they were measured [m]; 0 if they were not
+    low: float                      # [m]
+    high: float
+
+
 #: The loaded regions of a wheel.
 Regions = Region * REGION_LIMIT
 
@@ -263,6 +273,11 @@ class Samples:
     wheel: SampleRun
     rise: SampleRun                 # slope of the overlap [-]
     turn: SampleRun                 # what the rail's turning normal has taken from it [-]
+    node: SampleRun                 # its scan node
+    gap: SampleRun                  # vertical gap before the wheel has come down [m]
+    aside: SampleRun                # how far the normal through the wheel's point begins beside it [m]
+    rail_slope: SampleRun           # of the rail [-]
+    rail_bend: SampleRun            # and its second derivative [1/m]
     adjacent: SampleRun             # Whether no scan node lies between it and the sample before it
 
 
@@ -295,6 +310,23 @@ class Stretch:
 
 
 @record
+class TurnCell:
+    """How the slope of the gap along the rail's normals runs from one sample to the next one."""
+
+    width: float                    # on the wheel [m]
+    first: float                    # the slope at both ends [-]
+    last: float
+    error: float                    # by which either may be wrong [-]
+    first_bend: float               # and its derivatives [1/m]
+    last_bend: float
+    departure: float                # how far that may depart from a straight line between, but for a joint
+    joint: float                    # where a joint of the rail is, as a share of the width; 1 without one
+    share: float                    # x' at the first end [-]
+    rail_jump: float                # by how much the rail's second derivative jumps there [1/m]
+    jump: float                     # and the bend
+
+
+@record
 class Overlap:
     """Where a pressed wheel overlaps its rail."""
 
@@ -302,4 +334,5 @@ class Overlap:
     height: float                   # vertical shift of the wheel [m]
     points: DeepPoint * DEEP_LIMIT
     samples: Samples
+    cell: TurnCell
     stretch: Stretch

@@ -23,6 +23,8 @@ class ScanNode:
     y: float                         # wheel abscissa [m]
     height: float                    # of the profile [m]
     slope: float                     # [-]
+    bend: float                      # second derivative there, on the side of the next node [1/m]
+    departure: float                 # its largest departure from a straight line up to the next one [1/m]
     least_bend: float                # smallest second derivative up to the next node [1/m]
     most_bends: Float * EXPONENTS    # largest one up to the node 2^k further on [1/m]
     steepest_bends: Float * EXPONENTS        # largest absolute value, likewise [1/m]
@@ -35,19 +37,32 @@ class RailCell:
 
     least_bend: float                # smallest and largest second derivative around it [1/m]
     most_bend: float
+    wave: float                      # largest absolute fourth derivative around it [1/m^3]
+    kinks: float                     # sum of the jumps of the third one [1/m^2]
+    joint: int                       # the first joint beyond where that begins
     least_bends: Float * (EXPONENTS + 1)        # smallest one over 2^k cells from here [1/m]
+
+
+@record
+class RailJoint:
+    """A place where the second derivative of the rail jumps."""
+
+    place: float                     # abscissa [m]; beyond everything in the one after the last
+    jump: float                      # [1/m]
 
 
 SCAN_NODE_SIZE: Final[int] = size(ScanNode)
 RAIL_CELL_SIZE: Final[int] = size(RailCell)
-#: The raster's cells of the rail, and the number of the first node of each bin of the wheel.
+RAIL_JOINT_SIZE: Final[int] = size(RailJoint)
+#: The raster's cells of the rail and its joints, and the number of the first node of each bin of the wheel.
 RailCells = RailCell * OPEN
+RailJoints = RailJoint * OPEN
 Bins = run(OPEN)
 
 
 @record
 class Scan:
-    """The raster over wheel and rail; its nodes are followed by the rail's cells and the bins."""
+    """The raster over wheel and rail; its nodes are followed by the rail's cells, the bins and the joints."""
 
     count: int                       # of nodes
     rail_count: int                  # of the rail's cells
@@ -55,6 +70,7 @@ class Scan:
     rail_per_metre: float
     rail: To(RailCells)
     bins: To(Bins)
+    joints: To(RailJoints)
     bin_count: int
     bins_per_metre: float
     steepest: float                  # largest absolute slope of the wheel [-]

@@ -14,6 +14,7 @@ from typing import Final
 from ..contact.deep_points import keep_deepest
 from ..contact.frame import locate_along_track
 from ..contact.pressed_regions import gather_overlaps, sink_wheel
+from ..contact.widths import keep_widths, start_widths
 from ..layout import REGION_LIMIT, Contact, Pair, SideSearch
 from .analyn import solve_penetrations
 from .estimate import first_penetration, start_penetrations
@@ -46,12 +47,14 @@ def solve_analyn(pair: Pair, contact: Contact, side: SideSearch, force: float, p
     penetration = prescribed
     if isfinite(prescribed):
         by_penetration = True
+    contact.first_widths.penetration = 0.0
     if contact.frame.pressed:
         penetration, count, satisfied = solve_estimated(pair, contact, contact.frame.depth, force,
                                                         by_penetration)
         return penetration, count, satisfied
     if not by_penetration:
         penetration = first_penetration(pair, contact, force)
+        keep_widths(contact.first_widths, contact.regions[0])
     count = 0
     satisfied = False
     for repeat in range(ESTIMATE_REPEATS):
@@ -82,9 +85,10 @@ def gather_regions(pair: Pair, contact: Contact, penetration: float):
     """Open the regions where the wheel overlaps its rail, with their first local penetrations; their
     number."""
     for i in range(REGION_LIMIT):
-        contact.regions[i].width_penetration = 0.0
         contact.regions[i].slant = 0.0
     count = gather_overlaps(pair, contact.frame, contact.frames, contact.regions, contact.overlap)
+    for i in range(count):
+        start_widths(contact.first_widths, contact.regions[i])
     start_penetrations(contact.regions, count, penetration)
     return count
 

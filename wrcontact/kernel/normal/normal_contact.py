@@ -4,10 +4,15 @@ A further model is a file with a function like :func:`~.analyn_contact.analyn_co
 ``NormalModel`` in wrcontact/methods/normal.py for its duties.
 """
 
+from typing import Final
+
 from ..layout import MODEL_ANALYN, MODEL_ANALYN_STRIP, MODEL_HERTZ, Contact, Pair, SideSearch, Tables
 from .analyn_contact import analyn_contact
 from .hertz_contact import hertz_contact
 from .strip_contact import coarse_contact, strip_contact
+
+#: For strips, of tread and flange: 1.29 and 1.45.
+STRIP_RATE: Final[float] = 1.35
 
 
 def solve_normal(pair: Pair, contact: Contact, side: SideSearch, force: float, prescribed: float):
@@ -31,3 +36,14 @@ def solve_normal(pair: Pair, contact: Contact, side: SideSearch, force: float, p
 def has_coarse_form(tables: Tables) -> bool:
     """Whether the model has a form for the first trials of an equilibrium, a per cent off."""
     return tables.normal_model == MODEL_ANALYN_STRIP
+
+
+def residual_rate(tables: Tables):
+    """About how fast the penetration under a force falls behind the depth, where a wheel is pressed deeper.
+
+    Strips are as long as at that depth, and a strip's pressure keeps its shape.
+    """
+    rate = 1.0
+    if tables.normal_model == MODEL_ANALYN_STRIP:
+        rate = STRIP_RATE
+    return rate

@@ -22,6 +22,7 @@ from ..layout import (CORRECTION_RADII, CORRECTION_SCALES, CORRECTION_SIZE, DEPT
 from .curvatures import write_abscissae, write_arcs, write_curvatures
 from .pieces import FULL, MM, write_profile
 from .scan import write_scan
+from .scan_bends import write_scan_bends
 from .waves import write_waves
 from .zones import (DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, highest_point, inner_face,
                     keep_around_top, turn_zones)
@@ -267,6 +268,8 @@ def write_right(setup: Setup, tables: Tables, at: int, wheel: 'float[:]', rail: 
         end = write_rail(setup, tables, pair, setup.parameters.rail_inclination, end, rail, work)
     if end >= 0:
         end = write_scan(setup, tables, pair, end, work)
+        if end >= 0:
+            end = write_scan_bends(tables, pair, end)
     return end
 
 
@@ -295,6 +298,8 @@ def write_left(setup: Setup, tables: Tables, at: int, wheel: 'float[:]', rail: '
         pair.scan = right.scan
     elif end >= 0:
         end = write_scan(setup, tables, pair, end, work)
+        if end >= 0:
+            end = write_scan_bends(tables, pair, end)
     return end
 
 

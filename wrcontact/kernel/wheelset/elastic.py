@@ -20,7 +20,7 @@ from typing import Final
 from ..contact.pressed import limited
 from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Broyden, Supports, Tables,
                       Work, seldom)
-from ..normal.normal_contact import has_coarse_form
+from ..normal.normal_contact import has_coarse_form, residual_rate
 from .brackets import bracket_roll
 from .side import side_lever
 from .trial import balance_both, depth_outcome, estimate_approach, turn_near, turn_to
@@ -30,12 +30,14 @@ TRIALS: Final[int] = 25
 #: Height and roll are found when either wheel moves by less [m], and this move is still made. Patches are
 #: those before it: 1e-11 would let their differences over less than a micrometre miss their derivatives by up
 #: to 1e-4.
-ELASTIC_SHARP: Final[float] = 1e-13
+ELASTIC_SHARP: Final[float] = 3e-13
 #: Where the sum of both residuals is larger, brackets have found a jump and no equilibrium [m].
 UNBALANCED: Final[float] = 1e-9
 #: After a longer move a trial is not the last one: it leaves out the patches, and follows the deepest points
 #: of the one before instead of a search for all [m].
 NOT_LAST: Final[float] = 1e-10
+#: A smallest gap that has moved by less than this along the wheel is the same one, found anew [m].
+SAME_GAP: Final[float] = 1e-9
 #: Strips are solved coarsely in the first trials, until a move is shorter [m]: the coarse penetrations are
 #: about as much off.
 COARSE: Final[float] = 2e-6
@@ -44,6 +46,11 @@ LONGEST_MOVE: Final[float] = 2e-4
 #: Smallest determinant of the residuals' derivatives [-]; -(lever_left + lever_right) / arm
 #: to begin with, 0.3 ... 2.
 SINGULAR: Final[float] = 0.02
+#: Square of the cosine between a move and a residual's derivatives from which on they get a factor, and this
+#: within limits.
+ALONG: Final[float] = 0.1
+LEAST_FACTOR: Final[float] = 0.4
+MOST_FACTOR: Final[float] = 2.5
 #: Smallest sum of both levers [m] for a first estimate of the roll; flanges of 73 deg have none.
 LEAST_LEVER: Final[float] = 1e-2
 
@@ -121,9 +128,9 @@ def iterate(tables: Tables, work: Work, roll: float, height: float, left: float,
         if status > UNLOADED:
             return roll, NOT_CONVERGED
         if trial == 0:
-            begin_derivatives(method, work.supports, arm)
+            begin_derivatives(method, work.supports, arm, residual_rate(tables))
         update(method, work.supports, height)
-        if not find_move(method, work.supports, arm):
+        if not find_move(method, work.supports, arm, residual_rate(tables)):
             return roll, NOT_CONVERGED
         if fabs(method.move_height) < ELASTIC_SHARP and fabs(method.move_roll) < ELASTIC_SHARP:
             if work.contact.filling and gaps_hold(tables, work, roll):
@@ -153,48 +160,64 @@ def gaps_hold(tables: Tables, work: Work, roll: float) -> bool:
     left = work.sides[0].best_y
     right = work.sides[1].best_y
     hold = turn_to(tables, work, roll)
-    if work.sides[0].best_y != left or work.sides[1].best_y != right:
+    if fabs(work.sides[0].best_y - left) > SAME_GAP or fabs(work.sides[1].best_y - right) > SAME_GAP:
         hold = False
     return hold
 
 
 @seldom
-def begin_derivatives(method: Broyden, supports: Supports, arm: float):
-    """The residuals' derivatives from both levers [m]."""
-    method.left_height = -1.0
-    method.right_height = -1.0
-    method.left_roll = -supports[0].lever / arm
-    method.right_roll = supports[1].lever / arm
+def begin_derivatives(method: Broyden, supports: Supports, arm: float, rate: float):
+    """The residuals' derivatives from both levers [m] and the ``rate`` at which they fall with the height."""
+    method.left_height = -rate
+    method.right_height = -rate
+    method.left_roll = -rate * supports[0].lever / arm
+    method.right_roll = rate * supports[1].lever / arm
 
 
 @seldom
 def update(method: Broyden, supports: Supports, height: float):
     """The residuals of a trial at ``height`` [m], and the derivatives that the last move has
     shown (Broyden 1965)."""
-    before_left = method.left
-    before_right = method.right
-    method.left = supports[0].height - height
-    method.right = supports[1].height - height
+    left = supports[0].height - height
+    right = supports[1].height - height
     move_height = method.move_height
     move_roll = method.move_roll
+    if move_height != 0.0 or move_roll != 0.0:
+        method.left_height, method.left_roll = corrected_row(method.left_height, method.left_roll, move_height,
+                                                             move_roll, left - method.left)
+        method.right_height, method.right_roll = corrected_row(method.right_height, method.right_roll,
+                                                               move_height, move_roll, right - method.right)
+    method.left = left
+    method.right = right
+
+
+def corrected_row(per_height: float, per_roll: float, move_height: float, move_roll: float, change: float):
+    """Derivatives of a residual that has changed by ``change`` with a move.
+
+    A side's residual follows its own approach, at a rate that hardly differs from trial to trial: where the
+    move was along that, both derivatives get the same factor. Else they change as little as explains the
+    change (Broyden 1965).
+    """
+    predicted = per_height * move_height + per_roll * move_roll
     size = move_height * move_height + move_roll * move_roll
-    if size > 0.0:
-        off_left = (method.left - before_left - method.left_height * move_height
-                    - method.left_roll * move_roll) / size
-        off_right = (method.right - before_right - method.right_height * move_height
-                     - method.right_roll * move_roll) / size
-        method.left_height += off_left * move_height
-        method.left_roll += off_left * move_roll
-        method.right_height += off_right * move_height
-        method.right_roll += off_right * move_roll
+    along = predicted * predicted
+    if along > ALONG * size * (per_height * per_height + per_roll * per_roll):
+        factor = min(max(change / predicted, LEAST_FACTOR), MOST_FACTOR)
+        per_height *= factor
+        per_roll *= factor
+    else:
+        off = (change - predicted) / size
+        per_height += off * move_height
+        per_roll += off * move_roll
+    return per_height, per_roll
 
 
 @seldom
-def find_move(method: Broyden, supports: Supports, arm: float) -> bool:
+def find_move(method: Broyden, supports: Supports, arm: float, rate: float) -> bool:
     """The move of height and roll that lets the residuals vanish; whether there is one."""
     determinant = method.left_height * method.right_roll - method.right_height * method.left_roll
     if not fabs(determinant) > SINGULAR:
-        begin_derivatives(method, supports, arm)
+        begin_derivatives(method, supports, arm, rate)
         determinant = method.left_height * method.right_roll - method.right_height * method.left_roll
         if not fabs(determinant) > SINGULAR:
             return False
