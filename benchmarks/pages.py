@@ -258,7 +258,7 @@ def draw_strips(axes, rows):
     for sweeps in SWEEPS:
         chosen = [row for row in rows if row.setting == f"× {sweeps}"]
         axes.plot(*places(chosen), ".-", color=STRIP_COLOUR, linewidth=0.8,
-                  label="ANALYN with 16 … 64 strips × sweeps" if sweeps == SWEEPS[0] else None)
+                  label="6 … 16 strips a run × sweeps" if sweeps == SWEEPS[0] else None)
         annotate(axes, chosen[-1], STRIP_COLOUR, (6, -3), "left")
 
 

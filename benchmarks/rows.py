@@ -27,7 +27,7 @@ from .errors import FORCE, anywhere, system, trajectory
 from .record import Cost, cost, unit
 
 HALFSPACE = (0.1, 0.03, 0.01, 0.005)  # tolerances
-STRIPS, SWEEPS = (16, 24, 32, 48, 64), (1, 2, 3)
+STRIPS, SWEEPS = (6, 8, 10, 12, 16), (3, 6, 12)
 EVERY = 10  # in a quick run the half-space solves each tenth row of the hunting run
 FMU_STEPS = 2000
 HALFSPACE_FORM = "halfspace, tolerance {:g}"

@@ -125,8 +125,8 @@ def test_rolling_a_rail_is_another_inclination(name, pose):
         mine, theirs = getattr(found, side), getattr(wanted, side)
         assert mine.normal_force > 1e3
         # overlaps are measured along the rail's normals and do not know down, but the place of the rigid
-        # contact does: the wheel touches first straight above, by each rail's own vertical; stations of strips
-        # lie between the ends of the overlap: 6e-7 of the force
+        # contact does: the wheel touches first straight above, by each rail's own vertical; stations of
+        # strips lie between the ends of the overlap: 6e-7 of the force
         assert mine.normal_force == pytest.approx(theirs.normal_force, rel=few if "strips" in name else 2e-7)
         # strips end where the first estimate of the patch does, which knows down: a few millionths of it
         assert mine.area == pytest.approx(theirs.area, rel=1e-5 if "strips" in name else 2e-7)

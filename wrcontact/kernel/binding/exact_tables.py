@@ -120,7 +120,8 @@ def influence(t, e):
 
 def near_constant(e):
     """k(e): Phi is -2 sqrt(1 - e^2) ln t + k close to the strip's middle line, of an ellipse."""
-    return np.sqrt(1.0 - e * e) * (2.0 * np.log(4.0) + 2.0 * np.log(1.0 - e * e) - 2.0) + 2.0 * e * np.arcsin(e)
+    height = np.sqrt(1.0 - e * e)
+    return height * (2.0 * np.log(4.0) + 2.0 * np.log(1.0 - e * e) - 2.0) + 2.0 * e * np.arcsin(e)
 
 
 def spacing(e, tau):
@@ -131,7 +132,8 @@ def spacing(e, tau):
     reach = (count + 0.5) * tau
     smooth = 2.0 * (influence(reach * z**4, np.full(GRADED, e)) * 4.0 * reach * z**3).sum() / GRADED
     lines = 2.0 * tau * influence(np.arange(1, count + 1) * tau, np.full(count, e)).sum()
-    return (smooth - lines) / tau + 2.0 * np.sqrt(1.0 - e * e) * np.log(tau / (2.0 * np.pi)) - near_constant(e)
+    logarithm = 2.0 * np.sqrt(1.0 - e * e) * np.log(tau / (2.0 * np.pi))
+    return (smooth - lines) / tau + logarithm - near_constant(e)
 
 
 def spacing_tables():

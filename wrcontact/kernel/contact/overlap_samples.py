@@ -5,7 +5,7 @@ The overlap is taken straight down there and converted to the rail's normal.
 
 from typing import Final
 
-from ..layout import EXPONENTS, OVERLAP_LIMIT, Pair, Place, Samples, seldom
+from ..layout import EXPONENTS, OVERLAP_LIMIT, Pair, Place, Samples, inlined, seldom
 from ..search.bounds import clear_exponent
 from ..surface.gap import above_rail
 from ..surface.locus import outline_jet, outline_point
@@ -15,7 +15,7 @@ from ..surface.tables import height_slope_bend
 FAR_ASIDE: Final[float] = 1.0
 
 
-@seldom
+@inlined
 def sample_overlap(pair: Pair, samples: Samples, place: Place, node: int, height: float, entry: int):
     """Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail
     abscissa [m]."""

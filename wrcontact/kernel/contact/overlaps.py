@@ -10,7 +10,7 @@ from math import fabs, sqrt
 from typing import Final
 
 from ..layout import (OVERLAP_LIMIT, Overlap, Pair, Place, RisePoint, Samples, SideSearch, Stretch, copy,
-                      seldom)
+                      inlined, seldom)
 from ..search.bounds import bend_bounds, node_below, only_rises_or_falls
 from ..surface.locus import outline_point
 from ..surface.tables import height_slope
@@ -179,7 +179,7 @@ def list_turning_point(pair: Pair, overlap: Overlap, place: Place, low: float, h
     return turned
 
 
-@seldom
+@inlined
 def may_turn(pair: Pair, samples: Samples, place: Place, entry: int) -> bool:
     """Whether between the sample ``entry`` and the next one the overlap may turn unseen by both."""
     rise = samples.rise[entry]

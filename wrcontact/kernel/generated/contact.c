@@ -43,12 +43,12 @@ static inline int64_t frame__measure_contact(array_double_1d tables, array_doubl
 static inline int64_t frame__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region);
 
 /* contact/overlap_samples.py */
-static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, double height, int64_t entry);
+static ALWAYS_INLINE int64_t overlap_samples__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, double height, int64_t entry);
 static OUT_OF_LINE int64_t overlap_samples__sample_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t direction, int64_t entry);
 static OUT_OF_LINE int64_t overlap_samples__walk_overlap(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, int64_t direction, double height, int64_t first);
 
 /* contact/overlaps.py */
-static OUT_OF_LINE bool overlaps__may_turn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
+static ALWAYS_INLINE bool overlaps__may_turn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__set_point(array_double_1d work, int64_t point, double x, double rise, double rate);
 static OUT_OF_LINE int64_t overlaps__open_stretch(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
 static OUT_OF_LINE int64_t overlaps__widen_bounds(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry);
@@ -1000,7 +1000,7 @@ static inline int64_t frame__open_contact_region(array_double_1d work, array_dou
 /* Write scan node ``node`` to sample ``entry``; its vertical gap [m], slope difference [-] and rail
  * abscissa [m].
  */
-static OUT_OF_LINE int64_t overlap_samples__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, double height, int64_t entry)
+static ALWAYS_INLINE int64_t overlap_samples__sample_overlap(double* gap, double* result_1, double* abscissa, array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t node, double height, int64_t entry)
 {
     int64_t point;
     double y;
@@ -1350,7 +1350,7 @@ static OUT_OF_LINE bool overlaps__list_turning_point(array_double_1d tables, arr
 }
 
 /* Whether between the sample ``entry`` and the next one the overlap may turn unseen by both. */
-static OUT_OF_LINE bool overlaps__may_turn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
+static ALWAYS_INLINE bool overlaps__may_turn(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t entry)
 {
     double rise;
     double following;

@@ -4372,64 +4372,38 @@ static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d 
 /* Derivative of ``eliminate``. */
 static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d work, array_double_1d work_t, int64_t size)
 {
-    int64_t width;
-    int64_t pair;
     int64_t k;
-    int64_t first;
-    int64_t second;
+    int64_t pivot;
     double v1;
     double inverse_t;
     double inverse;
+    int64_t i;
+    int64_t row;
     double factor_t;
     double factor;
     int64_t j;
-    double v2;
-    double next_inverse_t;
-    double next_inverse;
-    int64_t i;
-    int64_t row;
-    double v3;
-    double next_factor_t;
-    double next_factor;
     int64_t back;
-    int64_t pivot;
     double one_t;
     double one;
     double other_t;
     double other;
-    double v4;
-    double v5;
-    width = size + INT64_C(2);
-    for (pair = INT64_C(0); pair < py_floor_div_int64_t(size, INT64_C(2)); pair += INT64_C(1))
+    double v2;
+    double v3;
+    for (k = INT64_C(0); k < size - INT64_C(1); k += INT64_C(1))
     {
-        k = INT64_C(2) * pair;
-        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
-        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * (k + INT64_C(1));
-        v1 = 1.0 / (*cspan_at(&work, first + k));
-        inverse_t = (-v1) * (*cspan_at(&work_t, first + k)) / (*cspan_at(&work, first + k));
+        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
+        v1 = 1.0 / (*cspan_at(&work, pivot + k));
+        inverse_t = (-v1) * (*cspan_at(&work_t, pivot + k)) / (*cspan_at(&work, pivot + k));
         inverse = v1;
-        factor_t = (*cspan_at(&work_t, second + k)) * inverse + (*cspan_at(&work, second + k)) * inverse_t;
-        factor = (*cspan_at(&work, second + k)) * inverse;
-        for (j = k + INT64_C(1); j < width; j += INT64_C(1))
-        {
-            (*cspan_at(&work_t, second + j)) = (*cspan_at(&work_t, second + j)) - (factor_t * (*cspan_at(&work, first + j)) + factor * (*cspan_at(&work_t, first + j)));
-            (*cspan_at(&work, second + j)) = (*cspan_at(&work, second + j)) - factor * (*cspan_at(&work, first + j));
-        }
-        v2 = 1.0 / (*cspan_at(&work, second + (k + INT64_C(1))));
-        next_inverse_t = (-v2) * (*cspan_at(&work_t, second + (k + INT64_C(1)))) / (*cspan_at(&work, second + (k + INT64_C(1))));
-        next_inverse = v2;
-        for (i = k + INT64_C(2); i < size; i += INT64_C(1))
+        for (i = k + INT64_C(1); i < size; i += INT64_C(1))
         {
             row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
             factor_t = (*cspan_at(&work_t, row + k)) * inverse + (*cspan_at(&work, row + k)) * inverse_t;
             factor = (*cspan_at(&work, row + k)) * inverse;
-            v3 = (*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))));
-            next_factor_t = ((*cspan_at(&work_t, row + (k + INT64_C(1)))) - (factor_t * (*cspan_at(&work, first + (k + INT64_C(1)))) + factor * (*cspan_at(&work_t, first + (k + INT64_C(1)))))) * next_inverse + v3 * next_inverse_t;
-            next_factor = v3 * next_inverse;
-            for (j = k + INT64_C(2); j < width; j += INT64_C(1))
+            for (j = k + INT64_C(1); j < size + INT64_C(2); j += INT64_C(1))
             {
-                (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, row + j)) - (factor_t * (*cspan_at(&work, first + j)) + factor * (*cspan_at(&work_t, first + j))) - (next_factor_t * (*cspan_at(&work, second + j)) + next_factor * (*cspan_at(&work_t, second + j)));
-                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, first + j)) - next_factor * (*cspan_at(&work, second + j));
+                (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, row + j)) - (factor_t * (*cspan_at(&work, pivot + j)) + factor * (*cspan_at(&work_t, pivot + j)));
+                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, pivot + j));
             }
         }
     }
@@ -4449,12 +4423,12 @@ static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d wo
             other_t = other_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1)))) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, row + (size + INT64_C(1)))));
             other = other - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1))));
         }
-        v4 = one / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work_t, pivot + size)) = (one_t - v4 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work, pivot + size)) = v4;
-        v5 = other / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work_t, pivot + (size + INT64_C(1)))) = (other_t - v5 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work, pivot + (size + INT64_C(1)))) = v5;
+        v2 = one / (*cspan_at(&work, pivot + k));
+        (*cspan_at(&work_t, pivot + size)) = (one_t - v2 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
+        (*cspan_at(&work, pivot + size)) = v2;
+        v3 = other / (*cspan_at(&work, pivot + k));
+        (*cspan_at(&work_t, pivot + (size + INT64_C(1)))) = (other_t - v3 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
+        (*cspan_at(&work, pivot + (size + INT64_C(1)))) = v3;
     }
     return INT64_C(0);
 }
@@ -4805,7 +4779,6 @@ static inline int64_t derivative_strip_pressures__tested_displacements_t(double*
     double v2_t;
     double v3;
     double v3_t;
-    double v4;
     near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
     facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
     (*front_t) = 0.0;
@@ -4840,10 +4813,11 @@ static inline int64_t derivative_strip_pressures__tested_displacements_t(double*
         for (j = INT64_C(0); j < j_end; j += INT64_C(1))
         {
             other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
+            pushed_t = (*cspan_at(&work_t, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y)) + (*cspan_at(&work, facing + j)) * (*cspan_at(&work_t, other + layout__STRIP_Y));
+            pushed = (*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
             derivative_strip_pressures__influence_at_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), away * away, away_t * away + away * away_t, (*cspan_at(&work, other + layout__STRIP_SQUARE)), (*cspan_at(&work_t, other + layout__STRIP_SQUARE)));
-            v4 = (*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
-            (*front_t) = (*front_t) + (v3_t * v4 + v3 * ((*cspan_at(&work_t, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y)) + (*cspan_at(&work, facing + j)) * (*cspan_at(&work_t, other + layout__STRIP_Y))));
-            (*front) = (*front) + v3 * v4;
+            (*front_t) = (*front_t) + (v3_t * pushed + v3 * pushed_t);
+            (*front) = (*front) + v3 * pushed;
         }
         (*back_t) = (*front_t);
         (*back) = (*front);
@@ -4936,6 +4910,7 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
 {
     int64_t low;
     int64_t high;
+    int64_t region;
     int64_t k_end;
     int64_t k;
     int64_t run;
@@ -4960,7 +4935,8 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
     while(low < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))))
     {
         high = low;
-        while((high < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (high + INT64_C(1)) + layout__TRACED_STATION_REGION))) == (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION)))))
+        region = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION)));
+        while((high < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (high + INT64_C(1)) + layout__TRACED_STATION_REGION))) == region))
         {
             high = high + INT64_C(1);
         }

@@ -2280,8 +2280,8 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
  *
  * Each strip has a place s_j along the rail, a middle x_j and a half-length a_j along the track, and the
  * pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  Wheel and rail are traced once
- * (strip_surfaces); the strips lie in runs from edge to edge, which begin like ANALYN's patches (strip_runs).  One
- * round of
+ * (strip_surfaces); the strips lie in runs from edge to edge, which begin like ANALYN's patches (strip_runs).
+ * One round of
  *
  * 1. solve sum_j F_ij y_j = c_i penetration - g_i with y = p / (pi E*) and the given force, eq. (S5)
  *    (strip_pressures),
@@ -2461,8 +2461,8 @@ static inline double strip_lengths__corrected(double ratio, double power)
     return (less + more * ratio) / (more + less * ratio);
 }
 
-/* Axis of strip ``i`` of the run that begins with strip ``first``, by how much less the surfaces are displaced towards its ends than the gap rises;
- * its middle moves to where both ends are alike.
+/* Axis of strip ``i`` of the run that begins with strip ``first``, by how much less the surfaces are
+ * displaced towards its ends than the gap rises; its middle moves to where both ends are alike.
  */
 static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_double_1d tables, int64_t first, int64_t i, double penetration, bool yawed)
 {
@@ -2645,8 +2645,8 @@ static inline int64_t strip_lengths__finish_strips(array_double_1d work, array_d
  *
  * From corrected strips to patches: each run is a patch.
  *
- * Half-length and pressure between the strips of a run follow the cosines through them, at its fine strips; to the
- * pressure comes what the fine part of the gap adds, eq. (S13).
+ * Half-length and pressure between the strips of a run follow the cosines through them, at its fine strips; to
+ * the pressure comes what the fine part of the gap adds, eq. (S13).
  */
 
 /* Fill the patches of a side from the runs of strips, which lie in ``count`` regions. */
@@ -3001,44 +3001,27 @@ static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_d
  */
 static inline int64_t strip_pressures__eliminate(array_double_1d work, int64_t size)
 {
-    int64_t width;
-    int64_t pair;
     int64_t k;
-    int64_t first;
-    int64_t second;
+    int64_t pivot;
     double inverse;
-    double factor;
-    int64_t j;
-    double next_inverse;
     int64_t i;
     int64_t row;
-    double next_factor;
+    double factor;
+    int64_t j;
     int64_t back;
-    int64_t pivot;
     double one;
     double other;
-    width = size + INT64_C(2);
-    for (pair = INT64_C(0); pair < py_floor_div_int64_t(size, INT64_C(2)); pair += INT64_C(1))
+    for (k = INT64_C(0); k < size - INT64_C(1); k += INT64_C(1))
     {
-        /* two columns at a time, so that every row is read and written once for both */
-        k = INT64_C(2) * pair;
-        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
-        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * (k + INT64_C(1));
-        inverse = 1.0 / (*cspan_at(&work, first + k));
-        factor = (*cspan_at(&work, second + k)) * inverse;
-        for (j = k + INT64_C(1); j < width; j += INT64_C(1))
-        {
-            (*cspan_at(&work, second + j)) -= factor * (*cspan_at(&work, first + j));
-        }
-        next_inverse = 1.0 / (*cspan_at(&work, second + (k + INT64_C(1))));
-        for (i = k + INT64_C(2); i < size; i += INT64_C(1))
+        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
+        inverse = 1.0 / (*cspan_at(&work, pivot + k));
+        for (i = k + INT64_C(1); i < size; i += INT64_C(1))
         {
             row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
             factor = (*cspan_at(&work, row + k)) * inverse;
-            next_factor = ((*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))))) * next_inverse;
-            for (j = k + INT64_C(2); j < width; j += INT64_C(1))
+            for (j = k + INT64_C(1); j < size + INT64_C(2); j += INT64_C(1))
             {
-                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, first + j)) - next_factor * (*cspan_at(&work, second + j));
+                (*cspan_at(&work, row + j)) -= factor * (*cspan_at(&work, pivot + j));
             }
         }
     }
@@ -3303,7 +3286,8 @@ static inline int64_t strip_pressures__tested_displacements(double* front, doubl
         for (j = INT64_C(0); j < j_end; j += INT64_C(1))
         {
             other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            (*front) += strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), away * away, (*cspan_at(&work, other + layout__STRIP_SQUARE))) * ((*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y)));
+            pushed = (*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
+            (*front) += strip_pressures__influence_at(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), away * away, (*cspan_at(&work, other + layout__STRIP_SQUARE))) * pushed;
         }
         (*back) = (*front);
     }
@@ -3382,6 +3366,7 @@ static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_doubl
 {
     int64_t low;
     int64_t high;
+    int64_t region;
     int64_t k_end;
     int64_t k;
     int64_t run;
@@ -3397,7 +3382,8 @@ static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_doubl
     while(low < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))))
     {
         high = low;
-        while((high < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (high + INT64_C(1)) + layout__TRACED_STATION_REGION))) == (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION)))))
+        region = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION)));
+        while((high < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1)) && ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (high + INT64_C(1)) + layout__TRACED_STATION_REGION))) == region))
         {
             high += INT64_C(1);
         }
@@ -3692,8 +3678,8 @@ static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_doubl
     return INT64_C(0);
 }
 
-/* The gap at the fine strips of a run that begins with strip ``first``, and under its strips what the first
- * cosines are of it.
+/* The gap at the fine strips of a run that begins with strip ``first``, and under its strips what the
+ * first cosines are of it.
  */
 static inline int64_t strip_runs__smooth_gaps(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first)
 {

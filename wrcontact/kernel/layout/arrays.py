@@ -10,8 +10,8 @@
 
 from typing import Final
 
-from .contact import (CubicTable, CurvatureTable, DeepPoints, FirstWidths, Frame, KeptFrames, Origin, Overlap, Profile,
-                      Regions)
+from .contact import (CubicTable, CurvatureTable, DeepPoints, FirstWidths, Frame, KeptFrames, Origin, Overlap,
+                      Profile, Regions)
 from .creep import Rolling, RollingTable
 from .interface import Inputs, Outputs, Parameters, PatchOutputs, Resolution, SideOutputs
 from .patch import (Equations, Forces, HertzTable, InfluenceTable, NodesOfRegions, Outline, Patch,

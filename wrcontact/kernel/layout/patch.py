@@ -303,7 +303,7 @@ class StripProblem:
     next_runs: StripRun * STRIP_RUN_LIMIT
     strips: Strips
     near: PairNumbers               # 96 sqrt(t / (1 + t)) of strips i and j, t = distance / half-length of j
-    facing: PairNumbers             # cosine of the angle between i and j, times the width of j [m]; 0 of itself
+    facing: PairNumbers             # cosine of the angle between i and j, by j's width [m]; 0 of itself
 
 
 INFLUENCE_CELLS: Final[int] = 96     # of the table of influences along sqrt(t / (1 + t)),

@@ -3,8 +3,8 @@
 
 Each strip has a place s_j along the rail, a middle x_j and a half-length a_j along the track, and the
 pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  Wheel and rail are traced once
-(strip_surfaces); the strips lie in runs from edge to edge, which begin like ANALYN's patches (strip_runs).  One
-round of
+(strip_surfaces); the strips lie in runs from edge to edge, which begin like ANALYN's patches (strip_runs).
+One round of
 
 1. solve sum_j F_ij y_j = c_i penetration - g_i with y = p / (pi E*) and the given force, eq. (S5)
    (strip_pressures),

@@ -36,8 +36,8 @@ def corrected(ratio: float, power: float):
 
 
 def correct_strip(tables: Tables, problem: StripProblem, first: int, i: int, penetration: float, yawed: bool):
-    """Axis of strip ``i`` of the run that begins with strip ``first``, by how much less the surfaces are displaced towards its ends than the gap rises;
-    its middle moves to where both ends are alike."""
+    """Axis of strip ``i`` of the run that begins with strip ``first``, by how much less the surfaces are
+    displaced towards its ends than the gap rises; its middle moves to where both ends are alike."""
     strip = problem.strips[first + i]
     half = strip.half_length
     away = TESTED * half

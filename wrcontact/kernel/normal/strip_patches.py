@@ -1,7 +1,7 @@
 """From corrected strips to patches: each run is a patch.
 
-Half-length and pressure between the strips of a run follow the cosines through them, at its fine strips; to the
-pressure comes what the fine part of the gap adds, eq. (S13).
+Half-length and pressure between the strips of a run follow the cosines through them, at its fine strips; to
+the pressure comes what the fine part of the gap adds, eq. (S13).
 """
 
 from math import pi, sqrt
@@ -62,7 +62,8 @@ def fill_run(tables: Tables, contact: Contact, side: SideSearch, k: int):
     patch.totals.stop = run.next_stop
     patch.last = (k + 1) * fine - 1
     fill_fine_strips(tables, problem, contact.strips, k)
-    patch.pressure_square = max(patch.pressure_square, largest_square(contact.strips, k * fine, patch.last, True))
+    patch.pressure_square = max(patch.pressure_square,
+                                largest_square(contact.strips, k * fine, patch.last, True))
     patch.half_length_square = max(patch.half_length_square,
                                    largest_square(contact.strips, k * fine, patch.last, False))
     finish_patch(side)

@@ -34,23 +34,14 @@ def eliminate(equations: Equations, size: int):
 
     Gauss without exchange of rows: the matrix is that of a positive kernel, largest on the diagonal.
     """
-    width = size + 2
-    for pair in range(size // 2):
-        # two columns at a time, so that every row is read and written once for both
-        k = 2 * pair
-        first = equations[k]
-        second = equations[k + 1]
-        inverse = 1.0 / first[k]
-        factor = second[k] * inverse
-        for j in range(k + 1, width):
-            second[j] -= factor * first[j]
-        next_inverse = 1.0 / second[k + 1]
-        for i in range(k + 2, size):
+    for k in range(size - 1):
+        pivot = equations[k]
+        inverse = 1.0 / pivot[k]
+        for i in range(k + 1, size):
             row = equations[i]
             factor = row[k] * inverse
-            next_factor = (row[k + 1] - factor * first[k + 1]) * next_inverse
-            for j in range(k + 2, width):
-                row[j] = row[j] - factor * first[j] - next_factor * second[j]
+            for j in range(k + 1, size + 2):
+                row[j] -= factor * pivot[j]
     for back in range(size):
         k = size - 1 - back
         pivot = equations[k]
@@ -197,7 +188,8 @@ def tested_displacements(tables: Tables, problem: StripProblem, i: int, away: fl
     else:
         for j in range(problem.count):
             other = strips[j]
-            front += influence_at(tables.influence, near[j], away * away, other.square) * (facing[j] * other.y)
+            pushed = facing[j] * other.y
+            front += influence_at(tables.influence, near[j], away * away, other.square) * pushed
         back = front
     return front, back
 

@@ -37,7 +37,8 @@ def begin_runs(problem: StripProblem, waves: Waves):
     low = 0
     while low < problem.traced_count:
         high = low
-        while high < problem.traced_count - 1 and problem.traced[high + 1].region == problem.traced[low].region:
+        region = problem.traced[low].region
+        while high < problem.traced_count - 1 and problem.traced[high + 1].region == region:
             high += 1
         begin_curve(problem, low, high)
         low = high + 1
@@ -205,8 +206,8 @@ def lay_strips(problem: StripProblem, waves: Waves, smooth: bool):
 
 
 def smooth_gaps(problem: StripProblem, waves: Waves, run: StripRun, first: int):
-    """The gap at the fine strips of a run that begins with strip ``first``, and under its strips what the first
-    cosines are of it."""
+    """The gap at the fine strips of a run that begins with strip ``first``, and under its strips what the
+    first cosines are of it."""
     fine = FINE_WAVES * waves.count
     j = run.low
     for i in range(fine):

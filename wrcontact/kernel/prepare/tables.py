@@ -15,9 +15,11 @@ from typing import Final
 
 from ..elementary.circle import atan
 from ..layout import (CORRECTION_RADII, CORRECTION_SCALES, CORRECTION_SIZE, DEPTH_ALL, LATERAL_LIMIT,
-                      MODEL_ANALYN_STRIP, POINT_LIMIT, REACH_CELLS, REACH_COLUMNS, REACH_ROW, ROLLING_TABLE_SIZE, SETTING_COUNT,
+                      MODEL_ANALYN_STRIP, POINT_LIMIT, REACH_CELLS, REACH_COLUMNS, REACH_ROW,
+                      ROLLING_TABLE_SIZE, SETTING_COUNT,
                       SHAPE_CELLS, SHAPE_ROW, SIDES_BOTH, STARTS_SIZE, START_COUNT, STATION_COUNT,
-                      TANGENTIAL_NONE, UNLOADED, WAVES_SIZE, YAW_LIMIT, CubicTable, CurvatureTable, Outputs, Pair,
+                      TANGENTIAL_NONE, UNLOADED, WAVES_SIZE, YAW_LIMIT, CubicTable, CurvatureTable,
+                      Outputs, Pair,
                       Profile, RollingTable, Setup, Tables, clear, copy, offset)
 from .curvatures import write_abscissae, write_arcs, write_curvatures
 from .pieces import FULL, MM, write_profile

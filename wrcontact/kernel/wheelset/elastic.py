@@ -183,8 +183,8 @@ def update(method: Broyden, supports: Supports, height: float):
     move_height = method.move_height
     move_roll = method.move_roll
     if move_height != 0.0 or move_roll != 0.0:
-        method.left_height, method.left_roll = corrected_row(method.left_height, method.left_roll, move_height,
-                                                             move_roll, left - method.left)
+        method.left_height, method.left_roll = corrected_row(method.left_height, method.left_roll,
+                                                             move_height, move_roll, left - method.left)
         method.right_height, method.right_roll = corrected_row(method.right_height, method.right_roll,
                                                                move_height, move_roll, right - method.right)
     method.left = left
