@@ -38,8 +38,8 @@ def solve(ratio, force=FORCE, squeeze=1.0, **given):
 
 
 @pytest.mark.parametrize("count, middle, ends", [
-    # measured 0.080, 0.049, 0.015 % in the middle; the first strip but one: 2.6, 2.6, 2.6 %, the next ones: 0.9,
-    # 0.8, 0.8 %
+    # measured 0.080, 0.049, 0.015 % in the middles; 2.6 % of the gap at the strips but one from the edges, 0.9 %
+    # further in
     (8, 1.2e-3, (0.039, 0.013)), (10, 7.5e-4, (0.039, 0.013)), (16, 2.3e-4, (0.039, 0.013))])
 @pytest.mark.parametrize("ratio", [0.1, 0.3, 1.0, 3.0, 10.0])
 def test_hertz_s_pressures_displace_as_hertz_s_gap_wants(ratio, count, middle, ends):
@@ -94,8 +94,8 @@ def test_levels_are_raised_until_they_carry_the_force(ratio, depth):
 
 
 def test_the_outermost_axis_is_that_of_a_parabola():
-    """Axes that are c + d t^2, t = 1/2, 3/2, 5/2 steps from the edge; within 0.6 ... 1.6 of the next one.  The
-    lead moves as the next one's."""
+    """Axes that are c + d t^2, t = 1/2, 3/2, 5/2 steps from the edge; within 0.6 ... 1.6 of the next one.
+    The lead moves as the next one's."""
     _, work, _ = trace_constant_curvatures(A, A, FORCE)
     first, inner, second = (work.contact.strip_problem.strips[i] for i in range(3))
     for c, d in ((4e-3, 3e-4), (5e-3, -2e-4), (1.0, 0.0)):
@@ -115,8 +115,8 @@ def test_the_outermost_axis_is_that_of_a_parabola():
 
 @pytest.mark.parametrize("shift", [0.0, 2e-3])
 def test_edges_move_to_where_a_line_contact_ends(shift):
-    """A cylinder's pressure on an interval whose ends are wrong by d1 and d2 is a multiple of
-    (f - (x - m) (x - c) ...) / sqrt; edges of the next sweep are right to the square of d: eq. (S14)."""
+    """A cylinder's pressure p on an interval that is wrong by d at its ends: to first order in d, p sin t is
+    h sin^2 t + d.  The edges of the next sweep are right but for the square of d, eq. (S14)."""
     half = 5e-3
     for low, high in ((1e-5, 1e-5), (-2e-5, -2e-5), (1e-5, -3e-5), (0.0, 2e-5)):
         tables, work, _ = trace_constant_curvatures(A, A, FORCE)
@@ -125,8 +125,7 @@ def test_edges_move_to_where_a_line_contact_ends(shift):
         zone.start, zone.stop = shift - 1.0, shift + 1.0
         run.start, run.stop = shift - half, shift + half
         for i in range(waves.count):
-            # near the right ends, -half - low and half + high, the pressure is 0 and a square root; within
-            # the second order in low and high it is the flat part over the sine
+            # the pressure ends at -half - low and half + high
             cosine = waves.cos[i]
             product = half * waves.sin[i] ** 2 + (low * (1 + cosine) + high * (1 - cosine)) / 2
             problem.strips[i].y = 1e-3 * product / waves.sin[i]
@@ -144,8 +143,8 @@ def test_no_edge_moves_far():
 
 
 @pytest.mark.parametrize("squeeze, sweeps, width, errors", [
-    # measured 0.10, 0.05, 0.92 % of the width; 0.13, 0.16, 0.15, then 0.25, 0.20, 0.28 and 0.38, 0.60, 0.39 % of
-    # penetration, area and peak
+    # measured 0.10, 0.05, 0.92 % of the width; 0.13, 0.16, 0.15, then 0.25, 0.20, 0.28 and 0.38, 0.60, 0.39 %
+    # of penetration, area and peak
     (0.9, 12, 1.5e-3, (2e-3, 2.4e-3, 2.3e-3)), (1.1, 12, 1.5e-3, (2e-3, 2.4e-3, 2.8e-3)),
     (0.7, 6, 0.014, (5.7e-3, 9e-3, 5.9e-3))])
 @pytest.mark.parametrize("ratio", [0.1, 1.0, 10.0])
@@ -192,8 +191,8 @@ def test_very_long_and_very_wide_patches(ratio):
 
 @pytest.mark.parametrize("ratio", [0.1, 1.0, 10.0])
 def test_a_share_of_the_penetration_is_that_share(ratio):
-    """Where 0.9 of the penetration comes along the normal, it is a ninth larger, and all else is the same, but
-    for other stations; measured 0.03 % and 0.09 %."""
+    """Where 0.9 of the penetration comes along the normal, it is a ninth larger, and all else is the same,
+    but for other stations; measured 0.03 % and 0.09 %."""
     plain, _ = solve(ratio)
     shared, _ = solve(ratio, share=0.9)
     assert (1 + shared[0]) * 0.9 == pytest.approx(1 + plain[0], abs=6e-4)
@@ -202,8 +201,8 @@ def test_a_share_of_the_penetration_is_that_share(ratio):
 
 @pytest.mark.parametrize("ratio", [0.1, 1.0, 10.0])
 def test_area_and_pressure_are_those_on_the_curve_between_wheel_and_rail(ratio):
-    """Where that is 0.9 times as long as the rail, B is 1 / 0.81 times as large on it; measured 0.07, 0.15 and
-    0.07 % from Hertz's ellipse for that."""
+    """Where that is 0.9 times as long as the rail, B is 1 / 0.81 times as large on it; measured 0.07, 0.15
+    and 0.07 % from Hertz's ellipse for that."""
     tables, work, _ = trace_constant_curvatures(A, ratio * A, FORCE, stretch=0.9)
     found = sweep_constant_curvatures(tables, work, FORCE)
     penetration, a, b, pressure = hertz(A, ratio * A / 0.81, FORCE)

@@ -95,8 +95,8 @@ def spacing_by_quadrature(e, tau):
 
 @pytest.mark.parametrize("e, first", [(0.0, INFLUENCE_MAP), (TESTED, INFLUENCE_MAP + 3 * SPACING_CELLS)])
 def test_spacing_is_what_lines_leave_out(e, first):
-    """The function, and its table between the nodes and beyond its ends; S is 2.4 where lines are 23 half-lengths
-    apart, and is nothing where they are close together."""
+    """The function, and its table between the nodes and beyond its ends; S is 2.4 where lines are 23
+    half-lengths apart, and is nothing where they are close together."""
     table = InfluenceTable.at(influence_table())
     for tau in (0.11, 0.35, 0.93, 2.1, 6.7, 23.0):
         truth = spacing_by_quadrature(e, tau)
