@@ -55,8 +55,8 @@ def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=10, swe
 
 def trace_constant_curvatures(A, B, force, strips=10, sweeps=6, depth=1.0, share=1.0, stretch=1.0, gap=None):
     """The kernel's tables and workspace with the first runs of the strip model on the gap B s^2, or ``gap``
-    (two functions of s, itself and its slope), and constant A, sunk by ``depth`` times Hertz's penetration; and
-    that penetration [m].
+    (two functions of s, itself and its slope), and constant A, sunk by ``depth`` times Hertz's penetration;
+    and that penetration [m].
 
     ``share`` of the penetration comes along the normal, and the curve between wheel and rail is ``stretch``
     times as long as the rail.

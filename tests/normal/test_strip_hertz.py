@@ -38,8 +38,8 @@ def solve(ratio, force=FORCE, squeeze=1.0, **given):
 
 
 @pytest.mark.parametrize("count, middle, ends", [
-    # measured 0.080, 0.049, 0.015 % in the middles; 2.6 % of the gap at the strips but one from the edges, 0.9 %
-    # further in
+    # measured 0.080, 0.049, 0.015 % in the middles; 2.6 % of the gap at the next strips to the
+    # outermost, 0.9 % further in
     (8, 1.2e-3, (0.039, 0.013)), (10, 7.5e-4, (0.039, 0.013)), (16, 2.3e-4, (0.039, 0.013))])
 @pytest.mark.parametrize("ratio", [0.1, 0.3, 1.0, 3.0, 10.0])
 def test_hertz_s_pressures_displace_as_hertz_s_gap_wants(ratio, count, middle, ends):
