@@ -157,11 +157,11 @@ static void note(fmi2ComponentEnvironment e, fmi2String name, fmi2Status status,
     va_end(rest);
     count_line(text);
 }
-static component create(const char *name, const char *token)
+static component create(const char *name, const char *token, bool exchange)
 {
     static const fmi2CallbackFunctions callbacks = {note, NULL, NULL, NULL, NULL}, silent = {NULL, NULL, NULL, NULL, NULL};
     const char *const resources[] = {NULL, "", "file:///nowhere", "%s%n"};
-    return CALL(Instantiate)(name, pick(60) ? fmi2CoSimulation : fmi2ModelExchange, token, resources[pick(4)],
+    return CALL(Instantiate)(name, pick(60) ? exchange ? fmi2ModelExchange : fmi2CoSimulation : 7, token, resources[pick(4)],
                              pick(50) ? &callbacks : pick(2) ? &silent : NULL, fmi2False, fmi2True);
 }
 static int get_state(component c, saved_state *s) { return CALL(GetFMUstate)(c, s); }
@@ -185,6 +185,12 @@ static int enter(component c)
     return CALL(SetupExperiment)(c, fmi2False, 0.0, 0.0, fmi2False, 0.0), CALL(EnterInitializationMode)(c);
 }
 static int step(component c, double time, double size) { return CALL(DoStep)(c, time, size, fmi2True); }
+static int complete(component c)
+{
+    int event = -1, end = -1;
+    CALL(EnterContinuousTimeMode)(c);
+    return (int)CALL(CompletedIntegratorStep)(c, fmi2True, &event, &end) | event | end;
+}
 static int texts(component c, const value_reference *r, size_t n, const char **v, int set)
 {
     return set ? CALL(SetString)(c, r, n, v) : CALL(GetString)(c, r, n, v);
@@ -250,9 +256,11 @@ static void note(fmi3InstanceEnvironment e, fmi3Status status, fmi3String catego
     (void)e, (void)status, (void)category;
     count_line(message);
 }
-static component create(const char *name, const char *token)
+static component create(const char *name, const char *token, bool exchange)
 {
     const char *const resources[] = {NULL, "", "/nowhere/", "%s%n"};
+    if (exchange)
+        return CALL(InstantiateModelExchange)(name, token, resources[pick(4)], false, true, NULL, pick(50) ? note : NULL);
     return CALL(InstantiateCoSimulation)(name, token, resources[pick(4)], false, true, pick(60) == 0, false, NULL,
                                          pick(60) == 0, NULL, pick(50) ? note : NULL, NULL);
 }
@@ -276,6 +284,12 @@ static int step(component c, double time, double size)
     bool a, b, d;
     double last;
     return CALL(DoStep)(c, time, size, true, &a, &b, pick(60) ? &d : NULL, &last);
+}
+static int complete(component c)
+{
+    bool event = true, end = true;
+    CALL(EnterContinuousTimeMode)(c);
+    return (int)CALL(CompletedIntegratorStep)(c, true, &event, &end) | event | end;
 }
 static int texts(component c, const value_reference *r, size_t n, const char **v, int set)
 {
@@ -386,7 +400,7 @@ static int odd_call(component c, const value_reference *r, size_t n)
     case 51: return CALL(GetOutputDerivatives)(c, r, n, orders, d, n);
     case 52: return CALL(ActivateModelPartition)(c, r ? *r : 0, some_number());
     case 53: return strcmp(CALL(GetVersion)(), "3.0") != 0;
-    case 54: return CALL(InstantiateModelExchange)("name", MODEL_TOKEN, NULL, false, true, NULL, MAYBE(note)) == NULL;
+    case 54:
     case 55:
         return CALL(InstantiateScheduledExecution)("name", MODEL_TOKEN, NULL, false, true, NULL, note, NULL, NULL, NULL)
             == NULL;
@@ -412,7 +426,7 @@ static int accepted_damage;
 static long usual_steps, valid_steps, other_outlines;
 static long started[8][8];      /* instances that were initialised, by contact mode and normal model */
 
-/* What a simulation does: all inputs possible, velocities too, a step, the status read. */
+/* What a simulation does: all inputs possible, velocities too, a step or a completed one of a solver, the status read. */
 static int usual_step(component c)
 {
     const value_reference status = FMI == 2 ? MODEL_STATUS : MODEL_BLOCKS;
@@ -432,7 +446,7 @@ static int usual_step(component c)
         count += 1;
     }
     usual_steps += 1;
-    if (set_reals(c, references, count, inputs, count) != OK || step(c, 0.0, 1e-3) != OK
+    if (set_reals(c, references, count, inputs, count) != OK || (step(c, 0.0, 1e-3) != OK && complete(c) != OK)
         || integers(c, &status, 1, &outcome, 0) != OK)
         return OK + 1;
     valid_steps += outcome == 0 || outcome == 1;
@@ -545,7 +559,8 @@ static int some_call(void)
     if (!c)
     {
         CALL(FreeInstance)(NULL);
-        *slot = create(pick(20) ? "instance" : pick(2) ? "" : NULL, pick(20) ? MODEL_TOKEN : pick(2) ? "{0}" : NULL);
+        *slot = create(pick(20) ? "instance" : pick(2) ? "" : NULL, pick(20) ? MODEL_TOKEN : pick(2) ? "{0}" : NULL,
+                       pick(3) == 0);
         return *slot ? OK : OK + 1;
     }
     const unsigned kind = pick(5);      /* mostly inputs, and sometimes anything */
@@ -605,7 +620,7 @@ static int check_recovery(component c)
     component fresh = NULL;
     double values[2] = {1.0, 2.0};
     while (!fresh)
-        fresh = create("fresh", MODEL_TOKEN);
+        fresh = create("fresh", MODEL_TOKEN, pick(2));
     component both[2] = {c, fresh};
     for (int i = 0; i < 2; i += 1)
     {
@@ -716,7 +731,7 @@ static component ready(int variant)
     static const double OTHER[] = {0.4593, 0.05};
     component c = NULL;
     while (!c)
-        c = create("instance", MODEL_TOKEN);
+        c = create("instance", MODEL_TOKEN, false);
     for (int i = 0; variant % 2 && i < 2; i += 1)
     {
         const value_reference reference = (value_reference)(variable_named(LEFT[i]) - model_variables) + FIRST_INPUT;
@@ -999,7 +1014,7 @@ static int part(walk *self)
     CALL(FreeInstance)(self->c);
     self->c = NULL;
     while (!self->c)
-        self->c = create("instance", MODEL_TOKEN);
+        self->c = create("instance", MODEL_TOKEN, false);
     state = NULL;
     wrong |= read_state(self->c, bytes, size, &state) | set_state(self->c, state);
     return wrong | free_state(self->c, &state);

@@ -1,6 +1,6 @@
 """Measure the closed loop anew and write its tables and pictures into docs/closed_loop.md and docs/img.
 
-    python docs/make_closed_loop.py [klingel] [critical] [hunting] [energy] [curve] [long] [master]
+    python docs/make_closed_loop.py [klingel] [critical] [hunting] [energy] [curve] [long] [master] [exchange]
                                     [manchester]
 
 Without names it does all of them, which takes a quarter of an hour.  It needs libcosimpy for "master".
@@ -20,7 +20,15 @@ import wrcontact  # noqa: E402
 from benchmarks.tables import grid  # noqa: E402
 from data import hunting_theory as theory  # noqa: E402
 from data import manchester  # noqa: E402
-from examples.hunting_wheelset import coupling, curve_entry, energy, hunting, long_run, structure  # noqa: E402
+from examples.hunting_wheelset import (  # noqa: E402
+    coupling,
+    curve_entry,
+    energy,
+    exchange,
+    hunting,
+    long_run,
+    structure,
+)
 from examples.hunting_wheelset.stability import LINEAR, LINEAR_FRICTION, Linear  # noqa: E402
 from wrcontact.plots.style import save  # noqa: E402
 
@@ -111,6 +119,15 @@ def master(archives):
             f"{len(mine)} steps of {structure.STEP * 1e6:g} us; largest status {worst}."]
 
 
+def exchanged(archives):
+    """One solver with a variable step beside co-simulation with fixed ones."""
+    found = exchange.study(archives, exchange.build_exchange(archives[1].parent))
+    rows = [[words, str(run.steps), str(run.evaluations), f"{missed * 1e6:.2g}"]
+            for words, run, missed in found]
+    return [*table(["", "steps", "calls of the contact", "error [um]"], rows), "",
+            f"Largest status {max(run.worst_status for _, run, _ in found)}."]
+
+
 def manchester_creep(archives):
     """Errors of all models beside CONTACT's forces, by CONTACT's CSV."""
     rows = []
@@ -124,7 +141,7 @@ def manchester_creep(archives):
 
 
 PARTS = {"klingel": klingel, "critical": critical, "hunting": hunts, "energy": energies, "curve": curve,
-         "long": long, "master": master, "manchester": manchester_creep}
+         "long": long, "master": master, "exchange": exchanged, "manchester": manchester_creep}
 
 
 def write(name, lines):

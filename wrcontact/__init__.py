@@ -8,6 +8,7 @@ from .interface.parameters import Material, Track, Wheelset
 from .methods import *  # noqa: F403
 from .methods import __all__ as _methods
 from .methods.numbers import UnusualValueWarning
+from .motion import motion_of
 from .profiles import Profile, ProfileFile, ProfileWarning
 from .state import WheelsetState
 from .status import Status, explain
@@ -17,8 +18,8 @@ from .system import ContactSystem
 __version__ = "0.2.0.dev0"
 __all__ = ["ContactSystem", "CreepForces", "CreepPatch", "Friction", "Material", "Profile", "ProfileFile",
            "ProfileWarning", "Status", "Stepper", "Track", "UnusualValueWarning", "Wheelset",
-           "WheelsetState", "check", "creep_forces", "elliptic_patch", "explain", "outlined_patch",
-           "patch_of", *_methods]
+           "WheelsetState", "check", "creep_forces", "elliptic_patch", "explain", "motion_of",
+           "outlined_patch", "patch_of", *_methods]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
 _LATER = frozenset({"conditioning", "halfspace", "plots", "study"})

@@ -12,14 +12,22 @@ from queue import SimpleQueue
 
 import numpy as np
 
+from .interface.calls import PLACES, STARTS, unknown_input
+from .interface.inputs import INPUT_NAMES
 from .kernel import layout
 from .kernel.binding.library import default_kernel
 from .kernel.patch.outline import row_size
 from .methods.numbers import check_choice
+from .motion.names import differentiated_inputs, differentiated_outputs, is_computed, listed, place_of
+from .motion.reaction import rail_reaction
+from .results.columns import output_names
 
 #: What of an evaluation can be wanted: sides and depth of the outputs, with the kernel's numbers.
 SIDES = {"both": layout.SIDES_BOTH, "left": layout.SIDES_LEFT, "right": layout.SIDES_RIGHT}
 DEPTHS = {"all": layout.DEPTH_ALL, "patches": layout.DEPTH_PATCHES, "geometry": layout.DEPTH_GEOMETRY}
+#: Where the wheelset's force and moment are among the outputs.
+FORCE, MOMENT = (slice(place, place + 3) for place in (layout.Outputs.force.offset // 8,
+                                                       layout.Outputs.moment.offset // 8))
 #: Permitted penetration, where it is prescribed [m].
 PENETRATION_RANGE = (0.0, 0.01)
 #: Rows that a part of many has at first and at most, and the time that a part should take [s].
@@ -39,18 +47,22 @@ class Stepper:
 
     Attributes
     ----------
-    inputs : those of wrcontact/interface/inputs.py, in this order; SI.
-    outputs : those of wrcontact/interface/outputs.py, in the order of an FMU's variables; SI.  Zero until the
-        first valid step.  With another number of stations than 31 the outlines follow behind them, see
-        wrcontact/kernel/patch/outline.py.
+    inputs : those of ``input_names``, in this order; SI.  They begin with the defaults of
+        :meth:`~wrcontact.ContactSystem.evaluate`.
+    outputs : in the order of an FMU's variables, SI; zero until the first valid step.  :meth:`place` says
+        where one of ``output_names`` is.  With another number of stations than 31 the outlines follow behind
+        them, see wrcontact/kernel/patch/outline.py.
+    force, moment : (3,) of the wheelset [N, N m], views of the outputs: forward, to the right, down; the
+        moment is about the wheelset's centre.
     state : where the next roll search starts, and counters; it never changes an answer.
     compiled : whether the compiled kernel is used.
     """
 
     def __init__(self, tables, bind=None):
         self._tables, self._bind = tables.copy(), bind
-        self.inputs = np.zeros(layout.INPUT_COUNT)
+        self.inputs = np.array(STARTS, dtype=float)
         self.outputs = np.zeros(row_size(layout.Tables.at(self._tables)))
+        self.force, self.moment = self.outputs[FORCE], self.outputs[MOMENT]
         self.state = np.zeros(layout.STATE_SIZE)
         self._workspace = np.zeros(layout.WORK_SIZE)
         bind = bind or default_kernel().bind
@@ -67,6 +79,96 @@ class Stepper:
     def tables(self):
         """Settings and tables, with what is wanted and prescribed."""
         return self._tables
+
+    @property
+    def input_names(self):
+        """Names of the inputs in their order, as in an FMU: ``lateral_shift``, ..., ``right.friction``."""
+        return INPUT_NAMES
+
+    @property
+    def output_names(self):
+        """Names of the outputs in the order of an FMU's variables: ``roll``, ``vertical_shift``, ...
+
+        With another number of stations than 31 some places have no name; :meth:`place` has that of each name.
+        """
+        return output_names(None, len(self.outputs))
+
+    def place(self, name):
+        """The index of an input in ``inputs``, or of an output in ``outputs``, by its name.
+
+        Raises
+        ------
+        ValueError
+            if there is none, with what may be meant.
+        """
+        return place_of(name, len(self.outputs))
+
+    def resultant(self, motion):
+        """Force (3,) [N] and moment (3,) [N m] of the rails on the wheelset at a ``motion``.
+
+        Parameters
+        ----------
+        motion : dict of keyword inputs, such as :func:`wrcontact.motion_of` gives; others stay as they are.
+
+        Returns
+        -------
+        force, moment : in the axes of the track, the moment about the wheelset's centre.  NaN where the step
+            has status 2, 3 or 4, and where they are not wanted.
+        """
+        inputs = self.inputs
+        try:
+            for name, value in motion.items():
+                inputs[PLACES[name]] = value
+        except KeyError:
+            raise unknown_input(name) from None
+        if self._bound.step() > layout.UNLOADED:
+            return np.full(3, math.nan), np.full(3, math.nan)
+        return self.force.copy(), self.moment.copy()
+
+    def derivatives(self, of, by):
+        """How outputs follow inputs at the present inputs, which may have been stepped or not.
+
+        One step and one pass of the differentiated kernel for each ten inputs; nothing else changes.
+
+        Parameters
+        ----------
+        of : names of outputs, numbers and no counts.
+        by : names of inputs.
+
+        Returns
+        -------
+        array (len(of), len(by))
+            SI.  NaN where the step has status 2, 3 or 4.
+
+        Raises
+        ------
+        ValueError
+            if there is no such output or input, or the stepper does not compute it.
+        RuntimeError
+            if the kernel is not compiled, or a model works outside it.
+        """
+        columns = differentiated_inputs(listed("by", by))
+        places, least = differentiated_outputs(listed("of", of), len(self.outputs))
+        if not is_computed(least, self._wanted):
+            raise ValueError(f"of needs side={least[0]!r} and outputs={least[1]!r}; this stepper computes "
+                             f"side={self._wanted[0]!r} and outputs={self._wanted[1]!r}")
+        if not hasattr(self._bound, "derivatives"):
+            raise RuntimeError("there are no derivatives of the half-space's models" if self._bind else
+                               "there are no derivatives, since the kernel runs uncompiled; they need the "
+                               "compiled one")
+        seeds = np.zeros((len(columns), len(self.inputs)))
+        seeds[np.arange(len(columns)), columns] = 1.0
+        status, rates = self._bound.derivatives(seeds)
+        found = rates[:, places].T
+        return found if status <= layout.UNLOADED else np.full_like(found, math.nan)
+
+    def rail_reaction(self, side):
+        """Force (3,) [N] of the wheel on the rail of this ``side``, "left" or "right", after a step, and its
+        moment (3,) [N m] about the rail's reference point, the highest point of its head as it is displaced.
+
+        For rails that are bodies; in the axes of the track.
+        """
+        return rail_reaction(self._tables, self.inputs, self.outputs, side)
 
     def step(self):
         """Evaluate the inputs into the outputs; return the status (an int).

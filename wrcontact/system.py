@@ -29,6 +29,9 @@ from .kernel import layout
 from .kernel.binding.setup import prepare_sides, profile_tables
 from .kernel.prepare.tables import equal_sides
 from .methods import Halfspace, HalfspaceRolling
+from .motion.names import listed
+from .motion.reaction import rail_reaction
+from .motion.standing import stand_at
 from .profiles.catalogue import find_profile
 from .profiles.plausible import remark_wheels
 from .results.columns import selected
@@ -38,6 +41,8 @@ from .stepper import DEPTHS, Stepper, thread_count, threaded_parts
 
 #: By number; making one from its number takes ten times as long.
 STATUSES = tuple(Status)
+#: The equilibrium's numbers as an FMU names them, and those of the elastic wheelset that stands there.
+EQUILIBRIUM = {f"equilibrium.{name}": name for name in ("vertical_shift", "roll")}
 
 
 class ContactSystem:
@@ -184,22 +189,82 @@ class ContactSystem:
         """
         if type(outputs) is not str or outputs not in DEPTHS:
             return self._evaluate_some(arguments, penetration, side, outputs, inputs)
-        stepper = getattr(self._own, "stepper", None)
-        if stepper is None:
-            stepper = self._own.stepper = self.stepper()
-        stepper.prescribe(penetration)
-        stepper.want(side, outputs)
-        values = input_values(arguments, inputs)
-        try:
-            stepper.inputs[:] = values
-        except (TypeError, ValueError):
-            raise wrong_input(values, array=False) from None
-        warn_of_inputs(values, self._told)
+        stepper = self._stepper_at(penetration, side, outputs, input_values(arguments, inputs))
         status = STATUSES[stepper.step()]
         found = stepper.outputs.copy()
         if status > Status.UNLOADED:
             found[:] = math.nan
         return WheelsetState(found, status, stepper.inputs.copy(), system=self._balancing())
+
+    def _stepper_at(self, penetration, side, outputs, values):
+        """This thread's stepper with input ``values``, not stepped."""
+        stepper = getattr(self._own, "stepper", None)
+        if stepper is None:
+            stepper = self._own.stepper = self.stepper()
+        stepper.prescribe(penetration)
+        stepper.want(side, outputs)
+        try:
+            stepper.inputs[:] = values
+        except (TypeError, ValueError):
+            raise wrong_input(values, array=False) from None
+        warn_of_inputs(values, self._told)
+        return stepper
+
+    def derivatives(self, of, by, *, penetration=None, **inputs):
+        """How outputs follow inputs at one pose, as the directional derivatives of an FMU.
+
+        Parameters
+        ----------
+        of : names of outputs, such as ``["force.y", "right.area", "equilibrium.roll"]``.
+        by : names of inputs, such as ``["lateral_shift", "left.friction"]``.
+        penetration : as for :meth:`evaluate`.
+        inputs : those of :meth:`evaluate`, by keyword.
+
+        Returns
+        -------
+        array (len(of), len(by))
+            SI; NaN where the step has status 2, 3 or 4.
+
+        Raises
+        ------
+        ValueError
+            if there is no such output or input.
+        RuntimeError
+            if the kernel is not compiled, or a model works outside it.
+        """
+        names = listed("of", of)
+        own = [name for name in names if name not in EQUILIBRIUM]
+        stepper = self._stepper_at(penetration, "both", "all", input_values((), inputs))
+        rows = dict(zip(own, stepper.derivatives(own, by)))
+        balanced = [name for name in names if name in EQUILIBRIUM]
+        if balanced:
+            stands = self._elastic_twin() if self._balancing() else self
+            rows |= zip(balanced, stands.derivatives([EQUILIBRIUM[name] for name in balanced], by, **inputs))
+        return np.array([rows[name] for name in names])
+
+    def stand_at(self, roll, **inputs):
+        """The height at which a compliant wheelset stands at a given ``roll`` [rad], an
+        :class:`~wrcontact.state.Equilibrium`: both wheels together carry the load.
+
+        The ``equilibrium`` of a state has the roll too, at which each wheel carries its own.
+
+        Parameters
+        ----------
+        inputs : those of :meth:`evaluate` by keyword: lateral_shift, yaw, normal_force, rails.
+
+        Raises
+        ------
+        ValueError
+            if the contact_mode is not compliant.
+        """
+        if self._balancing() is None:
+            raise ValueError(f"the contact_mode is {self.parameters['contact_mode']!r}; a roll can be given "
+                             "with 'compliant'")
+        return stand_at(self, roll, inputs)
+
+    def rail_reaction(self, state, side):
+        """As :meth:`Stepper.rail_reaction` of the ``state`` of one pose."""
+        return rail_reaction(self._tables, state.inputs, state.values, side)
 
     def _evaluate_some(self, arguments, penetration, side, outputs, inputs):
         """:meth:`evaluate` for outputs by name: the row of a table."""
@@ -262,15 +327,19 @@ class ContactSystem:
     def find_equilibrium(self, inputs):
         """Where both wheels carry the load of the ``inputs`` of a state, or of a table's (n, ...): an
         :class:`~wrcontact.state.Equilibrium`."""
-        if self._elastic is None:
-            kind, parameters, profiles = self.__reduce__()[1]
-            self._elastic = _rebuilt(kind, {**parameters, "contact_mode": "elastic"}, profiles)
         rows = np.atleast_2d(inputs)
-        found = self._elastic.evaluate_many(outputs=["vertical_shift", "roll"],
+        found = self._elastic_twin().evaluate_many(outputs=["vertical_shift", "roll"],
                                             **{row.keyword: rows[:, k] for k, row in enumerate(INPUTS)})
         if np.ndim(inputs) > 1:
             return Equilibrium(found.vertical_shift, found.roll, found.status)
         return Equilibrium(float(found.vertical_shift[0]), float(found.roll[0]), Status(int(found.status[0])))
+
+    def _elastic_twin(self):
+        """The same wheelset in elastic contact."""
+        if self._elastic is None:
+            kind, parameters, profiles = self.__reduce__()[1]
+            self._elastic = _rebuilt(kind, {**parameters, "contact_mode": "elastic"}, profiles)
+        return self._elastic
 
     def _parts(self, stepper, rows, places, processes, threads=1):
         """The parts of :meth:`Stepper.parts`; several processes share the half-space's rows, several threads

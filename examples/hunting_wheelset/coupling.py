@@ -57,12 +57,15 @@ def unpacked(archive):
 class Unit:
     """An instance of an FMU, which speaks in names."""
 
+    slave_class = FMU2Slave
+
     def __init__(self, archive, name, /, **parameters):
         folder = unpacked(archive)
         description = fmpy.read_model_description(folder)
         self.reference = {v.name: v.valueReference for v in description.modelVariables}
-        self.slave = FMU2Slave(guid=description.guid, unzipDirectory=folder, instanceName=name,
-                               modelIdentifier=description.coSimulation.modelIdentifier)
+        kind = description.coSimulation or description.modelExchange
+        self.slave = self.slave_class(guid=description.guid, unzipDirectory=folder, instanceName=name,
+                                      modelIdentifier=kind.modelIdentifier)
         self.slave.instantiate()
         self.slave.setupExperiment(startTime=0.0)
         for name, value in parameters.items():
@@ -146,10 +149,7 @@ class Loop:
     def __init__(self, archives, wheelset=None, contact=None, friction=0.3, seen=()):
         wheelset, parameters = dict(wheelset or {}), CONTACT | (contact or {})
         self.contact = Unit(archives[0], "contact", **parameters)
-        self._put(self.contact, {"normal_force": wheelset.get("load", 157e3) / 2,
-                                 "lateral_shift": wheelset.get("start_lateral_shift", 0.0),
-                                 "yaw": wheelset.get("start_yaw", 0.0),
-                                 "left.friction": friction, "right.friction": friction})
+        self.put(self.contact, self.loads(wheelset, friction))
         self.stand = self.contact.ports(["equilibrium.vertical_shift", "equilibrium.roll"]).read()
         given = {"start_vertical_shift": self.stand[0], "start_roll": self.stand[1]} | wheelset
         self.wheelset = Unit(archives[1], "wheelset", **given)
@@ -169,7 +169,15 @@ class Loop:
         self.taken.write(self.given.read())
 
     @staticmethod
-    def _put(unit, values):
+    def loads(wheelset, friction):
+        """Inputs of the contact by name that its equilibrium needs, and that stay as they are."""
+        return {"normal_force": wheelset.get("load", 157e3) / 2,
+                "lateral_shift": wheelset.get("start_lateral_shift", 0.0),
+                "yaw": wheelset.get("start_yaw", 0.0),
+                "left.friction": friction, "right.friction": friction}
+
+    @staticmethod
+    def put(unit, values):
         unit.ports(values).write(list(values.values()))
 
     def derivatives(self):

@@ -40,6 +40,12 @@ OTHER_OUTPUTS = {"speed": "m/s", "track_curvature": "1/m", "distance": "m", "ene
 UNITS = dict(zip(MOTION, ("m", "m", "rad", "rad", "m/s", "m/s", "rad/s", "rad/s", "rad/s"))) | OTHER_OUTPUTS
 FORCE_UNITS = dict(zip(FORCES, ("N", "N", "N.m", "N.m", "N.m", "N.m")))
 
+#: Units by their SI exponents.
+BASE = {"m": {"m": 1}, "rad": {"rad": 1}, "m/s": {"m": 1, "s": -1}, "rad/s": {"rad": 1, "s": -1},
+        "1/m": {"m": -1}, "N": {"kg": 1, "m": 1, "s": -2}, "N/m": {"kg": 1, "s": -2},
+        "N.s/m": {"kg": 1, "s": -1}, "N.m": {"kg": 1, "m": 2, "s": -2}, "J": {"kg": 1, "m": 2, "s": -2},
+        "W": {"kg": 1, "m": 2, "s": -3}, "kg": {"kg": 1}, "kg.m2": {"kg": 1, "m": 2}}
+
 GRAVITY = 9.81      # [m/s2]
 #: Start value, unit and meaning of each parameter.
 PARAMETERS = {
@@ -159,19 +165,25 @@ class Wheelset(Fmi2Slave):
             setters[vr](value)
 
     def to_xml(self, model_options=None):
-        """The model description, with what PythonFMU leaves out: units, and the unknowns at the start."""
+        """The model description, with what PythonFMU leaves out: units, the unknowns at the start, and
+        dependencies: outputs follow from the state, which no input changes before the end of a step, and at
+        the start from parameters alone."""
         root = super().to_xml(model_options or {})
         definitions = Element("UnitDefinitions")
         root.insert(list(root).index(root.find("CoSimulation")) + 1, definitions)
         for unit in dict.fromkeys(filter(None, self.units.values())):
-            SubElement(definitions, "Unit", name=unit)
+            SubElement(SubElement(definitions, "Unit", name=unit), "BaseUnit",
+                       {base: str(exponent) for base, exponent in BASE[unit].items()})
         for variable in root.iter("ScalarVariable"):
             if self.units[variable.get("name")]:
                 variable.find("Real").set("unit", self.units[variable.get("name")])
         structure = root.find("ModelStructure")
         unknowns = SubElement(structure, "InitialUnknowns")
+        given = " ".join(str(place + 1) for place, variable in enumerate(root.iter("ScalarVariable"))
+                         if variable.get("causality") == "parameter")
         for output in structure.find("Outputs"):
-            SubElement(unknowns, "Unknown", index=output.get("index"))
+            SubElement(unknowns, "Unknown", index=output.get("index"), dependencies=given)
+            output.set("dependencies", "")
         return root
 
     # --- the model ------------------------------------------------------------------------------------------

@@ -1,4 +1,5 @@
-/* FMI 2.0 co-simulation: an instance, its life and its saved states; values and derivatives are in fmi2_values.c. */
+/* FMI 2.0: an instance, its life and its saved states; values and derivatives are in fmi2_values.c, what belongs to model
+ * exchange in fmi2_exchange.c. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -57,8 +58,8 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
         return NULL;
     if (!name || !*name)
         return refuse_instance(callbacks, name, "fmi2Instantiate: the instance name is empty; permitted are names");
-    if (type != fmi2CoSimulation)
-        return refuse_instance(callbacks, name, "fmi2Instantiate: permitted is co-simulation only");
+    if (type != fmi2CoSimulation && type != fmi2ModelExchange)
+        return refuse_instance(callbacks, name, "fmi2Instantiate: permitted are co-simulation and model exchange");
     if (!guid || strcmp(guid, MODEL_TOKEN) != 0)
     {
         char sentence[200];
@@ -70,7 +71,7 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
         return refuse_instance(callbacks, name, "fmi2Instantiate: not enough memory");
     self->callbacks = *callbacks;
     self->name = malloc(strlen(name) + 1);
-    self->wheelset = wheelset_new(tell_warning, self);
+    self->wheelset = wheelset_new(tell_warning, self, type == fmi2ModelExchange);
     if (!self->name || !self->wheelset)
     {
         fmi2FreeInstance(self);

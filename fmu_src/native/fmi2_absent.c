@@ -29,8 +29,8 @@ fmi2Status fmi2GetStatus(fmi2Component component, const fmi2StatusKind kind, fmi
 fmi2Status fmi2GetRealStatus(fmi2Component component, const fmi2StatusKind kind, fmi2Real *value)
 {
     const instance *self = component;
-    if (!self || !value || kind != fmi2LastSuccessfulTime)
-        return fmi2_refuse(self, "fmi2GetRealStatus", "permitted is fmi2LastSuccessfulTime");
+    if (!self || !value || kind != fmi2LastSuccessfulTime || self->wheelset->core.exchange)
+        return fmi2_refuse(self, "fmi2GetRealStatus", "permitted is fmi2LastSuccessfulTime, in co-simulation");
     *value = self->wheelset->core.time;
     return fmi2OK;
 }
@@ -43,8 +43,9 @@ fmi2Status fmi2GetIntegerStatus(fmi2Component component, const fmi2StatusKind ki
 
 fmi2Status fmi2GetBooleanStatus(fmi2Component component, const fmi2StatusKind kind, fmi2Boolean *value)
 {
-    if (!component || !value || kind != fmi2Terminated)
-        return fmi2_refuse(component, "fmi2GetBooleanStatus", "permitted is fmi2Terminated");
+    const instance *self = component;
+    if (!self || !value || kind != fmi2Terminated || self->wheelset->core.exchange)
+        return fmi2_refuse(self, "fmi2GetBooleanStatus", "permitted is fmi2Terminated, in co-simulation");
     *value = fmi2False;
     return fmi2OK;
 }
@@ -54,29 +55,3 @@ fmi2Status fmi2GetStringStatus(fmi2Component component, const fmi2StatusKind kin
     (void)kind, (void)value;
     return fmi2_refuse(component, "fmi2GetStringStatus", "a step is over when fmi2DoStep returns");
 }
-
-/* A function of model exchange. */
-#define NO_EXCHANGE(NAME, ...)                                                  \
-    fmi2Status NAME(fmi2Component component, __VA_ARGS__)                       \
-    {                                                                           \
-        return fmi2_refuse(component, #NAME, "permitted is co-simulation only");     \
-    }
-
-fmi2Status fmi2EnterEventMode(fmi2Component component)
-{
-    return fmi2_refuse(component, "fmi2EnterEventMode", "permitted is co-simulation only");
-}
-
-fmi2Status fmi2EnterContinuousTimeMode(fmi2Component component)
-{
-    return fmi2_refuse(component, "fmi2EnterContinuousTimeMode", "permitted is co-simulation only");
-}
-
-NO_EXCHANGE(fmi2NewDiscreteStates, fmi2EventInfo *events)
-NO_EXCHANGE(fmi2CompletedIntegratorStep, fmi2Boolean never_back, fmi2Boolean *event, fmi2Boolean *terminate)
-NO_EXCHANGE(fmi2SetTime, fmi2Real time)
-NO_EXCHANGE(fmi2SetContinuousStates, const fmi2Real states[], size_t n)
-NO_EXCHANGE(fmi2GetDerivatives, fmi2Real derivatives[], size_t n)
-NO_EXCHANGE(fmi2GetEventIndicators, fmi2Real indicators[], size_t n)
-NO_EXCHANGE(fmi2GetContinuousStates, fmi2Real states[], size_t n)
-NO_EXCHANGE(fmi2GetNominalsOfContinuousStates, fmi2Real nominals[], size_t n)

@@ -86,7 +86,7 @@ SET(fmi2SetReal, fmi2Real, wheelset_may_set_real(self->wheelset, place_of(refere
 SET(fmi2SetInteger, fmi2Integer, wheelset_may_set_integer(self->wheelset, place_of(references[i])), (void)0)
 SET(fmi2SetString, fmi2String, wheelset_may_set_string(self->wheelset, place_of(references[i]), values[i]),
     wheelset_set_string(self->wheelset, place_of(references[i]), values[i]))
-SET(fmi2SetBoolean, fmi2Boolean, wheelset_may_set_boolean(self->wheelset, place_of(references[i])),
+SET(fmi2SetBoolean, fmi2Boolean, wheelset_may_set_boolean(self->wheelset, place_of(references[i]), values[i] != fmi2False),
     wheelset_set_real(self->wheelset, place_of(references[i]), values[i] ? 1.0 : 0.0))
 
 /* --- directional derivatives ------------------------------------------------------------------------ */

@@ -1,4 +1,5 @@
-/* FMI 3.0 co-simulation: an instance, its life and its saved states; values and derivatives are in fmi3_values.c. */
+/* FMI 3.0: an instance, its life and its saved states; values and derivatives are in fmi3_values.c, what belongs to model
+ * exchange in fmi3_exchange.c. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -47,33 +48,27 @@ static fmi3Instance refuse_instance(fmi3InstanceEnvironment environment, fmi3Log
     return NULL;
 }
 
-fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible,
-                                         fmi3Boolean logging, fmi3Boolean events, fmi3Boolean early_return,
-                                         const fmi3ValueReference intermediate[], size_t intermediate_count,
-                                         fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
-                                         fmi3IntermediateUpdateCallback update)
+/* An instance for co-simulation or for model exchange, which `function` makes. */
+static fmi3Instance create(const char *function, fmi3String name, fmi3String token, bool exchange, fmi3Boolean logging,
+                           fmi3InstanceEnvironment environment, fmi3LogMessageCallback log)
 {
-    (void)resources, (void)visible, (void)early_return, (void)intermediate, (void)update;   /* everything is in this library */
+    char sentence[200];
+    instance *self = NULL;
     if (!name || !*name)
-        return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: the instance name is empty; permitted are names");
-    if (!token || strcmp(token, MODEL_TOKEN) != 0)
+        snprintf(sentence, sizeof sentence, "%s: the instance name is empty; permitted are names", function);
+    else if (!token || strcmp(token, MODEL_TOKEN) != 0)
+        snprintf(sentence, sizeof sentence, "%s: the instantiation token is not the one of this library, %s", function, MODEL_TOKEN);
+    else
     {
-        char sentence[200];
-        snprintf(sentence, sizeof sentence, "fmi3InstantiateCoSimulation: the instantiation token is not the one of this library, "
-                 "%s", MODEL_TOKEN);
-        return refuse_instance(environment, log, sentence);
+        snprintf(sentence, sizeof sentence, "%s: not enough memory", function);
+        self = calloc(1, sizeof *self);
     }
-    if (events)
-        return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: there is no event mode");
-    if (intermediate_count > 0)
-        return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: there are no intermediate values");
-    instance *self = calloc(1, sizeof *self);
     if (self)
-        self->wheelset = wheelset_new(tell_warning, self);
+        self->wheelset = wheelset_new(tell_warning, self, exchange);
     if (!self || !self->wheelset)
     {
         free(self);
-        return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: not enough memory");
+        return refuse_instance(environment, log, sentence);
     }
     self->environment = environment;
     self->log = log;
@@ -82,11 +77,25 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
     return self;
 }
 
+fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible,
+                                         fmi3Boolean logging, fmi3Boolean events, fmi3Boolean early_return,
+                                         const fmi3ValueReference intermediate[], size_t intermediate_count,
+                                         fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
+                                         fmi3IntermediateUpdateCallback update)
+{
+    (void)resources, (void)visible, (void)early_return, (void)intermediate, (void)update;   /* everything is in this library */
+    if (events)
+        return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: there is no event mode");
+    if (intermediate_count > 0)
+        return refuse_instance(environment, log, "fmi3InstantiateCoSimulation: there are no intermediate values");
+    return create("fmi3InstantiateCoSimulation", name, token, false, logging, environment, log);
+}
+
 fmi3Instance fmi3InstantiateModelExchange(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible,
                                           fmi3Boolean logging, fmi3InstanceEnvironment environment, fmi3LogMessageCallback log)
 {
-    (void)name, (void)token, (void)resources, (void)visible, (void)logging;
-    return refuse_instance(environment, log, "fmi3InstantiateModelExchange: permitted is co-simulation only");
+    (void)resources, (void)visible;
+    return create("fmi3InstantiateModelExchange", name, token, true, logging, environment, log);
 }
 
 fmi3Instance fmi3InstantiateScheduledExecution(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible,
@@ -95,7 +104,7 @@ fmi3Instance fmi3InstantiateScheduledExecution(fmi3String name, fmi3String token
                                                fmi3LockPreemptionCallback lock, fmi3UnlockPreemptionCallback unlock)
 {
     (void)name, (void)token, (void)resources, (void)visible, (void)logging, (void)update, (void)lock, (void)unlock;
-    return refuse_instance(environment, log, "fmi3InstantiateScheduledExecution: permitted is co-simulation only");
+    return refuse_instance(environment, log, "fmi3InstantiateScheduledExecution: permitted are co-simulation and model exchange");
 }
 
 void fmi3FreeInstance(fmi3Instance component)

@@ -35,16 +35,9 @@ NO_VALUES(Int64, fmi3Int64)
     {                                                               \
         return self && n == 0 ? fmi3OK : fmi3_refuse(self, #NAME, REASON); \
     }
-#define NO_MODE(NAME, REASON)                                       \
-    fmi3Status NAME(fmi3Instance self)                              \
-    {                                                               \
-        return fmi3_refuse(self, #NAME, REASON);                         \
-    }
 
 #define TYPELESS "there are no variables of this type"
 #define CLOCKLESS "there are no clocks"
-#define EVENTLESS "there is no event mode"
-#define NO_EXCHANGE "permitted is co-simulation only"
 
 NO_LIST(fmi3GetBinary, TYPELESS, reference_list r, size_t n, size_t sizes[], fmi3Binary values[], size_t m)
 NO_LIST(fmi3SetBinary, TYPELESS, reference_list r, size_t n, const size_t sizes[], const fmi3Binary values[], size_t m)
@@ -65,18 +58,8 @@ NOT_HERE(fmi3GetVariableDependencies, "dependencies are in the model description
          fmi3ValueReference i[], size_t f[], fmi3DependencyKind k[], size_t n)
 NOT_HERE(fmi3GetOutputDerivatives, "there are no output derivatives", reference_list r, size_t n, const fmi3Int32 orders[],
          fmi3Float64 values[], size_t m)
-NO_MODE(fmi3EnterEventMode, EVENTLESS)
-NO_MODE(fmi3EnterStepMode, EVENTLESS)
-NO_MODE(fmi3EvaluateDiscreteStates, EVENTLESS)
-NOT_HERE(fmi3UpdateDiscreteStates, EVENTLESS, fmi3Boolean *a, fmi3Boolean *b, fmi3Boolean *c, fmi3Boolean *d, fmi3Boolean *e,
-         fmi3Float64 *time)
-NO_MODE(fmi3EnterContinuousTimeMode, NO_EXCHANGE)
-NOT_HERE(fmi3CompletedIntegratorStep, NO_EXCHANGE, fmi3Boolean never_back, fmi3Boolean *event, fmi3Boolean *terminate)
-NOT_HERE(fmi3SetTime, NO_EXCHANGE, fmi3Float64 time)
-NOT_HERE(fmi3SetContinuousStates, NO_EXCHANGE, const fmi3Float64 states[], size_t n)
-NOT_HERE(fmi3GetContinuousStateDerivatives, NO_EXCHANGE, fmi3Float64 derivatives[], size_t n)
-NOT_HERE(fmi3GetEventIndicators, NO_EXCHANGE, fmi3Float64 indicators[], size_t n)
-NOT_HERE(fmi3GetContinuousStates, NO_EXCHANGE, fmi3Float64 states[], size_t n)
-NOT_HERE(fmi3GetNominalsOfContinuousStates, NO_EXCHANGE, fmi3Float64 nominals[], size_t n)
-NOT_HERE(fmi3GetNumberOfEventIndicators, NO_EXCHANGE, size_t *n)
-NOT_HERE(fmi3GetNumberOfContinuousStates, NO_EXCHANGE, size_t *n)
+
+fmi3Status fmi3EnterStepMode(fmi3Instance self)
+{
+    return fmi3_refuse(self, "fmi3EnterStepMode", "there is no event mode in co-simulation");
+}

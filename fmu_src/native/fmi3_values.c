@@ -161,7 +161,7 @@ static int may_set_float(instance *self, int first, double value)
 SET(fmi3SetFloat64, fmi3Float64, MODEL_REAL, may_set_float(self, FIRST, values[i]),
     wheelset_set_real(self->wheelset, (uint32_t)FIRST, values[i]))
 SET(fmi3SetInt32, fmi3Int32, MODEL_INTEGER, wheelset_may_set_integer(self->wheelset, (uint32_t)FIRST), (void)0)
-SET(fmi3SetBoolean, fmi3Boolean, MODEL_BOOLEAN, wheelset_may_set_boolean(self->wheelset, (uint32_t)FIRST),
+SET(fmi3SetBoolean, fmi3Boolean, MODEL_BOOLEAN, wheelset_may_set_boolean(self->wheelset, (uint32_t)FIRST, values[i]),
     wheelset_set_real(self->wheelset, (uint32_t)FIRST, values[i] ? 1.0 : 0.0))
 SET(fmi3SetUInt64, fmi3UInt64, MODEL_UNSIGNED, wheelset_set_stations(self->wheelset, values[i]), (void)0)
 SET(fmi3SetString, fmi3String, MODEL_STRING, wheelset_may_set_string(self->wheelset, (uint32_t)FIRST, values[i]),

@@ -33,13 +33,14 @@ static int initialise(wheelset *self)
     return 0;
 }
 
-wheelset *wheelset_new(wheelset_tell *tell, void *owner)
+wheelset *wheelset_new(wheelset_tell *tell, void *owner, bool exchange)
 {
     wheelset *self = calloc(1, sizeof *self);
     if (!self)
         return NULL;
     self->tell = tell;
     self->owner = owner;
+    self->core.exchange = exchange;
     self->workspace = calloc(MODEL_WORK, sizeof(double));
     self->derivative_room = calloc((size_t)wrcontact_derivative_room(), sizeof(double));
     if (!self->workspace || !self->derivative_room)
@@ -67,7 +68,9 @@ void wheelset_free(wheelset *self)
 
 void wheelset_reset(wheelset *self)
 {
+    const int32_t exchange = self->core.exchange;
     memset(&self->core, 0, sizeof self->core);
+    self->core.exchange = exchange;
     memset(self->workspace, 0, MODEL_WORK * sizeof(double));
     for (int i = 0; i < MODEL_STATUS; i += 1)
     {
@@ -132,15 +135,16 @@ int wheelset_exit(wheelset *self)
     if (initialise(self))
         return 1;
     self->core.locked = 1;
-    self->core.phase = PHASE_RUNNING;
     wheelset_refresh(self);
     self->core.told = 0;
+    self->core.phase = self->core.exchange ? PHASE_EVENT : PHASE_RUNNING;
+    wheelset_accept(self);
     return 0;
 }
 
 int wheelset_terminate(wheelset *self)
 {
-    if (self->core.phase != PHASE_RUNNING)
+    if (self->core.phase != PHASE_RUNNING && self->core.phase != PHASE_EVENT && self->core.phase != PHASE_CONTINUOUS)
         return wheelset_refuse(self, "only a running simulation can be terminated");
     self->core.phase = PHASE_TERMINATED;
     return 0;
@@ -199,6 +203,8 @@ int wheelset_refresh(wheelset *self)
 int wheelset_step(wheelset *self, double time, double size)
 {
     char first[40], second[40], third[40];
+    if (self->core.exchange)
+        return wheelset_refuse(self, "steps are permitted in co-simulation only; this instance is for model exchange");
     if (self->core.phase != PHASE_RUNNING)
         return wheelset_refuse(self, "the wheelset cannot step: it %s", self->core.phase == PHASE_TERMINATED
                                ? "has been terminated" : "has not been initialised");

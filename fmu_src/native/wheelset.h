@@ -14,7 +14,10 @@
 #include "kernel/native/wrcontact_derivative.h"
 #include "model.h"
 
-typedef enum { PHASE_INSTANTIATED, PHASE_CONFIGURING, PHASE_INITIALISING, PHASE_RUNNING, PHASE_TERMINATED } wheelset_phase;
+/* After its initialisation a wheelset is running in co-simulation; in model exchange it is in event mode or in
+ * continuous-time mode. */
+typedef enum { PHASE_INSTANTIATED, PHASE_CONFIGURING, PHASE_INITIALISING, PHASE_RUNNING, PHASE_TERMINATED, PHASE_EVENT,
+               PHASE_CONTINUOUS } wheelset_phase;
 
 /* What the kernel gives: the outputs, and behind them the outlines, if they are of another number of stations than
  * MODEL_STATIONS. */
@@ -30,6 +33,7 @@ typedef struct {
     uint64_t stations;                      /* of an outline */
     double memory[MODEL_MEMORY];            /* the kernel's state */
     double known[MODEL_KNOWN];              /* the inputs evaluated last, and whether the outputs are theirs */
+    double accepted[MODEL_INPUTS];          /* in model exchange: those of the last accepted point with valid outputs */
     double time;
     double stop;                            /* no step goes beyond it */
     char text[MODEL_STRINGS][MODEL_TEXT];   /* the Strings */
@@ -39,6 +43,8 @@ typedef struct {
     int32_t stale;                          /* an input has changed since the last evaluation */
     int32_t told;                           /* this step's status has been told */
     int32_t balanced;                       /* the equilibrium is that of the inputs */
+    int32_t exchange;                       /* model exchange, not co-simulation */
+    int32_t accepts;                        /* there has been an accepted point with valid outputs */
 } wheelset_core;
 
 /* A saved state as bytes. */
@@ -72,7 +78,7 @@ typedef struct {
     char sentence[MODEL_SENTENCE];
 } wheelset;
 
-wheelset *wheelset_new(wheelset_tell *tell, void *owner);       /* NULL: there is no memory */
+wheelset *wheelset_new(wheelset_tell *tell, void *owner, bool exchange);        /* NULL: there is no memory */
 void wheelset_free(wheelset *self);
 void wheelset_reset(wheelset *self);
 
@@ -82,7 +88,7 @@ int wheelset_check(wheelset *self, uint32_t reference, model_type type);
 int wheelset_may_set_real(wheelset *self, uint32_t reference, double value);
 int wheelset_may_set_string(wheelset *self, uint32_t reference, const char *value);
 int wheelset_may_set_integer(wheelset *self, uint32_t reference);       /* none can be set */
-int wheelset_may_set_boolean(wheelset *self, uint32_t reference);
+int wheelset_may_set_boolean(wheelset *self, uint32_t reference, bool value);
 int wheelset_may_get(wheelset *self, uint32_t reference, model_type type);
 void wheelset_set_real(wheelset *self, uint32_t reference, double value);
 void wheelset_set_string(wheelset *self, uint32_t reference, const char *value);
@@ -99,6 +105,14 @@ int wheelset_enter(wheelset *self);                             /* initialisatio
 int wheelset_exit(wheelset *self);                              /* and out of it */
 int wheelset_step(wheelset *self, double time, double size);
 int wheelset_terminate(wheelset *self);
+
+/* Model exchange: a model without states and event indicators, whose outputs follow the inputs at every point of a solver. */
+int wheelset_enter_event_mode(wheelset *self);
+int wheelset_update_discrete(wheelset *self);                   /* which ends an event: nothing has to be iterated */
+int wheelset_enter_continuous_mode(wheelset *self);
+int wheelset_set_time(wheelset *self, double time);
+int wheelset_complete_step(wheelset *self);                     /* the present inputs are an accepted point */
+int wheelset_check_empty(wheelset *self, const char *what, size_t count);       /* a list of states or event indicators */
 
 /* The host's pointers to states; a new one is made where `*state` is NULL, and for bytes also where it is unknown. */
 int wheelset_save_state(wheelset *self, void **state);

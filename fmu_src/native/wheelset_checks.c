@@ -82,7 +82,12 @@ int wheelset_may_set_integer(wheelset *self, uint32_t reference)
     return wheelset_check(self, reference, MODEL_INTEGER) || check_settable(self, model_variables + reference);
 }
 
-int wheelset_may_set_boolean(wheelset *self, uint32_t reference)
+int wheelset_may_set_boolean(wheelset *self, uint32_t reference, bool value)
 {
-    return wheelset_check(self, reference, MODEL_BOOLEAN) || check_settable(self, model_variables + reference);
+    if (wheelset_check(self, reference, MODEL_BOOLEAN) || check_settable(self, model_variables + reference))
+        return 1;
+    if (self->core.phase == PHASE_CONTINUOUS && (self->core.values[reference] != 0.0) != value)
+        return wheelset_refuse(self, "%s is a Boolean and can be changed only in event mode, not in continuous-time mode",
+                               model_variables[reference].name);
+    return 0;
 }

@@ -101,6 +101,25 @@ static void remark_load(wheelset *self)
     self->tell(self->owner, sentence);
 }
 
+/* In model exchange a solver tries points, so that the last valid outputs are those of a point that it may have left.  Where
+ * there are no valid ones, let the outputs be those of the last accepted point. */
+static void hold(wheelset *self)
+{
+    wrcontact_handle handle = wheelset_handle(self);
+    handle.inputs = span_of(self->core.accepted, MODEL_INPUTS);
+    if (self->core.accepts)
+        wrcontact_step(&handle);
+}
+
+void wheelset_accept(wheelset *self)
+{
+    wheelset_core *core = &self->core;
+    if (!core->exchange || core->status > layout__UNLOADED)
+        return;
+    memcpy(core->accepted, core->values, sizeof core->accepted);
+    core->accepts = 1;
+}
+
 /* One step of the kernel, and its outcome. */
 void wheelset_evaluate(wheelset *self)
 {
@@ -109,9 +128,11 @@ void wheelset_evaluate(wheelset *self)
     const int status = wrcontact_step(&handle);
     core->status = status;
     core->stale = core->balanced = 0;
+    if (status > layout__UNLOADED)
+        hold(self);
     remark_load(self);
     if (!wheelset_is_compliant(self))
         wheelset_find_equilibrium(self);        /* which costs nothing */
-    if (status)
+    if (status && core->phase != PHASE_EVENT && core->phase != PHASE_CONTINUOUS)
         wheelset_tell_status(self);
 }

@@ -4,7 +4,7 @@
  *     wheelset_tables         from the parameters to the kernel's tables
  *     wheelset_evaluation     one evaluation, the equilibrium
  *     wheelset                the life cycle
- *     wheelset_derivatives, wheelset_states
+ *     wheelset_exchange, wheelset_derivatives, wheelset_states
  */
 #ifndef WHEELSET_PARTS_H
 #define WHEELSET_PARTS_H
@@ -21,6 +21,7 @@ bool wheelset_is_compliant(const wheelset *self);
 wrcontact_handle wheelset_handle(wheelset *self);           /* the kernel's arrays */
 void wheelset_set_mode(wheelset *self, double mode);        /* let the tables be those of a contact mode */
 void wheelset_evaluate(wheelset *self);                     /* one step of the kernel, and its outcome */
+void wheelset_accept(wheelset *self);           /* let the present inputs be those to hold to, if their outputs are valid */
 void wheelset_tell_status(wheelset *self);
 
 #endif

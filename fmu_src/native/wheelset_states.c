@@ -4,7 +4,7 @@
 
 #include "wheelset_parts.h"
 
-static const char FORMAT[16] = "wrcontact 3";
+static const char FORMAT[16] = "wrcontact 4";
 
 /* Fowler, Noll and Vo's hash, 64 bits. */
 static uint64_t checksum(const void *bytes, size_t size)
@@ -45,6 +45,10 @@ static int check_saved(wheelset *self, const wheelset_saved *saved, size_t size)
 static int restore(wheelset *self, const wheelset_saved *saved)
 {
     wheelset_core before = self->core;
+    if (saved->core.exchange != before.exchange)
+        return wheelset_refuse(self, "the saved state is one of %s, and this instance is for %s; the present state is kept",
+                               saved->core.exchange ? "model exchange" : "co-simulation",
+                               before.exchange ? "model exchange" : "co-simulation");
     self->core = saved->core;
     if (self->core.built && wheelset_build(self))
     {

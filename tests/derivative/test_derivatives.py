@@ -20,6 +20,7 @@ from tests.helpers.derivatives import (
     USUAL,
     derivative,
     differences,
+    poses,
     scale,
     stepped,
 )
@@ -69,21 +70,6 @@ CASES = {
 #: e^2 / (1 + e^2) and where a patch ends: fewer of their differences agree with each other.
 USUALLY, STRIPS = 0.9, 0.75
 QUICK = ("hertz", "analyn", "elastic hertz", "compliant")
-
-
-def poses(count, seed, mode="rigid"):
-    """Inputs (count, n) over tread and flange root, half of them without yaw; of a compliant wheelset the
-    heights and rolls that an elastic one has."""
-    rng = np.random.default_rng(seed)
-    rows = np.zeros((count, INPUT_COUNT))
-    rows[:, IN_LATERAL_SHIFT] = rng.uniform(-7e-3, 7e-3, count)
-    rows[:, IN_YAW] = rng.uniform(-0.02, 0.02, count) * (np.arange(count) % 2)
-    rows[:, IN_NORMAL_FORCE] = rng.uniform(1e4, 1.5e5, count)
-    rows[:, IN_LOAD_TRANSFER] = rng.uniform(-0.6, 0.6, count)
-    if mode == "compliant":
-        elastic = wrcontact.ContactSystem(contact_mode="elastic").evaluate_many(*rows[:, INPUTS].T)
-        rows[:, IN_VERTICAL_SHIFT], rows[:, IN_ROLL] = elastic.vertical_shift, elastic.roll
-    return rows
 
 
 @pytest.mark.parametrize("case", [pytest.param(case, marks=[pytest.mark.full] * (case not in QUICK))

@@ -61,7 +61,8 @@ def test_tests_that_are_named_exist(page):
 
 #: A word that a test has if it runs the tool.
 TOOLS = {"fmpy": "validate_fmu", "fmutool": '"fmutool"', "fmucontainer": '"fmucontainer"',
-         "ecospy": '"ecospy"', "libcosimpy": '"libcosimpy"', "a C host": "native_host.c"}
+         "simulate_fmu": "simulated_exchange", "ecospy": '"ecospy"',
+         "libcosimpy": '"libcosimpy"', "a C host": "native_host.c"}
 
 
 def test_tools_that_are_said_to_run_are_run():

@@ -166,8 +166,11 @@ def test_page_shows_what_the_model_description_declares(archives, kind):
     text = archives[kind]["documentation/index.html"].decode()
     root = ElementTree.fromstring(archives[kind]["modelDescription.xml"])
     rows = Page(text).rows
-    for ability, value in root.find("CoSimulation").attrib.items():
-        assert ability == "modelIdentifier" or [ability, value] in rows
+    kinds = {"ModelExchange": "model exchange", "CoSimulation": "co-simulation"}
+    assert [element.tag for element in root if element.tag in kinds] == list(kinds)[kind == "python":]
+    for element in (element for element in root if element.tag in kinds):
+        for ability, value in element.attrib.items():
+            assert ability == "modelIdentifier" or [kinds[element.tag], ability, value] in rows
     for category in root.iter("Category"):
         assert [category.get("name"), category.get("description")] in rows
     assert "url(" not in text and "@import" not in text and f"FMI {root.get('fmiVersion')}" in text

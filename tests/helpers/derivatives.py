@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 
+import wrcontact
 from tests.helpers.inside import solver_of
 from wrcontact.interface.variables import FIRST_OUTPUT, INTEGER, STATUS, VARIABLES
 from wrcontact.kernel import layout
@@ -35,6 +36,21 @@ FIRST = np.where(np.isin(np.arange(INPUT_COUNT), (IN_VERTICAL_SHIFT, IN_ROLL)), 
 
 INPUTS = (IN_LATERAL_SHIFT, IN_YAW, IN_NORMAL_FORCE, IN_LOAD_TRANSFER)
 COMPLIANT_INPUTS = (IN_LATERAL_SHIFT, IN_YAW, IN_VERTICAL_SHIFT, IN_ROLL)
+
+
+def poses(count, seed, mode="rigid"):
+    """Inputs (count, n) over tread and flange root, half of them without yaw; of a compliant wheelset the
+    heights and rolls that an elastic one has."""
+    rng = np.random.default_rng(seed)
+    rows = np.zeros((count, INPUT_COUNT))
+    rows[:, IN_LATERAL_SHIFT] = rng.uniform(-7e-3, 7e-3, count)
+    rows[:, IN_YAW] = rng.uniform(-0.02, 0.02, count) * (np.arange(count) % 2)
+    rows[:, IN_NORMAL_FORCE] = rng.uniform(1e4, 1.5e5, count)
+    rows[:, IN_LOAD_TRANSFER] = rng.uniform(-0.6, 0.6, count)
+    if mode == "compliant":
+        elastic = wrcontact.ContactSystem(contact_mode="elastic").evaluate_many(*rows[:, INPUTS].T)
+        rows[:, IN_VERTICAL_SHIFT], rows[:, IN_ROLL] = elastic.vertical_shift, elastic.roll
+    return rows
 
 
 def stepped(stepper, row):

@@ -6,13 +6,14 @@ from pathlib import Path
 import fmpy
 from fmpy.fmi1 import FMICallException
 from fmpy.fmi2 import (
+    FMU2Model,
     FMU2Slave,
     fmi2CallbackAllocateMemoryTYPE,
     fmi2CallbackFreeMemoryTYPE,
     fmi2CallbackFunctions,
     fmi2CallbackLoggerTYPE,
 )
-from fmpy.fmi3 import FMU3Slave
+from fmpy.fmi3 import FMU3Model, FMU3Slave
 
 #: What fmpy calls the functions for saved states.
 STATES = {2: {"take": "getFMUstate", "set": "setFMUstate", "free": "freeFMUstate",
@@ -22,7 +23,10 @@ STATES = {2: {"take": "getFMUstate", "set": "setFMUstate", "free": "freeFMUstate
 
 
 class Fmu:
-    """An unpacked FMU: its description and where its variables are."""
+    """An unpacked FMU: its description and where its variables are; ``exchange`` says whether its instances
+    are for model exchange, where a step is one that a solver has completed."""
+
+    exchange = False
 
     def __init__(self, file, folder):
         self.file, self.folder = file, str(folder)
@@ -56,11 +60,13 @@ class Instance:
         self.fmu, self.log, self.time, self.stations = fmu, [], 0.0, 31
         described = {"unzipDirectory": fmu.folder, "instanceName": name,
                      "modelIdentifier": fmu.description.coSimulation.modelIdentifier}
+        self.exchange = fmu.exchange
         if fmu.version == 3:
-            self.slave = FMU3Slave(guid=fmu.description.instantiationToken, **described)
+            made = FMU3Model if self.exchange else FMU3Slave
+            self.slave = made(guid=fmu.description.instantiationToken, **described)
             self.slave.instantiate(loggingOn=logging, logMessage=lambda _, *line: self._note(*line))
             return
-        self.slave = FMU2Slave(guid=fmu.description.guid, **described)
+        self.slave = (FMU2Model if self.exchange else FMU2Slave)(guid=fmu.description.guid, **described)
         self.callbacks = fmi2CallbackFunctions()
         self.callbacks.logger = fmi2CallbackLoggerTYPE(lambda _, instance, *line: self._note(*line))
         self.callbacks.allocateMemory = fmi2CallbackAllocateMemoryTYPE(fmpy.calloc)
@@ -83,6 +89,21 @@ class Instance:
     def initialise(self, start=None, stop=None):
         self.enter(start, stop)
         self.slave.exitInitializationMode()
+        if self.exchange:
+            self.update()
+            self.slave.enterContinuousTimeMode()
+
+    def update(self):
+        """End an event, after which nothing is wanted."""
+        update = self.slave.newDiscreteStates if self.fmu.version == 2 else self.slave.updateDiscreteStates
+        assert not any(update()[:5])
+
+    def event(self, **inputs):
+        """Set inputs in event mode."""
+        self.slave.enterEventMode()
+        self.set(**inputs)
+        self.update()
+        self.slave.enterContinuousTimeMode()
 
     def configure(self, stations):
         """Give the outlines another number of stations."""
@@ -123,8 +144,13 @@ class Instance:
         return [f"{variable.name}[{k + 1}]" for k in range(self.stations)]
 
     def step(self, size=1e-3, **inputs):
-        self.set(**inputs)
-        self.slave.doStep(self.time, size)
+        if self.exchange:
+            self.slave.setTime(self.time + size)
+            self.set(**inputs)
+            assert self.slave.completedIntegratorStep() == (False, False)
+        else:
+            self.set(**inputs)
+            self.slave.doStep(self.time, size)
         self.time += size
 
     def go_on(self, rows, *names):

@@ -23,6 +23,7 @@ shut_out()      # ahead of all that an FMU could find loaded
 import fmpy  # noqa: E402
 
 import fmu_derivatives  # noqa: E402
+import fmu_exchange  # noqa: E402
 import fmu_life  # noqa: E402
 import fmu_states  # noqa: E402
 import fmu_stations  # noqa: E402
@@ -152,13 +153,14 @@ def refusals(fmu, cases):
 
 def scenario_of(name):
     """The function of this file, or of those that it imports."""
-    files = fmu_life, fmu_states, fmu_walk, fmu_derivatives, fmu_stations
+    files = fmu_life, fmu_states, fmu_walk, fmu_derivatives, fmu_stations, fmu_exchange
     return {name: value for file in files for name, value in vars(file).items()}.get(name) or globals()[name]
 
 
 def answer(fmu, line):
     """What a scenario has seen, as one line; or the error that ended it."""
     asked = json.loads(line)
+    fmu.exchange = asked.pop("exchange", False)
     try:
         seen = {"answer": scenario_of(asked.pop("scenario"))(fmu, **asked)}
     except BaseException:

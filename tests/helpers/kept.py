@@ -38,8 +38,8 @@ def cache_folder(run):
 
 
 def kept_fmus(folder, output, maker, **chosen):
-    """The FMUs of a maker, "python" or "native", with ``chosen`` profiles, as copies in the folder
-    ``output``; they are built where ``folder`` has none of these sources."""
+    """The FMUs of a maker, "python" or "native", with ``chosen`` profiles and settings, as copies in the
+    folder ``output``; they are built where ``folder`` has none of these sources."""
     place = folder / "fmus" / digest(maker, chosen)
     with locked(place):
         if not place.exists():
@@ -53,7 +53,9 @@ def kept_fmus(folder, output, maker, **chosen):
 
 def digest(maker, chosen):
     """A hash of the package, of its libraries, of the profiles, and of the versions of what packs them."""
+    chosen = dict(chosen)
     found = hashlib.sha256(repr((maker, package(), sorted(chosen))).encode())
+    found.update(repr(chosen.pop("settings", None)).encode())
     for _, file in sorted(chosen.items()):
         found.update(f"{Path(file).name}\0".encode() + Path(file).read_bytes())
     return found.hexdigest()

@@ -8,7 +8,8 @@
  * The plan of an FMU: inputs and outputs by value reference, how many values the outputs have, the status's reference, how
  * many rows, and the rows of inputs.  That of the kernel: tables, the sizes of state and workspace, the counts of inputs and
  * outputs, how many rows, and the rows.  The answer: a line for each row, the outputs and the status; of the kernel also,
- * in the first line, its fingerprint.
+ * in the first line, its fingerprint.  An FMU is an instance for co-simulation and one for model exchange, whose values without a
+ * step must be the same.
  */
 #include <stdbool.h>
 #include <stdio.h>
@@ -116,12 +117,14 @@ static void note3(fmi3InstanceEnvironment e, fmi3Status status, fmi3String categ
     fprintf(stderr, "%s\n", message);
 }
 
-static void *started(int version, const char *token, char **settings, int count)
+static void *started(int version, const char *token, char **settings, int count, bool exchange)
 {
     static const fmi2CallbackFunctions callbacks = {note2, calloc, free, NULL, NULL};
-    void *c = version == 2 ? FUNCTION(fmi2Instantiate)("host", fmi2CoSimulation, token, "", &callbacks, fmi2False, fmi2True)
-                           : FUNCTION(fmi3InstantiateCoSimulation)("host", token, "", false, true, false, false, NULL, 0,
-                                                                   NULL, note3, NULL);
+    void *c = version == 2 ? FUNCTION(fmi2Instantiate)("host", exchange ? fmi2ModelExchange : fmi2CoSimulation, token, "",
+                                                       &callbacks, fmi2False, fmi2True)
+            : exchange ? FUNCTION(fmi3InstantiateModelExchange)("host", token, "", false, true, NULL, note3)
+                       : FUNCTION(fmi3InstantiateCoSimulation)("host", token, "", false, true, false, false, NULL, 0, NULL,
+                                                               note3, NULL);
     if (!c)
         fail("no", "instance");
     for (int i = 0; i < count; i += 1)
@@ -143,6 +146,9 @@ static void *started(int version, const char *token, char **settings, int count)
         check(FUNCTION(fmi3EnterInitializationMode)(c, false, 0.0, 0.0, false, 0.0), "fmi3EnterInitializationMode");
         check(FUNCTION(fmi3ExitInitializationMode)(c), "fmi3ExitInitializationMode");
     }
+    if (exchange)
+        check(version == 2 ? (int)FUNCTION(fmi2EnterContinuousTimeMode)(c) : (int)FUNCTION(fmi3EnterContinuousTimeMode)(c),
+              "EnterContinuousTimeMode");
     return c;
 }
 
@@ -153,7 +159,9 @@ static void run_fmu(int version, const char *token, char **settings, int setting
     const unsigned status_reference = (unsigned)number();
     const size_t row_count = number();
     double *row = room(input_count, sizeof *row), *values = room(value_count, sizeof *values);
-    void *c = started(version, token, settings, setting_count);
+    double *others = room(value_count, sizeof *others);
+    void *c = started(version, token, settings, setting_count, false);
+    void *exchange = started(version, token, settings, setting_count, true);
     for (size_t k = 0; k < row_count; k += 1)
     {
         const double time = 1e-3 * (double)k;
@@ -164,6 +172,8 @@ static void run_fmu(int version, const char *token, char **settings, int setting
             check(FUNCTION(fmi2SetReal)(c, inputs, input_count, row), "fmi2SetReal");
             check(FUNCTION(fmi2DoStep)(c, time, 1e-3, fmi2True), "fmi2DoStep");
             check(FUNCTION(fmi2GetReal)(c, outputs, output_count, values), "fmi2GetReal");
+            check(FUNCTION(fmi2SetReal)(exchange, inputs, input_count, row), "fmi2SetReal");
+            check(FUNCTION(fmi2GetReal)(exchange, outputs, output_count, others), "fmi2GetReal");
             check(FUNCTION(fmi2GetInteger)(c, &status_reference, 1, &status), "fmi2GetInteger");
         }
         else
@@ -173,14 +183,18 @@ static void run_fmu(int version, const char *token, char **settings, int setting
             check(FUNCTION(fmi3SetFloat64)(c, inputs, input_count, row, input_count), "fmi3SetFloat64");
             check(FUNCTION(fmi3DoStep)(c, time, 1e-3, true, &event, &end, &early, &last), "fmi3DoStep");
             check(FUNCTION(fmi3GetFloat64)(c, outputs, output_count, values, value_count), "fmi3GetFloat64");
+            check(FUNCTION(fmi3SetFloat64)(exchange, inputs, input_count, row, input_count), "fmi3SetFloat64");
+            check(FUNCTION(fmi3GetFloat64)(exchange, outputs, output_count, others, value_count), "fmi3GetFloat64");
             check(FUNCTION(fmi3GetInt32)(c, &status_reference, 1, &status, 1), "fmi3GetInt32");
         }
+        if (status < 2 && memcmp(values, others, value_count * sizeof *values) != 0)
+            fail("model exchange has", "other values");
         print_row(values, value_count, status);
     }
     if (version == 2)
-        FUNCTION(fmi2FreeInstance)(c);
+        FUNCTION(fmi2FreeInstance)(c), FUNCTION(fmi2FreeInstance)(exchange);
     else
-        FUNCTION(fmi3FreeInstance)(c);
+        FUNCTION(fmi3FreeInstance)(c), FUNCTION(fmi3FreeInstance)(exchange);
 }
 
 /* --- the kernel ------------------------------------------------------------------------------------------------- */

@@ -16,6 +16,7 @@ from ctypes import byref, c_double, c_size_t, c_uint32, c_void_p, create_string_
 from pathlib import Path
 
 from raw_bad_input import bad_input, every_input, order
+from raw_exchange import exchange_modes, exchange_pointers
 from raw_library import ERROR, OK, Library, check_run, run, switch
 
 
@@ -142,8 +143,10 @@ def creation(fmi):
     refused = {
         "empty name": {"name": b""}, "no name": {"name": None}, "wrong token": {"token": b"{0}"},
         "no token": {"token": b""},
-        **({"model exchange": {"kind": 0}} if fmi.version == 2 else {"events": {"events": True},
-                                                                     "intermediate": {"asked": 1}}),
+        "empty name, exchange": {"name": b"", "kind": 0},
+        "wrong token, exchange": {"token": b"{0}", "kind": 0},
+        **({"another type": {"kind": 2}} if fmi.version == 2 else {"events": {"events": True},
+                                                                   "intermediate": {"asked": 1}}),
     }
     answers = {name: (fmi.instantiate(**options), fmi.told()) for name, options in refused.items()}
     wanted = run(fmi, fmi.ready())
@@ -188,7 +191,7 @@ if __name__ == "__main__":
     fmi_version, library_file, header_folder = sys.argv[1:]
     given = json.load(sys.stdin)
     library = Library(int(fmi_version), library_file, given["token"], given["references"])
-    parts = (bad_input, every_input, order, legal, creation, categories)
+    parts = (bad_input, every_input, order, legal, creation, categories, exchange_modes, exchange_pointers)
     found = {}
     for part in parts:
         found[part.__name__] = part(library)

@@ -146,4 +146,10 @@ LAWS = [
      "i >= 2 && !*self->core.text[own[2]] ? i - 2 : i",
      "a native FMU sees another left rail only beside another left wheel", "fmu/test_values.py",
      "fmu_src/native/wheelset_tables.c"),
+    ("tried_points", "    if (self->core.accepts)\n", "    if (self->core.accepts > 1)\n",
+     "in model exchange an invalid point has the outputs of one that the solver has only tried",
+     "fmu/native/test_model_exchange.py", "fmu_src/native/wheelset_evaluation.c"),
+    ("silent_steps", "    if (self->core.status != 0.0)\n        wheelset_tell_status(self);\n    return 0;",
+     "    return 0;", "a completed step without a valid result is not told",
+     "fmu/native/test_model_exchange.py", "fmu_src/native/wheelset_exchange.c"),
 ]

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from fmpy import read_model_description
 from fmpy.validation import validate_fmu
 
 from examples.hunting_wheelset.coupling import Unit
@@ -29,7 +30,31 @@ def moved(archive, duration, step, forces=None, derivative=None, **parameters):
 
 
 def test_description(archives):
+    """Units have the SI exponents of the contact FMU's, so that masters see them fit."""
     assert validate_fmu(str(archives[1])) == []
+    contact, wheelset = ({unit.name: str(unit.baseUnit) for unit in described.unitDefinitions}
+                         for described in map(read_model_description, map(str, archives)))
+    assert {"m", "rad", "N", "N.m", "m/s", "rad/s", "1/m", "W"} <= set(contact) & set(wheelset)
+    assert {name: wheelset[name] for name in set(contact) & set(wheelset)} == {
+        name: contact[name] for name in set(contact) & set(wheelset)}
+
+
+def test_outputs_depend_on_no_input(archives):
+    """As declared, so that a master finds no loop: inputs change no output before a step."""
+    described = read_model_description(str(archives[1]))
+    assert [unknown.dependencies for unknown in described.outputs] == [[]] * 14
+    known = [v for unknown in described.initialUnknowns for v in unknown.dependencies]
+    assert {v.causality for v in known} == {"parameter"}
+    unit = Unit(archives[1], "wheelset", lateral_stiffness=1e5, lateral_damping=1e3, start_lateral_shift=1e-3)
+    unit.start()
+    inputs = [v.name for v in described.modelVariables if v.causality == "input"]
+    outputs = unit.ports([unknown.variable.name for unknown in described.outputs])
+    before = outputs.read()
+    unit.ports(inputs).write([1e3 + k for k in range(len(inputs))])
+    assert outputs.read() == before
+    unit.step(0.0, 1e-4)
+    assert outputs.read() != before
+    unit.close()
 
 
 @pytest.mark.parametrize("linear, order", [(False, 1), (True, 2)])

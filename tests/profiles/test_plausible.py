@@ -11,7 +11,7 @@ import wrcontact
 from data.en15302 import profile as standard_wheel
 from tests.helpers.profile_points import Y, Z, changed, columns, noisy
 from wrcontact import ContactSystem, Profile, ProfileWarning
-from wrcontact.fmu.archive import chosen_profiles
+from wrcontact.fmu.archive import chosen_starts
 from wrcontact.profiles import WHEELS, standard_profile
 from wrcontact.profiles.plausible import nominal_gauge, remarks_on
 
@@ -124,5 +124,5 @@ def test_python_check_and_the_build_say_it_once(tmp_path):
         warnings.simplefilter("error")          # the user has been told
         assert words in wrcontact.check(system).remarks[0]
     with pytest.warns(ProfileWarning, match=words) as said:
-        chosen_profiles(wheel_profile=str(tmp_path / "own.txt"))
+        chosen_starts(wheel_profile=str(tmp_path / "own.txt"))
     assert sum(words in str(one.message) for one in said) == 1

@@ -23,7 +23,7 @@ from tests.helpers.profile_points import (
 )
 from wrcontact import Profile, ProfileWarning
 from wrcontact.cli import main
-from wrcontact.fmu.archive import chosen_profiles
+from wrcontact.fmu.archive import chosen_starts
 from wrcontact.fmu.native import packed_profiles
 from wrcontact.profiles.files import prepared_text
 from wrcontact.profiles.flaws import _run_errors
@@ -167,7 +167,7 @@ def test_the_command_line_says_each_in_a_line(measured, capsys):
 
 def test_build_packs_the_smoothed_profile_and_says_so_once(measured, capsys):
     with remarks_in_lines("build_fmu.py"):
-        _, own = chosen_profiles(wheel_profile=str(measured / "worn.csv"),
+        _, own = chosen_starts(wheel_profile=str(measured / "worn.csv"),
                                  rail_profile=str(measured / "worn.prr"))
         starts, profiles = packed_profiles(2e-5, wheel_profile=str(measured / "worn.csv"))
     said = capsys.readouterr().err.splitlines()

@@ -45,7 +45,7 @@ class Expressions(Scope):
             return node.value.id in ACTIVE_ARRAYS
         if isinstance(node, ast.Call):
             name = node.func.id
-            if name in ("int", "isfinite", "held", "rate_of"):
+            if name in ("int", "isfinite", "held", "rate_of", "nonzero", "common_rate"):
                 return False
             if name in ("moving", "seeded", "differentiated"):
                 return True
@@ -126,7 +126,8 @@ class Expressions(Scope):
     def atom(self, node):
         """A pair whose value is a name, a number or an array's element."""
         pair = self.pair(node)
-        return Pair(self.named(pair.value), pair.rate)
+        whole = self.kind(node) == "int"        # C multiplies vectors by floats only
+        return Pair(self.named(f"float({pair.value})" if whole else pair.value), pair.rate)
 
     def named(self, text):
         """A name for the value ``text``, or itself if it is one already."""

@@ -3,7 +3,7 @@ the modules that result."""
 
 import ast
 
-from .rules import ACTIVE_ARRAYS, HELPERS, INTRINSICS, PARTS, RATE_SOLVER, ROOT, RULE_MODULES, RULES
+from .rules import ACTIVE_ARRAYS, HELPERS, INTRINSICS, PARTS, RATE_FUNCTIONS, ROOT, RULE_MODULES, RULES
 from .scope import Scope, parameters
 from .statements import Differentiated
 
@@ -92,8 +92,7 @@ class Kernel:
         """(module, function) whose derivative a call of ``name`` in ``module`` stands for; None where
         the call stays as it is."""
         home = self.home(module, name)
-        if (home is None or name in INTRINSICS or module in RULE_MODULES
-            and name in {*RULES, RATE_SOLVER}):
+        if home is None or name in INTRINSICS or module in RULE_MODULES and name in RULES:
             return None
         if name in RULES:
             return self.rule_homes[RULES[name]], RULES[name]
@@ -135,14 +134,14 @@ class Kernel:
             module = self.modules[body.module]
             for home, offered in [*module.imports.items(),
                                   (module.name, {*module.constants, *module.functions})]:
-                imported.setdefault(home, set()).update(names & set(offered))
+                imported.setdefault(home, set()).update((names & set(offered)) - RATE_FUNCTIONS)
         lines = [f'"""Derivatives of {place}.py."""', ""]
         mathematics = sorted(used & {"copysign", "fabs", "inf", "isfinite", "nan", "pi", "sqrt"})
         if mathematics:
             lines.append(f"from math import {', '.join(mathematics)}")
         lines += [f"from .{home} import {', '.join(sorted(names))}"
                   for home, names in sorted(imported.items()) if names]
-        rates = sorted(used & {"root_rate", "size_rate"})
+        rates = sorted(used & RATE_FUNCTIONS)
         if rates:
             lines.append(f"from .derivative_rates import {', '.join(rates)}")
         calls = {}

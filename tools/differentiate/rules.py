@@ -10,30 +10,36 @@ RULES = {
 }
 #: A part of a rule, and the function whose rule it is a part of.
 PARTS = {"turning_rule": "find_overlaps", "width_jet": "zone_width"}
-#: Called by the rules as it is: it solves for rates.
-RATE_SOLVER = "eliminate"
 #: The modules of the room kernel/derivative, which are differentiated and not translated themselves.
 RULE_MODULES = ("contact_rules", "elementary_rules", "intrinsics", "wheelset_rules")
 ROOT = "differentiate"
 ACTIVE_ARRAYS = {"work", "place"}
-INTRINSICS = {"held", "moving", "seeded", "rate_of", "differentiated"}
+INTRINSICS = {"held", "moving", "seeded", "rate_of", "differentiated", "nonzero", "common_rate"}
+#: Of these and of RATES: functions of the module derivative_rates.
+RATE_FUNCTIONS = {"root_rate", "size_rate", "nonzero", "common_rate"}
 #: Rates of functions of one argument, where {v} is the argument, {f} the value and {d} the argument's rate.
 RATES = {"sqrt": "root_rate({f}, {d})", "fabs": "size_rate({v}, {d})"}
-HELPERS = '''"""How roots and sizes change: helpers of the differentiated kernel."""
+#: What else is asked of rates.  The compiled kernel has these functions, for rates along several directions,
+#: in native/lanes.h.
+HELPERS = '''"""How roots and sizes change, and what else is asked of rates."""
 
 
-def root_rate(root: float, rate: float):
+def root_rate(root: float, rate: float) -> float:
     """Rate of a square root whose argument changes by ``rate``; 0 where the root is 0."""
-    result = 0.0
-    if root != 0.0:
-        result = 0.5 * rate / root
-    return result
+    return 0.5 * rate / root if root != 0.0 else 0.0
 
 
-def size_rate(value: float, rate: float):
+def size_rate(value: float, rate: float) -> float:
     """Rate of abs(value)."""
-    result = rate
-    if value < 0.0:
-        result = -rate
-    return result
+    return -rate if value < 0.0 else rate
+
+
+def nonzero(rate: float) -> bool:
+    """Whether anything moves at this ``rate``."""
+    return rate != 0.0
+
+
+def common_rate(rate: float) -> float:
+    """A ``rate`` that is the same along all directions."""
+    return rate
 '''

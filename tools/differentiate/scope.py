@@ -58,7 +58,7 @@ class Scope:
             return "int" if node.func.id == "int" else "bool"
         if node.func.id in ("min", "max"):
             return self.kind(node.args[0])
-        if (node.func.id in ("held", "moving", "seeded", "rate_of")
+        if (node.func.id in ("held", "moving", "seeded", "rate_of", "common_rate")
             or self.kernel.home(self.module, node.func.id) is None):
             return "float"
         kinds = self.call_kinds(node)

@@ -1,5 +1,6 @@
 """All generated files: a header, one file of C for each room, and the units that include them."""
 
+from .lanes import in_lanes, parameter_kinds
 from .modules import FILES, import_kernel
 from .tidy import refuse_unknown_calls, tidy_code, tidy_constants, tidy_prototypes
 
@@ -15,11 +16,15 @@ def assemble(kernel, modules, raw):
     functions = {f"{module.name}__{name}" for module in modules for name in module.functions}
     files = {"constants.h": constants_header(kernel, plain),
              "derivatives.h": header("DERIVATIVES", "The differentiated kernel's functions", "constants.h",
-                                     (tidy_prototypes(module, raw[module.name][0]) for module in rated))}
+                                     (tidy_prototypes(module, raw[module.name][0]) for module in rated),
+                                     "../native/lanes.h")}
     for room in dict.fromkeys(module.room for module in modules if module.functions):
         files[f"{room}.c"] = room_file(room, [module for module in modules if module.room == room], raw)
     for module in modules:
         refuse_unknown_calls(module, tidy_code(module, raw[module.name][1]), functions)
+    kinds = parameter_kinds(files["derivatives.h"])
+    for name in [name for name in files if name.startswith("derivative")]:
+        files[name] = in_lanes(files[name], kinds)
     files["unit.c"] = step_unit(kernel, plain)
     files["prepare_unit.c"] = part_unit("What prepares the kernel's tables.", plain,
                                         {module.name for module in plain if module.room == "prepare"})
@@ -49,11 +54,12 @@ def constant_values(kernel, modules):
     return values
 
 
-def header(name, words, needs, texts):
-    """A header with the lines of modules, which includes another."""
+def header(name, words, needs, texts, *others):
+    """A header with the lines of modules, which includes others."""
     guard = f"GENERATED_{name}_H"
     return "\n".join([f"/* {words}. {NOTE}. */", f"#ifndef {guard}", f"#define {guard}", "",
-                      f'#include "{needs}"', *(line for lines in texts for line in lines), "", "#endif", ""])
+                      *(f'#include "{other}"' for other in (needs, *others)),
+             *(line for lines in texts for line in lines), "", "#endif", ""])
 
 
 def room_file(room, modules, raw):

@@ -22,7 +22,7 @@ from .door import Door, Refused, check_file, check_folder, sentences
 from .groups import FILES
 from .help import Command, with_all
 from .options import GEOMETRY, LOAD, POSE, SYSTEM, name_of, number, option_of, takes
-from .profile_files import reads_files
+from .profile_files import reads_files, with_left_side
 from .report import (
     Remark,
     has_model,
@@ -107,6 +107,7 @@ def demo(output: Annotated[Path, typer.Option(
 @main.command(cls=Command, rich_help_panel=FMUS)
 @with_all
 @reads_files
+@with_left_side
 def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of the FMU")] = Path("dist"),
           native: Annotated[bool, typer.Option(
               "--native", help="Pack the two native FMUs instead, for FMI 2.0 and FMI 3.0, which need no "
@@ -121,16 +122,17 @@ def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of th
                                    "built-in name")] = None,
           rail: Annotated[str | None, typer.Option(
               metavar="FILE", help="Rail profile, likewise")] = None,
-          left_wheel: Annotated[str | None, typer.Option(
-              metavar="FILE", help="Wheel profile of the left side, where it differs")] = None,
-          left_rail: Annotated[str | None, typer.Option(
-              metavar="FILE", help="Rail profile of the left side, where it differs")] = None,
+          settings: Annotated[list[str] | None, typer.Option(
+              "--set", metavar="NAME=VALUE",
+              help="Start value of a parameter, by its name in the FMU and in SI units, for tools that "
+                   "cannot set it: --set contact_mode=compliant; can be repeated")] = None,
           smoothing: Smoothing = None):
     """Pack the FMU of a wheelset on track and print its path.
 
     Example: wrcontact build --native --wheel my_wheel.csv --rail 54E1 --output fmus
     """
     from ..fmu.command import built
+    from ..fmu.settings import settings_of
 
     if platforms and not native:
         raise Refused("--platforms is given; it is permitted only with --native")
@@ -139,8 +141,10 @@ def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of th
             raise Refused(f"--platforms has {name!r}; permitted are {', '.join(PLATFORMS)} and all"
                           f"{did_you_mean(name, PLATFORMS)}")
     check_folder(output)
+    with sentences(lambda sentence: f"--set: {sentence}"):
+        settings = settings_of(settings or ())
     with sentences(typed), working("building the FMU"):
-        paths = built(native, platforms, output=output, wheel=(left_wheel, wheel), rail=(left_rail, rail),
+        paths = built(native, platforms, output=output, wheel=wheel, rail=rail, settings=settings,
                       smoothing=None if smoothing is None else smoothing / 1e6)
     print(*paths, sep="\n")
 

@@ -38,6 +38,25 @@ def reads_files(command):
     return with_options
 
 
+def with_left_side(command):
+    """Decorator that adds the profiles of the left side to a command with ``--wheel`` and ``--rail``; the
+    command receives each as a pair (left, right)."""
+
+    @wraps(command)
+    def with_options(**given):
+        for kind in KINDS:
+            given[kind] = given.pop(f"left_{kind}"), given[kind]
+        return command(**given)
+
+    words = "{} profile of the left side, where it differs"
+    options = [Parameter(f"left_{kind}", Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[
+        str | None, typer.Option(metavar="FILE", help=words.format(kind.capitalize()))]) for kind in KINDS]
+    own = list(signature(command).parameters.values())
+    with_options.__signature__ = Signature([p.replace(kind=Parameter.KEYWORD_ONLY) for p in own] + options)
+    with_options.__annotations__ = {p.name: p.annotation for p in own + options}
+    return with_options
+
+
 def _names(kind):
     """The options of a ``kind`` of profile; a wheel has no inclination."""
     return [name for name in ENDINGS if kind == "rail" or name != "file_inclination"]

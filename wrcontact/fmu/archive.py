@@ -10,6 +10,7 @@ from pathlib import Path
 from .. import ContactSystem
 from ..profiles.catalogue import BUILDERS, standard_name
 from .online import PACKAGE
+from .settings import checked, keywords_of
 
 #: The folder of the files that are packed as they are: inside an installed package, beside it in a checkout.
 SOURCES = next((folder for folder in (PACKAGE / "fmu_src", PACKAGE.parent / "fmu_src") if folder.is_dir()),
@@ -18,17 +19,19 @@ SOURCES = next((folder for folder in (PACKAGE / "fmu_src", PACKAGE.parent / "fmu
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)
 
 
-def chosen_profiles(smoothing=None, **chosen):
-    """Start values of the profile parameters, and the profiles that come from files, by file
-    name; each file is read once.
+def chosen_starts(smoothing=None, settings=None, **chosen):
+    """Start values of parameters, and the profiles that come from files, by file name; each file is read
+    once.
 
+    ``settings`` are values of other parameters than profiles, by their names in the FMU;
     ``chosen`` are ``wheel_profile`` and ``rail_profile``, each a name, a file, or a pair (left, right).
     Files are packed as prepared profiles with their own names: reading points needs scipy,
     which an FMU does not have.
     """
+    settings = checked(settings or {})
     given = {parameter: name for parameter, name in _split(chosen).items() if name is not None}
     system = ContactSystem(**{parameter.removesuffix("_profile"): name for parameter, name in given.items()},
-                           smoothing=smoothing)
+                           **keywords_of(settings), smoothing=smoothing)
     starts = {parameter: str(name) for parameter, name in given.items()}
     starts |= {parameter: standard_name(name) for parameter, name in starts.items()
                if standard_name(name) and not Path(name).is_file()}
@@ -41,7 +44,7 @@ def chosen_profiles(smoothing=None, **chosen):
             words = [parameter.removesuffix("_profile").replace("_", " ") for parameter in sharing]
             raise ValueError(f"{' and '.join(words)} profile have the same file name, {file}; rename one of "
                              "them")
-    return {**starts, **files}, {file: profiles[parameter] for parameter, file in files.items()}
+    return {**settings, **starts, **files}, {file: profiles[parameter] for parameter, file in files.items()}
 
 
 def _split(chosen):

@@ -14,7 +14,7 @@ from ..interface.variables import VARIABLES
 from ..kernel.binding.files import PLATFORMS
 from ..profiles.files import prepared_text
 from ..storage.atomic import write_atomically
-from .archive import SOURCES, archive, chosen_profiles, fingerprint, licence, problems_of
+from .archive import SOURCES, archive, chosen_starts, fingerprint, licence, problems_of
 from .description import MODEL, model_description
 from .documentation import about_python, documentation_page
 from .online import kernel_libraries, online_files
@@ -37,7 +37,7 @@ fixed_tables(True)
 DEPENDENCIES = b"A Python of 3.10 or newer with numpy, found by the library of PythonFMU in this FMU.\n"
 
 
-def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
+def build_fmu(output="dist", wheel=None, rail=None, smoothing=None, settings=None):
     """Pack ``WheelsetContact.fmu`` into the folder ``output`` and return its path.
 
     Parameters
@@ -46,13 +46,14 @@ def build_fmu(output="dist", wheel=None, rail=None, smoothing=None):
     wheel, rail : file of a profile that is packed and becomes the default, a path or a
         :class:`~wrcontact.ProfileFile`; or a built-in name; or a pair (left, right) of these.
     smoothing : of measured points [m], as for :meth:`wrcontact.Profile.from_file`.
+    settings : start values of other parameters, by their names in the FMU.
 
     Raises
     ------
     ValueError
-        if a profile cannot be used; the sentence says why.
+        if a profile or a setting cannot be used; the sentence says why.
     """
-    starts, profiles = chosen_profiles(smoothing, wheel_profile=wheel, rail_profile=rail)
+    starts, profiles = chosen_starts(smoothing, settings, wheel_profile=wheel, rail_profile=rail)
     files = {f"resources/{name}": prepared_text(profile).encode() for name, profile in profiles.items()}
     contents = {**runtime(), **documentation(starts), **files, **package(starts)}
     data = archive(sealed(contents, starts))

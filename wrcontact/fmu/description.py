@@ -9,20 +9,23 @@ MODEL = "WheelsetContact"
 DESCRIPTION = ("Wheel-rail contact of a wheelset on track: contact points and roll, contact patches with "
                "their pressures, creepages and creep forces, resultant forces and moments, friction power")
 
-CAPABILITIES = {
+#: Of co-simulation and of model exchange.
+COMMON = {
     "modelIdentifier": MODEL,
     "needsExecutionTool": "false",
-    "canHandleVariableCommunicationStepSize": "true",
-    "canInterpolateInputs": "false",
     "canBeInstantiatedOnlyOncePerProcess": "false",
     "canNotUseMemoryManagementFunctions": "true",
     "canGetAndSetFMUstate": "true",
     "canSerializeFMUstate": "true",
-    "providesDirectionalDerivative": "false",
 }
-
-#: The native FMU has directional derivatives, the Python FMU has not.
-NATIVE_CAPABILITIES = {**CAPABILITIES, "providesDirectionalDerivative": "true"}
+STEPS = {"canHandleVariableCommunicationStepSize": "true", "canInterpolateInputs": "false"}
+#: The native FMU has directional derivatives and model exchange, the Python FMU has neither.
+PYTHON = {"CoSimulation": {**COMMON, **STEPS, "providesDirectionalDerivative": "false"}}
+NATIVE = {
+    "ModelExchange": {**COMMON, "completedIntegratorStepNotNeeded": "false",
+                      "providesDirectionalDerivative": "true"},
+    "CoSimulation": {**COMMON, **STEPS, "providesDirectionalDerivative": "true"},
+}
 
 LOG_CATEGORIES = {
     "logStatusWarning": "One line for every step whose status is not 0: the variable, its value and the "
@@ -37,11 +40,14 @@ def model_description(guid, tool, version, starts, units=()):
     root = Element("fmiModelDescription", fmiVersion="2.0", modelName=MODEL, guid=guid,
                    description=DESCRIPTION, version=version, generationTool=tool,
                    variableNamingConvention="structured")
-    abilities = SubElement(root, "CoSimulation", NATIVE_CAPABILITIES if units else CAPABILITIES)
     if units:
-        files = SubElement(abilities, "SourceFiles")
-        for name in units:
-            SubElement(files, "File", name=name)
+        root.set("numberOfEventIndicators", "0")
+    for kind, abilities in (NATIVE if units else PYTHON).items():
+        element = SubElement(root, kind, abilities)
+        if units:
+            files = SubElement(element, "SourceFiles")
+            for name in units:
+                SubElement(files, "File", name=name)
     describe_common(root)
     _variables(SubElement(root, "ModelVariables"), starts)
     _structure(SubElement(root, "ModelStructure"))

@@ -11,6 +11,7 @@ from ..interface.variables import BOOLEAN, INPUT, INTEGER, OUTPUT, PARAMETER, RE
 from ..kernel.layout import STATION_COUNT, STATION_LEAST, STATION_LIMIT
 from .description import DESCRIPTION, MODEL, attributes_of, describe_common, xml_file
 
+#: Of co-simulation and of model exchange.
 CAPABILITIES = {
     "modelIdentifier": MODEL,
     "needsExecutionTool": "false",
@@ -19,7 +20,11 @@ CAPABILITIES = {
     "canSerializeFMUState": "true",
     "providesDirectionalDerivatives": "true",
     "providesAdjointDerivatives": "true",
-    "canHandleVariableCommunicationStepSize": "true",
+}
+#: And those of each kind.
+KINDS = {
+    "ModelExchange": {**CAPABILITIES, "needsCompletedIntegratorStep": "true"},
+    "CoSimulation": {**CAPABILITIES, "canHandleVariableCommunicationStepSize": "true"},
 }
 
 TYPES = {REAL: "Float64", INTEGER: "Int32", BOOLEAN: "Boolean", STRING: "String"}
@@ -60,7 +65,8 @@ def model_description(token, tool, version, starts, units=()):
     root = Element("fmiModelDescription", fmiVersion="3.0", modelName=MODEL, instantiationToken=token,
                    description=DESCRIPTION, version=version, generationTool=tool,
                    variableNamingConvention="structured")
-    SubElement(root, "CoSimulation", CAPABILITIES)
+    for kind, abilities in KINDS.items():
+        SubElement(root, kind, abilities)
     describe_common(root)
     blocks = variable_blocks()
     variables = SubElement(root, "ModelVariables")

@@ -190,6 +190,9 @@ results by rounding.</p>
 <p>A wrong call (an unknown value reference, a wrong type, a parameter set after initialisation, a call out of order) returns
 an error with one sentence in the log, without debug logging too, and the instance continues. An input that is not a number, or a contact off the
 profile, is not an error but a <code>status</code>.</p>
+<p>It is for co-simulation and for model exchange, with the same variables and values. In model exchange it has no states, no event
+indicators and no events of its own: outputs follow the inputs at every point that a solver tries. Where these have no valid result,
+outputs hold those of the last accepted point that had one.</p>
 <p>It has directional derivatives of all continuous outputs with respect to all inputs{ADJOINT[version]}. At a jump they are
 those of the side on which the pose lies. With status 1 the derivatives of the unloaded wheel's patch are zero; with status 2
 and higher, where outputs are held, all are zero.</p>
@@ -231,15 +234,17 @@ TABLES = {
 }
 
 
+KINDS = {"ModelExchange": "model exchange", "CoSimulation": "co-simulation"}
+
+
 def _abilities(root):
     """Capabilities and log categories, as the model description declares them."""
-    abilities = dict(root.find("CoSimulation").attrib)
-    abilities.pop("modelIdentifier")
-    rows = "".join(f"<tr><td><code>{name}</code></td><td>{value}</td></tr>\n"
-                   for name, value in abilities.items())
+    rows = "".join(f"<tr><td>{words}</td><td><code>{name}</code></td><td>{value}</td></tr>\n"
+                   for kind, words in KINDS.items() for element in root.iter(kind)
+                   for name, value in element.attrib.items() if name != "modelIdentifier")
     logs = "".join(f"<tr><td><code>{category.get('name')}</code></td><td>{escape(category.get('description'))}</td></tr>\n"
                    for category in root.iter("Category"))
-    return (f"<h2>Capabilities</h2>\n<table>\n<tr><th>capability</th><th>declared</th></tr>\n{rows}</table>\n"
+    return (f"<h2>Capabilities</h2>\n<table>\n<tr><th>for</th><th>capability</th><th>declared</th></tr>\n{rows}</table>\n"
             f"<h2>Log categories</h2>\n<table>\n<tr><th>category</th><th>lines</th></tr>\n{logs}</table>\n")
 
 

@@ -9,13 +9,13 @@ import fmpy
 
 from .. import __version__
 from ..interface.variables import PLACE, REFERENCE, VARIABLES
-from ..kernel.binding.compiler import KERNEL_UNITS, compile_platform
+from ..kernel.binding.compiler import FMU_UNITS, compile_platform
 from ..kernel.binding.files import PLATFORMS, host_platform
 from ..profiles.catalogue import BUILDERS, standard_profile
 from ..progress import tracked
 from ..storage.atomic import write_atomically
 from . import description, description3, native_model
-from .archive import SOURCES, archive, chosen_profiles, fingerprint, licence, problems_of
+from .archive import SOURCES, archive, chosen_starts, fingerprint, licence, problems_of
 from .documentation import about_native, documentation_page
 from .online import PACKAGE
 from .terminals import terminals_and_icons
@@ -28,7 +28,8 @@ HEADERS = {2: ("fmi2Functions.h", "fmi2FunctionTypes.h", "fmi2TypesPlatform.h"),
 DESCRIPTIONS = {2: description.model_description, 3: description3.model_description}
 
 
-def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cache=None, smoothing=None):
+def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cache=None, smoothing=None,
+                      settings=None):
     """Pack ``WheelsetContact_native_fmi2.fmu`` and ``..._fmi3.fmu`` into the folder ``output`` and return
     their paths.
 
@@ -40,13 +41,14 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cach
     platforms : names of :data:`~wrcontact.kernel.platforms.PLATFORMS`; None is this machine's.
     cache : folder in which compiled sources are kept for the next FMUs; None keeps nothing.
     smoothing : of measured points [m], as for :meth:`wrcontact.Profile.from_file`.
+    settings : start values of other parameters, by their names in the FMU.
 
     Raises
     ------
     ValueError
-        when a profile cannot be used or a compiler fails; the sentence says why.
+        when a profile or a setting cannot be used or a compiler fails; the sentence says why.
     """
-    starts, profiles = packed_profiles(smoothing, wheel_profile=wheel, rail_profile=rail)
+    starts, profiles = packed_profiles(smoothing, settings, wheel_profile=wheel, rail_profile=rail)
     with tempfile.TemporaryDirectory() as folder:
         platforms, cache = platforms or [host_platform()], cache or Path(folder, "cache")
         made = {version: native_fmu(version, starts, profiles, platforms, folder, cache)
@@ -58,9 +60,9 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cach
     return list(targets)
 
 
-def packed_profiles(smoothing=None, **chosen):
-    """Start values of the profile parameters, and all profiles that can be chosen, by name."""
-    starts, own = chosen_profiles(smoothing, **chosen)
+def packed_profiles(smoothing=None, settings=None, **chosen):
+    """Start values of parameters, and all profiles that can be chosen, by name."""
+    starts, own = chosen_starts(smoothing, settings, **chosen)
     return starts, {**{name: standard_profile(name) for name in BUILDERS}, **own}
 
 
@@ -110,7 +112,7 @@ def sources(version, token, starts, profiles):
     headers = Path(fmpy.__file__).parent / "c-code"
     blocks = blocks_of(version)
     kernel = [file for folder in ("native", "generated")
-              for file in sorted((PACKAGE / "kernel" / folder).glob("*.[ch]"))]
+              for file in sorted((PACKAGE / "kernel" / folder).glob("*.[ch]")) if "jacobian" not in file.name]
     adapters = [file for file in sorted(NATIVE.glob("*.[ch]")) if serves(file, version)]
     return {
         **{f"kernel/{file.parent.name}/{file.name}": file.read_bytes() for file in kernel},
@@ -145,7 +147,7 @@ def serves(file, version):
 def compiled_units(version):
     """The sources that are compiled; all others are included by them."""
     adapters = [file.name for file in sorted(NATIVE.glob("*.c")) if serves(file, version)]
-    return [*adapters, "model.c", *KERNEL_UNITS]
+    return [*adapters, "model.c", *FMU_UNITS]
 
 
 def libraries(contents, units, platforms, folder, cache):

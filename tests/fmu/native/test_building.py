@@ -100,8 +100,10 @@ def compile_as_described(version, description, library):
     """By the system's compiler, the files that the archive lists."""
     sources = description.parent / "sources"
     listed = ElementTree.parse(description if version == 2 else sources / "buildDescription.xml").getroot()
-    units = [node.get("name") for node in listed.iter("File" if version == 2 else "SourceFile")]
-    assert units == native.compiled_units(version)
+    kinds = [listed.find(kind) for kind in ("ModelExchange", "CoSimulation")] if version == 2 else [listed]
+    for kind in kinds:
+        units = [node.get("name") for node in kind.iter("File" if version == 2 else "SourceFile")]
+        assert units == native.compiled_units(version)
     done = subprocess.run(["cc", *SOURCE_BUILD, *units, "-o", str(library)], cwd=sources, text=True,
                           capture_output=True)
     assert done.returncode == 0, done.stderr

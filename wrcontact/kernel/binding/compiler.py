@@ -30,6 +30,8 @@ from .files import HERE, LIBRARY_NAME, PLATFORMS, host_platform, library_name
 #: What is compiled of the kernel.  Steps, preparation and derivatives are separate units, so that the
 #: optimisation of the first does not depend on the others.
 KERNEL_UNITS = tuple(f"kernel/native/{file.name}" for file in sorted((HERE / "native").glob("*.c")))
+#: Of these what an FMU has: it is asked for derivatives along one direction at a time.
+FMU_UNITS = tuple(unit for unit in KERNEL_UNITS if "jacobian" not in unit)
 
 # No fused a*b + c: the results are those of the Python source, to the last bit, on every machine.  For the
 # same reason CFLAGS is not read.  Without errno a root is an instruction: no mathematical library is needed.

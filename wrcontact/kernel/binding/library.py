@@ -148,7 +148,7 @@ class CompiledKernel:
         # it holds bare addresses: they live as long as it, or a bare ``step``, does
         handle.arrays = arrays
         self._handle = ctypes.byref(handle)
-        self._room = None
+        self._room = self._wide_room = None
         # no method: a third of the cost is the look-up
         self.step = partial(library.wrcontact_step, self._handle)
 
@@ -161,13 +161,23 @@ class CompiledKernel:
 
     def derivative(self, seed):
         """Status of the step at the inputs, and how its outputs move where the inputs move at
-        the rates in ``seed``."""
+        the rates in ``seed``: as an FMU has it."""
         if self._room is None:
             self._room = np.empty(self._library.wrcontact_derivative_room())
         rates = np.empty(self._size)
         seed = checked("seed", seed, INPUT_COUNT)
         status = self._library.wrcontact_derivative(self._handle, seed.ctypes.data, rates.ctypes.data,
                                                  self._room.ctypes.data)
+        return status, rates
+
+    def derivatives(self, seeds):
+        """The same along many directions: rates (k, outputs) for the rows of ``seeds`` (k, inputs)."""
+        if self._wide_room is None:
+            self._wide_room = np.empty(self._library.wrcontact_jacobian_room())
+        rates = np.empty((len(seeds), self._size))
+        flat = checked("seeds", seeds, len(seeds) * INPUT_COUNT)
+        status = self._library.wrcontact_jacobian(self._handle, len(seeds), flat.ctypes.data,
+                                                  rates.ctypes.data, self._wide_room.ctypes.data)
         return status, rates
 
 
@@ -241,6 +251,9 @@ def declare(library):
     library.wrcontact_cut_patch.restype = library.wrcontact_solve_creep_force.restype = None
     library.wrcontact_derivative.argtypes, library.wrcontact_derivative.restype = [address] * 4, ctypes.c_int
     library.wrcontact_derivative_room.argtypes, library.wrcontact_derivative_room.restype = [], ctypes.c_int64
+    library.wrcontact_jacobian.argtypes = [address, ctypes.c_int64, address, address, address]
+    library.wrcontact_jacobian.restype = ctypes.c_int
+    library.wrcontact_jacobian_room.argtypes, library.wrcontact_jacobian_room.restype = [], ctypes.c_int64
 
 
 def span(array):

@@ -15,7 +15,7 @@ from ..normal.analyn import load_regions, region_influence, region_load, solve_p
 from ..normal.strip_pressures import eliminate
 from ..surface.locus import outline_jet
 from ..surface.tables import height_slope_bend
-from .intrinsics import differentiated, held, moving, rate_of, seeded
+from .intrinsics import differentiated, held, moving, nonzero, rate_of, seeded, common_rate
 
 
 def width_rule(pair: Pair, frame: Frame, origin: Origin, region: Region, direction: float, level: float,
@@ -38,10 +38,10 @@ def width_rule(pair: Pair, frame: Frame, origin: Origin, region: Region, directi
         x = frame.traces[RAIL].abscissa
         y = frame.traces[WHEEL].abscissa
         out = rate_of(x) - rail_rate
-        if out != 0.0 and (x < pair.rail.start + WIDTH_TRACE or x > pair.rail.stop - WIDTH_TRACE):
+        if nonzero(out) and (x < pair.rail.start + WIDTH_TRACE or x > pair.rail.stop - WIDTH_TRACE):
             moved = -rail_rate / out
         out = rate_of(y) - wheel_rate
-        if out != 0.0 and (y < pair.wheel.start + WIDTH_TRACE or y > pair.wheel.stop - WIDTH_TRACE):
+        if nonzero(out) and (y < pair.wheel.start + WIDTH_TRACE or y > pair.wheel.stop - WIDTH_TRACE):
             moved = -wheel_rate / out
         gap, rate = width_jet(pair, frame, origin, region, direction, seeded(inner, moved), tolerance)
         width = seeded(width, moved)
@@ -128,7 +128,7 @@ def turning_rule(pair: Pair, place: Place, x: float, y: float, height: float):
         rise = meeting.rise
         meet_rule(pair, place, seeded(x, 1.0), held(meeting.wheel), height, LINE_SHARP)
         change = rate_of(meeting.rise) - rate_of(rise)
-        if change != 0.0:
+        if nonzero(change):
             found_x = moving(x, -rise / change)
         meet_rule(pair, place, found_x, held(meeting.wheel), height, LINE_SHARP)
         y = meeting.wheel
@@ -188,12 +188,12 @@ def penetrations_rule(work: Work, tables: Tables, count: int, force: float, pene
             row[j] = held(share)
         rest = block.alignment * held(penetration) - block.gap - pushed
         row[count] = -held(block.alignment)
-        row[size] = rate_of(rest)
+        row[size] = seeded(0.0, rate_of(rest))
         row[size + 1] = 0.0
     for j in range(count):
         block = regions[j]
         load, stiffness = region_load(block, nodes[j], seeded(block.local_penetration, 1.0))
-        per_level = rate_of(load) - rate_of(block.load)
+        per_level = common_rate(rate_of(load) - rate_of(block.load))
         for i in range(count):
             equations[i][j] = held(equations[i][j]) * per_level
         equations[j][j] = held(equations[j][j]) + 1.0
@@ -201,15 +201,15 @@ def penetrations_rule(work: Work, tables: Tables, count: int, force: float, pene
         if not prescribed:
             last[j] = held(block.share) * per_level
     last[count] = 0.0
-    last[size] = rate_of(force - total)
+    last[size] = seeded(0.0, rate_of(force - total))
     last[size + 1] = 0.0
     if prescribed:
         last[count] = 1.0
-        last[size] = rate_of(given)
+        last[size] = seeded(0.0, rate_of(given))
     eliminate(equations, size)
     for i in range(count):
         region = regions[i]
-        region.local_penetration = seeded(region.local_penetration, equations[i][size])
+        region.local_penetration = moving(region.local_penetration, equations[i][size])
     load_regions(regions, nodes, count)
-    penetration = seeded(penetration, last[size])
+    penetration = moving(penetration, last[size])
     return penetration, satisfied

@@ -25,6 +25,16 @@ def rate_of(x: float):
     return 0.0
 
 
+def nonzero(rate: float) -> bool:
+    """Whether anything moves at this ``rate``."""
+    return rate != 0.0
+
+
+def common_rate(rate: float):
+    """A ``rate`` that is the same along every direction, as a value."""
+    return rate
+
+
 def differentiated(x: float):
     """``x``, a call of a function that has a rule, differentiated as it is written."""
     return x

@@ -28,7 +28,7 @@ from ..wheelset.report import report
 from ..wheelset.rigid import solve_rigid
 from ..wheelset.trial import balance_side
 from .elementary_rules import sine_cosine_rule
-from .intrinsics import held, moving, rate_of, seeded
+from .intrinsics import held, moving, nonzero, rate_of, seeded
 
 
 def place_moving(tables: Tables, work: Work, roll: float):
@@ -37,16 +37,15 @@ def place_moving(tables: Tables, work: Work, roll: float):
     if work.sides[1].place.leaning:
         begin_yaw(work, roll)
     else:
-        turning = fabs(rate_of(work.inputs.left_rail_roll)) + fabs(rate_of(work.inputs.right_rail_roll))
         begin_yaw(work, roll)
-        if turning != 0.0:
+        if nonzero(rate_of(work.inputs.left_rail_roll)) or nonzero(rate_of(work.inputs.right_rail_roll)):
             lean_both(tables, work.inputs, work.sides, roll)
 
 
 def begin_yaw(work: Work, roll: float):
     """Place wheels that begin to yaw as yawed ones."""
     yaw = work.inputs.yaw
-    if yaw == 0.0 and rate_of(yaw) != 0.0:
+    if yaw == 0.0 and nonzero(rate_of(yaw)):
         sine, cosine = sine_cosine_rule(yaw)
         work.sides[1].place.sin_yaw = sine
         work.sides[1].place.cos_yaw = cosine
@@ -153,7 +152,7 @@ def follow_elastic(tables: Tables, work: Work) -> bool:
     left_roll = rate_of(left.height) - residual_left
     right_roll = rate_of(right.height) - residual_right
     determinant = left_height * right_roll - right_height * left_roll
-    if determinant == 0.0:
+    if not nonzero(determinant):
         return True
     height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant
     roll_rate = (residual_left * right_height - residual_right * left_height) / determinant

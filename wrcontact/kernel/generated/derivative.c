@@ -4,32 +4,8 @@
 
 /* ---- From derivative_rates.py; change that one.
  *
- * How roots and sizes change: helpers of the differentiated kernel.
+ * How roots and sizes change, and what else is asked of rates.
  */
-
-/* Rate of a square root whose argument changes by ``rate``; 0 where the root is 0. */
-static inline double derivative_rates__root_rate(double root, double rate)
-{
-    double result;
-    result = 0.0;
-    if (root != 0.0)
-    {
-        result = 0.5 * rate / root;
-    }
-    return result;
-}
-
-/* Rate of abs(value). */
-static inline double derivative_rates__size_rate(double value, double rate)
-{
-    double result;
-    result = rate;
-    if (value < 0.0)
-    {
-        result = -rate;
-    }
-    return result;
-}
 
 
 /* ---- From derivative_wheelset_rules.py; change that one.
@@ -38,9 +14,8 @@ static inline double derivative_rates__size_rate(double value, double rate)
  */
 
 /* Derivative of ``place_moving``. */
-static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t)
+static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t)
 {
-    double turning;
     derivative_roll__place_both_t(work, work_t, tables, roll, roll_t);
     if ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING)) == 1.0)
     {
@@ -48,9 +23,8 @@ static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d 
     }
     else
     {
-        turning = fabs((*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL))) + fabs((*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)));
         derivative_wheelset_rules__begin_yaw_t(work, work_t, roll, roll_t);
-        if (turning != 0.0)
+        if (derivative_rates__nonzero((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL))) || derivative_rates__nonzero((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL))))
         {
             derivative_roll__lean_both_t(work, work_t, tables, roll, roll_t);
         }
@@ -59,41 +33,41 @@ static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d 
 }
 
 /* Derivative of ``begin_yaw``. */
-static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d work, array_double_1d work_t, double roll, double roll_t)
+static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t)
 {
-    double yaw_t;
+    lanes yaw_t;
     double yaw;
     double sine;
-    double sine_t;
+    lanes sine_t;
     double cosine;
-    double cosine_t;
+    lanes cosine_t;
     int64_t index;
     int64_t place;
-    yaw_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW));
+    EACH_LANE each(yaw_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)));
     yaw = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW));
-    if ((yaw == 0.0) && (yaw_t != 0.0))
+    if ((yaw == 0.0) && derivative_rates__nonzero(yaw_t))
     {
         derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, yaw, yaw_t);
-        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = sine_t;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW))) = each(sine_t);
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = sine;
-        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cosine_t;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW))) = each(cosine_t);
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cosine;
-        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = (double)(1);
-        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = -sine_t;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW))) = -each(sine_t);
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_SIN_YAW)) = -sine;
-        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cosine_t;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW))) = each(cosine_t);
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_COS_YAW)) = cosine;
-        (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_YAWED)) = (double)(1);
         for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
         {
             place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
             if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
             {
-                (*cspan_at(&work_t, place + layout__PLACE_TRACK_SIN_YAW)) = (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW));
+                EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_TRACK_SIN_YAW))) = each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW)));
                 (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW)) = (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
-                (*cspan_at(&work_t, place + layout__PLACE_TRACK_COS_YAW)) = (*cspan_at(&work_t, place + layout__PLACE_COS_YAW));
+                EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_TRACK_COS_YAW))) = each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW)));
                 (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
             }
         }
@@ -103,137 +77,137 @@ static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d wor
 }
 
 /* Derivative of ``follow_minimum``. */
-static inline int64_t derivative_wheelset_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index)
+static inline int64_t derivative_wheelset_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     int64_t pair;
     int64_t side;
     int64_t at;
-    double y_t;
+    lanes y_t;
     double y;
     double gap;
-    double gap_t;
+    lanes gap_t;
     double mismatch;
-    double mismatch_t;
+    lanes mismatch_t;
     double rate;
-    double rate_t;
+    lanes rate_t;
     double v1;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
-    y_t = 0.0;
+    y_t = all_lanes(0.0);
     y = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y));
     derivative_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, pair, at, y, y_t);
     v1 = -mismatch;
-    y_t = (-mismatch_t) / rate;
+    EACH_LANE each(y_t) = (-each(mismatch_t)) / rate;
     derivative_gap__vertical_gap_t(&gap, &gap_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, pair, at, y, y_t);
-    (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST_Y)) = y_t;
+    EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST_Y))) = each(y_t);
     (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = y;
-    (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) = gap_t;
+    EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST))) = each(gap_t);
     return INT64_C(0);
 }
 
 /* Derivative of ``follow_roll``. */
-static inline int64_t derivative_wheelset_rules__follow_roll_t(double* roll, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_wheelset_rules__follow_roll_t(double* roll, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     double left;
     double right;
     double gap_left;
-    double gap_left_t;
+    lanes gap_left_t;
     double mismatch_left;
-    double mismatch_left_t;
+    lanes mismatch_left_t;
     double rate_left;
-    double rate_left_t;
+    lanes rate_left_t;
     double gap_right;
-    double gap_right_t;
+    lanes gap_right_t;
     double mismatch_right;
-    double mismatch_right_t;
+    lanes mismatch_right_t;
     double rate_right;
-    double rate_right_t;
+    lanes rate_right_t;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
-    double lever_t;
+    lanes v2_t;
+    lanes lever_t;
     double lever;
     double v3;
     (*roll) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, (*roll), 0.0);
+    derivative_wheelset_rules__place_moving_t(tables, work, work_t, (*roll), all_lanes(0.0));
     left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
     right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
-    derivative_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, 0.0);
-    derivative_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, 0.0);
-    derivative_gap__gap_per_roll_t(&v1, &v1_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, 0.0);
-    derivative_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, 0.0);
-    lever_t = v1_t + v2_t;
+    derivative_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, all_lanes(0.0));
+    derivative_gap__vertical_gap_t(&gap_right, &gap_right_t, &mismatch_right, &mismatch_right_t, &rate_right, &rate_right_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, all_lanes(0.0));
+    derivative_gap__gap_per_roll_t(&v1, &v1_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, right, all_lanes(0.0));
+    derivative_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, all_lanes(0.0));
+    EACH_LANE each(lever_t) = each(v1_t) + each(v2_t);
     lever = v1 + v2;
     v3 = -(gap_right - gap_left);
-    (*result_1) = (-(gap_right_t - gap_left_t)) / lever;
+    EACH_LANE each((*result_1)) = (-(each(gap_right_t) - each(gap_left_t))) / lever;
     return 0;
 }
 
 /* Derivative of ``follow_gaps``. */
-static inline int64_t derivative_wheelset_rules__follow_gaps_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t, double height, double height_t)
+static inline int64_t derivative_wheelset_rules__follow_gaps_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t)
 {
     double left;
-    double left_t;
+    lanes left_t;
     double mismatch;
-    double mismatch_t;
+    lanes mismatch_t;
     double rate;
-    double rate_t;
+    lanes rate_t;
     double right;
-    double right_t;
+    lanes right_t;
     derivative_leaning__set_reference_t(work, work_t, height, height_t);
     derivative_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
-    derivative_gap__vertical_gap_t(&left, &left_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)), 0.0);
-    derivative_gap__vertical_gap_t(&right, &right_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)), 0.0);
+    derivative_gap__vertical_gap_t(&left, &left_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)), all_lanes(0.0));
+    derivative_gap__vertical_gap_t(&right, &right_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)), all_lanes(0.0));
     (*result_0) = left - height;
-    (*result_1) = left_t - height_t;
+    EACH_LANE each((*result_1)) = each(left_t) - each(height_t);
     (*result_2) = right - height;
-    (*result_3) = right_t - height_t;
+    EACH_LANE each((*result_3)) = each(right_t) - each(height_t);
     return 0;
 }
 
 /* Derivative of ``follow_leaning_roll``. */
-static inline int64_t derivative_wheelset_rules__follow_leaning_roll_t(double* roll, double* roll_rate, array_double_1d tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_wheelset_rules__follow_leaning_roll_t(double* roll, lanes* roll_rate, array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     double height;
     double left;
-    double left_t;
+    lanes left_t;
     double right;
-    double right_t;
-    double residual_left;
-    double residual_right;
-    double left_height;
-    double right_height;
-    double left_roll;
-    double right_roll;
-    double determinant;
-    double height_rate;
+    lanes right_t;
+    lanes residual_left;
+    lanes residual_right;
+    lanes left_height;
+    lanes right_height;
+    lanes left_roll;
+    lanes right_roll;
+    lanes determinant;
+    lanes height_rate;
     (*roll) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
     height = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
-    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, (*roll), 0.0, height, 0.0);
-    residual_left = left_t;
-    residual_right = right_t;
-    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, (*roll), 0.0, height, 1.0);
-    left_height = left_t - residual_left;
-    right_height = right_t - residual_right;
-    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, (*roll), 1.0, height, 0.0);
-    left_roll = left_t - residual_left;
-    right_roll = right_t - residual_right;
-    determinant = left_height * right_roll - right_height * left_roll;
-    height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant;
-    (*roll_rate) = (residual_left * right_height - residual_right * left_height) / determinant;
+    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, (*roll), all_lanes(0.0), height, all_lanes(0.0));
+    EACH_LANE each(residual_left) = each(left_t);
+    EACH_LANE each(residual_right) = each(right_t);
+    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, (*roll), all_lanes(0.0), height, all_lanes(1.0));
+    EACH_LANE each(left_height) = each(left_t) - each(residual_left);
+    EACH_LANE each(right_height) = each(right_t) - each(residual_right);
+    derivative_wheelset_rules__follow_gaps_t(&left, &left_t, &right, &right_t, tables, work, work_t, (*roll), all_lanes(1.0), height, all_lanes(0.0));
+    EACH_LANE each(left_roll) = each(left_t) - each(residual_left);
+    EACH_LANE each(right_roll) = each(right_t) - each(residual_right);
+    EACH_LANE each(determinant) = each(left_height) * each(right_roll) - each(right_height) * each(left_roll);
+    EACH_LANE each(height_rate) = (each(residual_right) * each(left_roll) - each(residual_left) * each(right_roll)) / each(determinant);
+    EACH_LANE each((*roll_rate)) = (each(residual_left) * each(right_height) - each(residual_right) * each(left_height)) / each(determinant);
     derivative_leaning__set_reference_t(work, work_t, height, height_rate);
     return 0;
 }
 
 /* Derivative of ``follow_position``. */
-static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t, double height, double height_t)
+static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     derivative_leaning__set_reference_t(work, work_t, height, height_t);
     derivative_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
     derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(0));
@@ -246,71 +220,71 @@ static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_
 }
 
 /* Derivative of ``follow_elastic``. */
-static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
+static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    double roll_t;
+    lanes roll_t;
     double roll;
-    double height_t;
+    lanes height_t;
     double height;
     int64_t right;
-    double residual_left;
-    double residual_right;
-    double left_height;
-    double right_height;
-    double left_roll;
-    double right_roll;
-    double determinant;
-    double height_rate;
-    double roll_rate;
-    roll_t = (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
+    lanes residual_left;
+    lanes residual_right;
+    lanes left_height;
+    lanes right_height;
+    lanes left_roll;
+    lanes right_roll;
+    lanes determinant;
+    lanes height_rate;
+    lanes roll_rate;
+    EACH_LANE each(roll_t) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
     roll = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
-    height_t = (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+    EACH_LANE each(height_t) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)));
     height = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
     right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1);
-    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, 0.0, height, 0.0);
+    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, all_lanes(0.0), height, all_lanes(0.0));
     if (fabs((*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height) + fabs((*cspan_at(&work, right + layout__SUPPORT_HEIGHT)) - height) > elastic__UNBALANCED)
     {
         return 1;
     }
-    residual_left = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
-    residual_right = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT));
-    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, 0.0, height, 1.0);
-    left_height = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - residual_left - 1.0;
-    right_height = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT)) - residual_right - 1.0;
-    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, 1.0, height, 0.0);
-    left_roll = (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - residual_left;
-    right_roll = (*cspan_at(&work_t, right + layout__SUPPORT_HEIGHT)) - residual_right;
-    determinant = left_height * right_roll - right_height * left_roll;
-    if (determinant == 0.0)
+    EACH_LANE each(residual_left) = each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)));
+    EACH_LANE each(residual_right) = each((*lanes_at(&work_t, right + layout__SUPPORT_HEIGHT)));
+    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, all_lanes(0.0), height, all_lanes(1.0));
+    EACH_LANE each(left_height) = each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT))) - each(residual_left) - 1.0;
+    EACH_LANE each(right_height) = each((*lanes_at(&work_t, right + layout__SUPPORT_HEIGHT))) - each(residual_right) - 1.0;
+    derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, all_lanes(1.0), height, all_lanes(0.0));
+    EACH_LANE each(left_roll) = each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT))) - each(residual_left);
+    EACH_LANE each(right_roll) = each((*lanes_at(&work_t, right + layout__SUPPORT_HEIGHT))) - each(residual_right);
+    EACH_LANE each(determinant) = each(left_height) * each(right_roll) - each(right_height) * each(left_roll);
+    if (!derivative_rates__nonzero(determinant))
     {
         return 1;
     }
-    height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant;
-    roll_rate = (residual_left * right_height - residual_right * left_height) / determinant;
+    EACH_LANE each(height_rate) = (each(residual_right) * each(left_roll) - each(residual_left) * each(right_roll)) / each(determinant);
+    EACH_LANE each(roll_rate) = (each(residual_left) * each(right_height) - each(residual_right) * each(left_height)) / each(determinant);
     derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, roll_rate, height, height_rate);
-    (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll_rate;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL))) = each(roll_rate);
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
-    (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height_rate;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT))) = each(height_rate);
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height;
     return 0;
 }
 
 /* Derivative of ``follow_compliant``. */
-static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    double roll_t;
+    lanes roll_t;
     double roll;
-    double height_t;
+    lanes height_t;
     double height;
-    roll_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
+    EACH_LANE each(roll_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL)));
     roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
-    height_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
+    EACH_LANE each(height_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT)));
     height = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
     derivative_leaning__set_reference_t(work, work_t, height, height_t);
     derivative_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
-    (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL))) = each(roll_t);
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
-    (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT))) = each(height_t);
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height;
     if (compliant__is_damped(tables))
     {
@@ -324,7 +298,7 @@ static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double
 }
 
 /* Derivative of ``differentiate``. */
-static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
+static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     bool n1;
     int64_t i;
@@ -346,35 +320,35 @@ static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d ta
 }
 
 /* Derivative of ``follow_load``. */
-static inline int64_t derivative_wheelset_rules__follow_load_t(array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_wheelset_rules__follow_load_t(array_double_1d work, array_lanes_1d work_t)
 {
     int64_t index;
     int64_t support;
     double v1;
-    double v1_t;
-    double share_t;
+    lanes v1_t;
+    lanes share_t;
     double share;
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
         derivative_requested__carried_share_t(&v1, &v1_t, work, work_t, index);
-        share_t = v1_t;
+        EACH_LANE each(share_t) = each(v1_t);
         share = v1;
-        (*cspan_at(&work_t, support + layout__SUPPORT_FRICTION_LOAD)) = (*cspan_at(&work_t, support + layout__SUPPORT_FRICTION_LOAD)) - (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) * share_t / share;
+        EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_FRICTION_LOAD))) = each((*lanes_at(&work_t, support + layout__SUPPORT_FRICTION_LOAD))) - (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) * each(share_t) / share;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``follow_wheelset``. */
-static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
+static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     int64_t mode;
     double v1;
-    double v1_t;
-    double roll_t;
+    lanes v1_t;
+    lanes roll_t;
     double roll;
     double v2;
-    double v2_t;
+    lanes v2_t;
     bool n3;
     bool outcome;
     mode = (int64_t)((*cspan_at(&tables, layout__TABLES_MODE)));
@@ -382,12 +356,12 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
     if (mode == layout__MODE_RIGID)
     {
         derivative_wheelset_rules__follow_roll_t(&v1, &v1_t, tables, work, work_t);
-        roll_t = v1_t;
+        EACH_LANE each(roll_t) = each(v1_t);
         roll = v1;
         if ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING)) == 1.0)
         {
             derivative_wheelset_rules__follow_leaning_roll_t(&v2, &v2_t, tables, work, work_t);
-            roll_t = v2_t;
+            EACH_LANE each(roll_t) = each(v2_t);
             roll = v2;
         }
         derivative_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);

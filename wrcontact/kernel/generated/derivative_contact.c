@@ -8,59 +8,59 @@
  */
 
 /* Derivative of ``curve_jet``. */
-static inline int64_t derivative_curves__curve_jet_t(double* across, double* across_t, double* down, double* down_t, double* slope, double* slope_t, double* stretch, double* stretch_t, double* bend, double* bend_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double u, double u_t)
+static inline int64_t derivative_curves__curve_jet_t(double* across, lanes* across_t, double* down, lanes* down_t, double* slope, lanes* slope_t, double* stretch, lanes* stretch_t, double* bend, lanes* bend_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t)
 {
     double z;
-    double z_t;
+    lanes z_t;
     double y_track;
-    double y_track_t;
+    lanes y_track_t;
     double z_track;
-    double z_track_t;
+    lanes z_track_t;
     derivative_tables__height_slope_bend_t(&z, &z_t, slope, slope_t, bend, bend_t, tables, curves__curve_profile(tables, pair, curve), u, u_t);
-    (*across_t) = u_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
+    EACH_LANE each((*across_t)) = each(u_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)));
     (*across) = u - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y));
-    (*down_t) = z_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
+    EACH_LANE each((*down_t)) = each(z_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z)));
     (*down) = z - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Z));
-    (*stretch_t) = 0.0;
+    (*stretch_t) = all_lanes(0.0);
     (*stretch) = 1.0;
     if (curve == layout__WHEEL)
     {
         derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, slope, slope_t, stretch, stretch_t, bend, bend_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), u, u_t, z, z_t, (*slope), (*slope_t), (*bend), (*bend_t));
-        (*across_t) = y_track_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y));
+        EACH_LANE each((*across_t)) = each(y_track_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y)));
         (*across) = y_track - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Y));
-        (*down_t) = z_track_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z));
+        EACH_LANE each((*down_t)) = each(z_track_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z)));
         (*down) = z_track - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__WHEEL + layout__POINT_Z));
     }
     return 0;
 }
 
 /* Derivative of ``curve_speed``. */
-static inline int64_t derivative_curves__curve_speed_t(double* speed, double* speed_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double u, double u_t)
+static inline int64_t derivative_curves__curve_speed_t(double* speed, lanes* speed_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t)
 {
     double z;
-    double z_t;
+    lanes z_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double v1;
     double v2;
     double across;
-    double across_t;
+    lanes across_t;
     double down;
-    double down_t;
+    lanes down_t;
     double stretch;
-    double stretch_t;
+    lanes stretch_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double v3;
     double v4;
-    (*speed_t) = 0.0;
+    (*speed_t) = all_lanes(0.0);
     (*speed) = 1.0;
     if ((curve == layout__RAIL) || (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_YAWED)) == 1.0)))
     {
         derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, curves__curve_profile(tables, pair, curve), u, u_t);
         v1 = 1.0 + slope * slope;
         v2 = sqrt(v1);
-        (*speed_t) = derivative_rates__root_rate(v2, slope_t * slope + slope * slope_t);
+        EACH_LANE each((*speed_t)) = derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t));
         (*speed) = v2;
     }
     else
@@ -68,123 +68,123 @@ static inline int64_t derivative_curves__curve_speed_t(double* speed, double* sp
         derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, u, u_t);
         v3 = 1.0 + slope * slope;
         v4 = sqrt(v3);
-        (*speed_t) = stretch_t * v4 + stretch * derivative_rates__root_rate(v4, slope_t * slope + slope * slope_t);
+        EACH_LANE each((*speed_t)) = each(stretch_t) * v4 + stretch * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t));
         (*speed) = stretch * v4;
     }
     return 0;
 }
 
 /* Derivative of ``within``. */
-static inline int64_t derivative_curves__within_t(double* result_0, double* result_1, array_double_1d tables, int64_t pair, int64_t curve, double u, double u_t)
+static inline int64_t derivative_curves__within_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t pair, int64_t curve, double u, lanes u_t)
 {
     int64_t profile;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     profile = curves__curve_profile(tables, pair, curve);
     v1 = u;
-    v1_t = u_t;
+    EACH_LANE each(v1_t) = each(u_t);
     if ((*cspan_at(&tables, profile + layout__PROFILE_START)) > v1)
     {
         v1 = (*cspan_at(&tables, profile + layout__PROFILE_START));
-        v1_t = 0.0;
+        v1_t = all_lanes(0.0);
     }
     v2 = v1;
-    v2_t = v1_t;
+    EACH_LANE each(v2_t) = each(v1_t);
     if ((*cspan_at(&tables, profile + layout__PROFILE_STOP)) < v2)
     {
         v2 = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
-        v2_t = 0.0;
+        v2_t = all_lanes(0.0);
     }
-    u_t = v2_t;
+    EACH_LANE each(u_t) = each(v2_t);
     u = v2;
     (*result_0) = u;
-    (*result_1) = u_t;
+    EACH_LANE each((*result_1)) = each(u_t);
     return 0;
 }
 
 /* Derivative of ``open_origin``. */
-static inline int64_t derivative_curves__open_origin_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double spacing, double spacing_t)
+static inline int64_t derivative_curves__open_origin_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double spacing, lanes spacing_t)
 {
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) != layout__SEPARATION_NORMAL)
     {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION)) = (*cspan_at(&work_t, region + layout__REGION_STATION));
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION))) = each((*lanes_at(&work_t, region + layout__REGION_STATION)));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION)) = (*cspan_at(&work, region + layout__REGION_STATION));
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP)) = (*cspan_at(&work_t, region + layout__REGION_GAP));
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP))) = each((*lanes_at(&work_t, region + layout__REGION_GAP)));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP)) = (*cspan_at(&work, region + layout__REGION_GAP));
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = 0.0;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION))) == layout__SEPARATION_EQUIDISTANT_CHORD)
         {
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = spacing_t;
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING))) = each(spacing_t);
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)) = spacing;
         }
-        derivative_curves__open_curve_t(tables, work, work_t, pair, layout__RAIL, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
-        derivative_curves__open_curve_t(tables, work, work_t, pair, layout__WHEEL, (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+        derivative_curves__open_curve_t(tables, work, work_t, pair, layout__RAIL, (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)));
+        derivative_curves__open_curve_t(tables, work, work_t, pair, layout__WHEEL, (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``open_curve``. */
-static inline int64_t derivative_curves__open_curve_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double u, double u_t)
+static inline int64_t derivative_curves__open_curve_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double u, lanes u_t)
 {
     int64_t point;
     double across;
-    double across_t;
+    lanes across_t;
     double down;
-    double down_t;
+    lanes down_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double stretch;
-    double stretch_t;
+    lanes stretch_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     point = layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * curve;
-    (*cspan_at(&work_t, point + layout__POINT_Y)) = 0.0;
+    (*lanes_at(&work_t, point + layout__POINT_Y)) = all_lanes(0.0);
     (*cspan_at(&work, point + layout__POINT_Y)) = 0.0;
-    (*cspan_at(&work_t, point + layout__POINT_Z)) = 0.0;
+    (*lanes_at(&work_t, point + layout__POINT_Z)) = all_lanes(0.0);
     (*cspan_at(&work, point + layout__POINT_Z)) = 0.0;
     derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, u, u_t);
-    (*cspan_at(&work_t, point + layout__POINT_Y)) = across_t;
+    EACH_LANE each((*lanes_at(&work_t, point + layout__POINT_Y))) = each(across_t);
     (*cspan_at(&work, point + layout__POINT_Y)) = across;
-    (*cspan_at(&work_t, point + layout__POINT_Z)) = down_t;
+    EACH_LANE each((*lanes_at(&work_t, point + layout__POINT_Z))) = each(down_t);
     (*cspan_at(&work, point + layout__POINT_Z)) = down;
     return INT64_C(0);
 }
 
 /* Derivative of ``panel_length``. */
-static inline int64_t derivative_curves__panel_length_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double low, double low_t, double high, double high_t)
+static inline int64_t derivative_curves__panel_length_t(double* result_0, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double low, lanes low_t, double high, lanes high_t)
 {
     double v1;
-    double middle_t;
+    lanes middle_t;
     double middle;
     double v2;
-    double half_t;
+    lanes half_t;
     double half;
-    double total_t;
+    lanes total_t;
     double total;
     int64_t i;
     double v3;
-    double side_t;
+    lanes side_t;
     double side;
     int64_t k;
     double away;
     double weight;
     double v4;
-    double v4_t;
+    lanes v4_t;
     v1 = low + high;
-    middle_t = 0.5 * (low_t + high_t);
+    EACH_LANE each(middle_t) = 0.5 * (each(low_t) + each(high_t));
     middle = 0.5 * v1;
     v2 = high - low;
-    half_t = 0.5 * (high_t - low_t);
+    EACH_LANE each(half_t) = 0.5 * (each(high_t) - each(low_t));
     half = 0.5 * v2;
-    total_t = 0.0;
+    total_t = all_lanes(0.0);
     total = 0.0;
     for (i = -INT64_C(1); i < INT64_C(2); i += INT64_C(2))
     {
         v3 = (double)(i);
-        side_t = half_t * v3;
+        EACH_LANE each(side_t) = each(half_t) * v3;
         side = half * v3;
         for (k = INT64_C(0); k < INT64_C(3); k += INT64_C(1))
         {
@@ -200,144 +200,146 @@ static inline int64_t derivative_curves__panel_length_t(double* result_0, double
                 away = curves__GAUSS_3;
                 weight = curves__WEIGHT_3;
             }
-            derivative_curves__curve_speed_t(&v4, &v4_t, tables, work, work_t, pair, curve, middle + side * away, middle_t + side_t * away);
-            total_t = total_t + weight * v4_t;
+            lanes rates_1;
+            EACH_LANE each(rates_1) = each(middle_t) + each(side_t) * away;
+            derivative_curves__curve_speed_t(&v4, &v4_t, tables, work, work_t, pair, curve, middle + side * away, rates_1);
+            EACH_LANE each(total_t) = each(total_t) + weight * each(v4_t);
             total = total + weight * v4;
         }
     }
     (*result_0) = half * total;
-    (*result_1) = half_t * total + half * total_t;
+    EACH_LANE each((*result_1)) = each(half_t) * total + half * each(total_t);
     return 0;
 }
 
 /* Derivative of ``arc_length``. */
-static inline int64_t derivative_curves__arc_length_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double start, double start_t, double stop, double stop_t)
+static inline int64_t derivative_curves__arc_length_t(double* total, lanes* total_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double start, lanes start_t, double stop, lanes stop_t)
 {
-    double low_t;
+    lanes low_t;
     double low;
-    double high_t;
+    lanes high_t;
     double high;
     int64_t piece;
-    double end_t;
+    lanes end_t;
     double end;
     double v1;
-    double v1_t;
-    low_t = start_t;
+    lanes v1_t;
+    EACH_LANE each(low_t) = each(start_t);
     low = start;
-    high_t = stop_t;
+    EACH_LANE each(high_t) = each(stop_t);
     high = stop;
     if (stop < start)
     {
-        low_t = stop_t;
+        EACH_LANE each(low_t) = each(stop_t);
         low = stop;
-        high_t = start_t;
+        EACH_LANE each(high_t) = each(start_t);
         high = start;
     }
-    (*total_t) = 0.0;
+    (*total_t) = all_lanes(0.0);
     (*total) = 0.0;
     piece = tables__find_piece(tables, curves__curve_profile(tables, pair, curve), low);
     while(low < high)
     {
-        end_t = high_t;
+        EACH_LANE each(end_t) = each(high_t);
         end = high;
         piece = piece + layout__PIECE_SIZE;
         if ((*cspan_at(&tables, piece + layout__PIECE_START)) < high)
         {
-            end_t = 0.0;
+            end_t = all_lanes(0.0);
             end = (*cspan_at(&tables, piece + layout__PIECE_START));
         }
         derivative_curves__panel_length_t(&v1, &v1_t, tables, work, work_t, pair, curve, low, low_t, end, end_t);
-        (*total_t) = (*total_t) + v1_t;
+        EACH_LANE each((*total_t)) = each((*total_t)) + each(v1_t);
         (*total) = (*total) + v1;
-        low_t = end_t;
+        EACH_LANE each(low_t) = each(end_t);
         low = end;
     }
     if (stop < start)
     {
-        (*total_t) = -(*total_t);
+        EACH_LANE each((*total_t)) = -each((*total_t));
         (*total) = -(*total);
     }
     return 0;
 }
 
 /* Derivative of ``rail_length``. */
-static inline int64_t derivative_curves__rail_length_t(double* result_0, double* result_1, array_double_1d tables, int64_t pair, double start, double start_t, double stop, double stop_t)
+static inline int64_t derivative_curves__rail_length_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t pair, double start, lanes start_t, double stop, lanes stop_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), stop, stop_t);
     derivative_tables__read_cubic_t(&v2, &v2_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), start, start_t);
     (*result_0) = v1 - v2;
-    (*result_1) = v1_t - v2_t;
+    EACH_LANE each((*result_1)) = each(v1_t) - each(v2_t);
     return 0;
 }
 
 /* Derivative of ``rail_abscissa``. */
-static inline int64_t derivative_curves__rail_abscissa_t(double* x, double* x_t, array_double_1d tables, int64_t pair, double start, double start_t, double length, double length_t)
+static inline int64_t derivative_curves__rail_abscissa_t(double* x, lanes* x_t, array_double_1d tables, int64_t pair, double start, lanes start_t, double length, lanes length_t)
 {
     int64_t rail;
     int64_t arcs;
     int64_t abscissae;
     double v1;
-    double v1_t;
-    double arc_t;
+    lanes v1_t;
+    lanes arc_t;
     double arc;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double found;
-    double found_t;
+    lanes found_t;
     double speed;
-    double speed_t;
+    lanes speed_t;
     double v3;
     double v4;
     rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
     arcs = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC)));
     abscissae = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_AT_ARC)));
     derivative_tables__read_cubic_t(&v1, &v1_t, tables, arcs, start, start_t);
-    arc_t = v1_t + length_t;
+    EACH_LANE each(arc_t) = each(v1_t) + each(length_t);
     arc = v1 + length;
     if (arc < 0.0)
     {
-        (*x_t) = arc_t;
+        EACH_LANE each((*x_t)) = each(arc_t);
         (*x) = (*cspan_at(&tables, rail + layout__PROFILE_START)) + arc;
     }
     else if (arc * (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)) > (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)))
     {
-        (*x_t) = arc_t;
+        EACH_LANE each((*x_t)) = each(arc_t);
         (*x) = (*cspan_at(&tables, rail + layout__PROFILE_STOP)) + (arc - (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_COUNT)) / (*cspan_at(&tables, abscissae + layout__CUBIC_TABLE_CELLS_PER_UNIT)));
     }
     else
     {
         derivative_tables__read_cubic_t(&v2, &v2_t, tables, abscissae, arc, arc_t);
-        (*x_t) = v2_t;
+        EACH_LANE each((*x_t)) = each(v2_t);
         (*x) = v2;
         derivative_tables__read_cubic_jet_t(&found, &found_t, &speed, &speed_t, tables, arcs, (*x), (*x_t));
         v3 = arc - found;
         v4 = v3 / speed;
-        (*x_t) = (*x_t) + (arc_t - found_t - v4 * speed_t) / speed;
+        EACH_LANE each((*x_t)) = each((*x_t)) + (each(arc_t) - each(found_t) - v4 * each(speed_t)) / speed;
         (*x) = (*x) + v4;
     }
     return 0;
 }
 
 /* Derivative of ``move_to_station``. */
-static inline bool derivative_curves__move_to_station_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double station, double station_t)
+static inline bool derivative_curves__move_to_station_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double station, lanes station_t)
 {
-    double way_t;
+    lanes way_t;
     double way;
-    double spacing_t;
+    lanes spacing_t;
     double spacing;
     bool n1;
-    double chord_t;
+    lanes chord_t;
     double chord;
     int64_t i;
     bool n2;
     bool exists;
-    way_t = station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    EACH_LANE each(way_t) = each(station_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
     way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    spacing_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING));
+    EACH_LANE each(spacing_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING)));
     spacing = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_SPACING));
     exists = 1;
     if (spacing == 0.0)
@@ -347,11 +349,11 @@ static inline bool derivative_curves__move_to_station_t(array_double_1d tables, 
     }
     else
     {
-        chord_t = spacing_t;
+        EACH_LANE each(chord_t) = each(spacing_t);
         chord = spacing;
         if (way < 0.0)
         {
-            chord_t = -spacing_t;
+            EACH_LANE each(chord_t) = -each(spacing_t);
             chord = -spacing;
         }
         for (i = INT64_C(0); i < (int64_t)(fabs(way) / spacing + 0.5); i += INT64_C(1))
@@ -367,20 +369,20 @@ static inline bool derivative_curves__move_to_station_t(array_double_1d tables, 
 }
 
 /* Derivative of ``arc_rule``. */
-static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double length, double length_t)
+static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double length, lanes length_t)
 {
-    double start_t;
+    lanes start_t;
     double start;
     bool n1;
     double u;
     double v2;
-    double place_t;
+    lanes place_t;
     double place;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
     bool exists;
-    start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    EACH_LANE each(start_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)));
     start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
     n1 = curves__move_arc(tables, work, pair, curve, length);
     exists = n1;
@@ -388,58 +390,58 @@ static inline bool derivative_curves__arc_rule_t(array_double_1d tables, array_d
     {
         u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
         v2 = curves__curve_speed(tables, work, pair, curve, u);
-        place_t = length_t / v2;
+        EACH_LANE each(place_t) = each(length_t) / v2;
         place = length / v2;
         if (u == start)
         {
-            place_t = start_t + place_t;
+            EACH_LANE each(place_t) = each(start_t) + each(place_t);
             place = start + place;
         }
         else
         {
-            derivative_curves__arc_length_t(&v3, &v3_t, tables, work, work_t, pair, curve, start, start_t, u, 0.0);
+            derivative_curves__arc_length_t(&v3, &v3_t, tables, work, work_t, pair, curve, start, start_t, u, all_lanes(0.0));
             v4 = curves__curve_speed(tables, work, pair, curve, u);
-            place_t = place_t - v3_t / v4;
+            EACH_LANE each(place_t) = each(place_t) - each(v3_t) / v4;
             place = place - v3 / v4;
         }
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = place_t;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA))) = each(place_t);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
     }
     return exists;
 }
 
 /* Derivative of ``chord_rule``. */
-static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t curve, double chord, double chord_t)
+static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t curve, double chord, lanes chord_t)
 {
-    double start_t;
+    lanes start_t;
     double start;
     double from_across;
-    double from_across_t;
+    lanes from_across_t;
     double from_down;
-    double from_down_t;
+    lanes from_down_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double stretch;
-    double stretch_t;
+    lanes stretch_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     bool n1;
     double u;
     double across;
-    double across_t;
+    lanes across_t;
     double down;
-    double down_t;
+    lanes down_t;
     double v2;
     double v3;
-    double length_t;
+    lanes length_t;
     double length;
     double v4;
-    double along_t;
+    lanes along_t;
     double along;
     double v5;
     double v6;
     bool exists;
-    start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
+    EACH_LANE each(start_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)));
     start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
     derivative_curves__curve_jet_t(&from_across, &from_across_t, &from_down, &from_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, start, start_t);
     n1 = curves__move_chord(tables, work, pair, curve, chord);
@@ -447,41 +449,41 @@ static inline bool derivative_curves__chord_rule_t(array_double_1d tables, array
     if (exists)
     {
         u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA));
-        derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, u, 0.0);
-        across_t = across_t - from_across_t;
+        derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, curve, u, all_lanes(0.0));
+        EACH_LANE each(across_t) = each(across_t) - each(from_across_t);
         across = across - from_across;
-        down_t = down_t - from_down_t;
+        EACH_LANE each(down_t) = each(down_t) - each(from_down_t);
         down = down - from_down;
         v2 = across * across + down * down;
         v3 = sqrt(v2);
-        length_t = derivative_rates__root_rate(v3, across_t * across + across * across_t + (down_t * down + down * down_t));
+        EACH_LANE each(length_t) = derivative_rates__root_rate(v3, each(across_t) * across + across * each(across_t) + (each(down_t) * down + down * each(down_t)));
         length = v3;
         v4 = across + slope * down;
-        along_t = (across_t + (slope_t * down + slope * down_t)) * stretch + v4 * stretch_t;
+        EACH_LANE each(along_t) = (each(across_t) + (each(slope_t) * down + slope * each(down_t))) * stretch + v4 * each(stretch_t);
         along = v4 * stretch;
         v5 = -(length - fabs(chord));
         v6 = length / along;
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = (-(length_t - derivative_rates__size_rate(chord, chord_t))) * v6;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA))) = (-(each(length_t) - derivative_rates__size_rate(chord, each(chord_t)))) * v6;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * curve + layout__TRACE_ABSCISSA)) = u;
     }
     return exists;
 }
 
 /* Derivative of ``across_rule``. */
-static inline bool derivative_curves__across_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double lateral, double lateral_t)
+static inline bool derivative_curves__across_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double lateral, lanes lateral_t)
 {
     bool n1;
     double u;
     double across;
-    double across_t;
+    lanes across_t;
     double down;
-    double down_t;
+    lanes down_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double stretch;
-    double stretch_t;
+    lanes stretch_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double v2;
     bool exists;
     n1 = curves__move_across(tables, work, pair, lateral);
@@ -489,9 +491,9 @@ static inline bool derivative_curves__across_rule_t(array_double_1d tables, arra
     if (exists)
     {
         u = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-        derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, u, 0.0);
+        derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, u, all_lanes(0.0));
         v2 = -(across - lateral);
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = (-(across_t - lateral_t)) / stretch;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA))) = (-(each(across_t) - each(lateral_t))) / stretch;
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = u;
     }
     return exists;
@@ -504,35 +506,35 @@ static inline bool derivative_curves__across_rule_t(array_double_1d tables, arra
  */
 
 /* Derivative of ``keep_deepest``. */
-static inline int64_t derivative_deep_points__keep_deepest_t(array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_deep_points__keep_deepest_t(array_double_1d work, array_lanes_1d work_t)
 {
     int64_t i_1;
     int64_t k1;
     for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
     {
         k1 = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work) + i_1;
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1)) = (*cspan_at(&work_t, k1));
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1))) = each((*lanes_at(&work_t, k1)));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + i_1)) = (*cspan_at(&work, k1));
     }
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 1.0;
     return INT64_C(0);
 }
 
 /* Derivative of ``keep_points``. */
-static inline int64_t derivative_deep_points__keep_points_t(array_double_1d work, array_double_1d work_t, int64_t kept)
+static inline int64_t derivative_deep_points__keep_points_t(array_double_1d work, array_lanes_1d work_t, int64_t kept)
 {
     int64_t entry_end;
     int64_t entry;
     int64_t i_1;
-    (*cspan_at(&work_t, kept + layout__DEEP_POINTS_COUNT)) = 0.0;
+    (*lanes_at(&work_t, kept + layout__DEEP_POINTS_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT))));
     entry_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)));
     for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
     {
         for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
         {
-            (*cspan_at(&work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+            EACH_LANE each((*lanes_at(&work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)));
             (*cspan_at(&work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
         }
     }
@@ -540,19 +542,19 @@ static inline int64_t derivative_deep_points__keep_points_t(array_double_1d work
 }
 
 /* Derivative of ``follow_overlaps``. */
-static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, double height_t)
+static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, lanes height_t)
 {
     int64_t entry_end;
     int64_t entry;
     int64_t point;
     int64_t i_1;
-    double x_t;
+    lanes x_t;
     double x;
     bool turned;
     int64_t result;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT))) = each(height_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_HEIGHT)) = height;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_COUNT)) = (double)((int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))));
     entry_end = (int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT)));
     for (entry = INT64_C(0); entry < entry_end; entry += INT64_C(1))
@@ -560,21 +562,21 @@ static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d 
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         for (i_1 = INT64_C(0); i_1 < layout__DEEP_POINT_SIZE; i_1 += INT64_C(1))
         {
-            (*cspan_at(&work_t, point + i_1)) = (*cspan_at(&work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
+            EACH_LANE each((*lanes_at(&work_t, point + i_1))) = each((*lanes_at(&work_t, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1)));
             (*cspan_at(&work, point + i_1)) = (*cspan_at(&work, kept + layout__DEEP_POINTS_POINTS + layout__DEEP_POINT_SIZE * entry + i_1));
         }
-        x_t = (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL));
+        EACH_LANE each(x_t) = each((*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)));
         x = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, x - deep_points__FOLLOWED, x_t, x + deep_points__FOLLOWED, x_t, x, x_t, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), height, height_t, 1.0, 0.0);
+        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, x - deep_points__FOLLOWED, x_t, x + deep_points__FOLLOWED, x_t, x, x_t, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL)), height, height_t, 1.0, all_lanes(0.0));
         if ((!turned) || (!((*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)) > 0.0)))
         {
             return INT64_C(0);
         }
-        (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)) = x_t;
+        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL))) = each(x_t);
         (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) = x;
-        (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work_t, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
+        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL))) = each((*lanes_at(&work_t, place + layout__PLACE_MEETING + layout__MEETING_WHEEL)));
         (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
-        (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
+        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_DEPTH))) = each((*lanes_at(&work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)));
         (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
     }
     entry_end = (int64_t)((*cspan_at(&work, kept + layout__DEEP_POINTS_COUNT))) - INT64_C(1);
@@ -587,53 +589,59 @@ static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d 
 }
 
 /* Derivative of ``follow_saddle``. */
-static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, double height_t)
+static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, lanes height_t)
 {
     double v1;
-    double y_t;
+    lanes y_t;
     double y;
     double v2;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
     double v5;
-    double v5_t;
-    double reach_t;
+    lanes v5_t;
+    lanes reach_t;
     double reach;
     double x;
-    double x_t;
+    lanes x_t;
     bool turned;
     double v6;
     v1 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
-    y_t = 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_WHEEL)));
+    EACH_LANE each(y_t) = 0.5 * (each((*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL))) + each((*lanes_at(&work_t, following + layout__DEEP_POINT_WHEEL))));
     y = 0.5 * v1;
     v2 = (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
     v3 = deep_points__FOLLOWED;
-    v3_t = 0.0;
+    v3_t = all_lanes(0.0);
     if (v2 < v3)
     {
         v3 = v2;
-        v3_t = (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) - (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL));
+        EACH_LANE each(v3_t) = each((*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE))) - each((*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)));
     }
     v4 = (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE));
     v5 = v3;
-    v5_t = v3_t;
+    EACH_LANE each(v5_t) = each(v3_t);
     if (v4 < v5)
     {
         v5 = v4;
-        v5_t = (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL)) - (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE));
+        EACH_LANE each(v5_t) = each((*lanes_at(&work_t, following + layout__DEEP_POINT_RAIL))) - each((*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE)));
     }
-    reach_t = v5_t;
+    EACH_LANE each(reach_t) = each(v5_t);
     reach = v5;
-    derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) - reach_t, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) + reach_t, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)), y, y_t, height, height_t, -1.0, 0.0);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE))) - each(reach_t);
+    lanes rates_2;
+    EACH_LANE each(rates_2) = each((*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE))) + each(reach_t);
+    derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) - reach, rates_1, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) + reach, rates_2, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE)), y, y_t, height, height_t, -1.0, all_lanes(0.0));
     if (!turned)
     {
         v6 = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&work, following + layout__DEEP_POINT_RAIL));
-        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL)), 0.5 * v6, 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_RAIL))), y, y_t, height, height_t, -1.0, 0.0);
+        lanes rates_3;
+        EACH_LANE each(rates_3) = 0.5 * (each((*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL))) + each((*lanes_at(&work_t, following + layout__DEEP_POINT_RAIL))));
+        derivative_pressed__turning_point_t(&x, &x_t, &turned, tables, work, work_t, pair, place, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, following + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, following + layout__DEEP_POINT_RAIL)), 0.5 * v6, rates_3, y, y_t, height, height_t, -1.0, all_lanes(0.0));
     }
-    (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) = x_t;
+    EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE))) = each(x_t);
     (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)) = x;
-    (*cspan_at(&work_t, point + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
+    EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_BETWEEN))) = each((*lanes_at(&work_t, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP)));
     (*cspan_at(&work, point + layout__DEEP_POINT_BETWEEN)) = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_OVERLAP));
     return INT64_C(0);
 }
@@ -645,156 +653,156 @@ static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d ta
  */
 
 /* Derivative of ``open_frame``. */
-static inline int64_t derivative_frame__open_frame_t(double* z, double* z_t, double* slope, double* slope_t, double* y_track, double* y_track_t, double* rail_slope, double* rail_slope_t, double* mismatch, double* mismatch_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t, double aside, double aside_t, double shift, double shift_t)
+static inline int64_t derivative_frame__open_frame_t(double* z, lanes* z_t, double* slope, lanes* slope_t, double* y_track, lanes* y_track_t, double* rail_slope, lanes* rail_slope_t, double* mismatch, lanes* mismatch_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t, double aside, lanes aside_t, double shift, lanes shift_t)
 {
     double bend;
-    double bend_t;
+    lanes bend_t;
     double z_track;
-    double z_track_t;
+    lanes z_track_t;
     double outline_slope;
-    double outline_slope_t;
+    lanes outline_slope_t;
     double stretch;
-    double stretch_t;
+    lanes stretch_t;
     double outline_rate;
-    double outline_rate_t;
-    double abscissa_t;
+    lanes outline_rate_t;
+    lanes abscissa_t;
     double abscissa;
     double height;
-    double height_t;
+    lanes height_t;
     double rail_bend;
-    double rail_bend_t;
+    lanes rail_bend_t;
     double v1;
     double v2;
     double v3;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
-    double sine_t;
+    lanes sine_t;
     double sine;
     derivative_tables__height_slope_bend_t(z, z_t, slope, slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
     derivative_locus__outline_jet_t(y_track, y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, (*z), (*z_t), (*slope), (*slope_t), bend, bend_t);
-    (*y_track_t) = (*y_track_t) + aside_t;
+    EACH_LANE each((*y_track_t)) = each((*y_track_t)) + each(aside_t);
     (*y_track) = (*y_track) + aside;
-    abscissa_t = (*y_track_t);
+    EACH_LANE each(abscissa_t) = each((*y_track_t));
     abscissa = (*y_track) - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
     derivative_tables__height_slope_bend_t(&height, &height_t, rail_slope, rail_slope_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
     v1 = 1.0 + (*rail_slope) * (*rail_slope);
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    cosine_t = (-v3) * derivative_rates__root_rate(v2, (*rail_slope_t) * (*rail_slope) + (*rail_slope) * (*rail_slope_t)) / v2;
+    EACH_LANE each(cosine_t) = (-v3) * derivative_rates__root_rate(v2, each((*rail_slope_t)) * (*rail_slope) + (*rail_slope) * each((*rail_slope_t))) / v2;
     cosine = v3;
-    sine_t = (*rail_slope_t) * cosine + (*rail_slope) * cosine_t;
+    EACH_LANE each(sine_t) = each((*rail_slope_t)) * cosine + (*rail_slope) * each(cosine_t);
     sine = (*rail_slope) * cosine;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = abscissa_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) = each(abscissa_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) = abscissa;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) = height_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z))) = each(height_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)) = height;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)) = y_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y))) = each(y_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)) = y;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z)) = (*z_t);
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z))) = each((*z_t));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Z)) = (*z);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) = cosine_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) = each(cosine_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) = cosine;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) = sine_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) = each(sine_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) = sine;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * cosine_t + ((*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)) * sine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * sine_t);
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS))) = each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL))) * cosine + (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * each(cosine_t) + (each((*lanes_at(&work_t, place + layout__PLACE_SIN_ROLL))) * sine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * each(sine_t));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * cosine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * sine;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN)) = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) * sine + (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * sine_t - ((*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)) * cosine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * cosine_t);
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN))) = each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL))) * sine + (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * each(sine_t) - (each((*lanes_at(&work_t, place + layout__PLACE_SIN_ROLL))) * cosine + (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * each(cosine_t));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_SIN)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) * sine - (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) * cosine;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)) = (double)(place - (layout__WORK_CONTACT + layout__CONTACT_FRAME));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)) = aside_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE))) = each(aside_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)) = aside;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) = shift_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT))) = each(shift_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) = shift;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) = z_track_t + shift_t - height_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT))) = each(z_track_t) + each(shift_t) - each(height_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) = z_track + shift - height;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = (double)(0);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(0);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = shift_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT))) = each(shift_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = shift;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-    derivative_traces__start_traces_t(work, work_t, 0.0, 0.0, abscissa, abscissa_t, y, y_t);
-    (*mismatch_t) = (*rail_slope_t) - outline_slope_t;
+    derivative_traces__start_traces_t(work, work_t, 0.0, all_lanes(0.0), abscissa, abscissa_t, y, y_t);
+    EACH_LANE each((*mismatch_t)) = each((*rail_slope_t)) - each(outline_slope_t);
     (*mismatch) = (*rail_slope) - outline_slope;
     if (!(stretch > 0.0))
     {
-        (*mismatch_t) = 0.0;
+        (*mismatch_t) = all_lanes(0.0);
         (*mismatch) = gap__FOLDED;
     }
     return 0;
 }
 
 /* Derivative of ``normal_gap``. */
-static inline int64_t derivative_frame__normal_gap_t(double* gap, double* gap_t, double* result_2, double* result_3, double* result_4, double* result_5, double* curvature, double* curvature_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_frame__normal_gap_t(double* gap, lanes* gap_t, double* result_2, lanes* result_3, double* result_4, lanes* result_5, double* curvature, lanes* curvature_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
     int64_t k1;
     double rail_height;
-    double rail_height_t;
+    lanes rail_height_t;
     double rail_rate;
-    double rail_rate_t;
+    lanes rail_rate_t;
     double rail_bend;
-    double rail_bend_t;
+    lanes rail_bend_t;
     bool on_rail;
     double wheel_height;
-    double wheel_height_t;
+    lanes wheel_height_t;
     double wheel_rate;
-    double wheel_rate_t;
+    lanes wheel_rate_t;
     double wheel_bend;
-    double wheel_bend_t;
+    lanes wheel_bend_t;
     bool on_wheel;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT;
     (*cspan_at(&work, k1)) = (*cspan_at(&work, k1)) + 1.0;
     derivative_traces__trace_rail_t(&rail_height, &rail_height_t, &rail_rate, &rail_rate_t, &rail_bend, &rail_bend_t, &on_rail, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
     derivative_traces__trace_wheel_t(&wheel_height, &wheel_height_t, &wheel_rate, &wheel_rate_t, &wheel_bend, &wheel_bend_t, curvature, curvature_t, &on_wheel, tables, work, work_t, pair, station, station_t, tolerance, tolerance_t);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION))) = each(station_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
-    (*gap_t) = wheel_height_t - rail_height_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
+    EACH_LANE each((*gap_t)) = each(wheel_height_t) - each(rail_height_t) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)));
     (*gap) = wheel_height - rail_height + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED));
     if ((!on_rail) || (!on_wheel))
     {
-        (*gap_t) = 0.0;
+        (*gap_t) = all_lanes(0.0);
         (*gap) = frame__NO_GAP;
     }
     (*result_2) = wheel_rate - rail_rate;
-    (*result_3) = wheel_rate_t - rail_rate_t;
+    EACH_LANE each((*result_3)) = each(wheel_rate_t) - each(rail_rate_t);
     (*result_4) = wheel_bend - rail_bend;
-    (*result_5) = wheel_bend_t - rail_bend_t;
+    EACH_LANE each((*result_5)) = each(wheel_bend_t) - each(rail_bend_t);
     return 0;
 }
 
 /* Derivative of ``locate_along_track``. */
-static inline int64_t derivative_frame__locate_along_track_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count)
+static inline int64_t derivative_frame__locate_along_track_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count)
 {
     int64_t index;
     int64_t region;
     double v1;
-    double v1_t;
+    lanes v1_t;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        derivative_locus__outline_x_t(&v1, &v1_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-        (*cspan_at(&work_t, region + layout__REGION_X_TRACK)) = v1_t;
+        derivative_locus__outline_x_t(&v1, &v1_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_X_TRACK))) = each(v1_t);
         (*cspan_at(&work, region + layout__REGION_X_TRACK)) = v1;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``enter_plane``. */
-static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t slot)
+static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t slot)
 {
     int64_t i_1;
     if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
     {
         for (i_1 = INT64_C(0); i_1 < INT64_C(27); i_1 += INT64_C(1))
         {
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot + i_1));
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot + i_1)));
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * slot + i_1));
         }
     }
@@ -802,14 +810,14 @@ static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, arra
 }
 
 /* Derivative of ``leave_plane``. */
-static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, array_double_1d work_t, int64_t region)
+static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, array_lanes_1d work_t, int64_t region)
 {
     int64_t i_1;
     if ((*cspan_at(&work, region + layout__REGION_OWN)) == 1.0)
     {
         for (i_1 = INT64_C(0); i_1 < INT64_C(27); i_1 += INT64_C(1))
         {
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1));
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1)));
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1));
         }
     }
@@ -817,84 +825,86 @@ static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, arra
 }
 
 /* Derivative of ``incline_region``. */
-static inline int64_t derivative_frame__incline_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double slope, double slope_t)
+static inline int64_t derivative_frame__incline_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double slope, lanes slope_t)
 {
     double v1;
     double v2;
     double v3;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
     double v4;
-    double v4_t;
+    lanes v4_t;
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    cosine_t = (-v3) * derivative_rates__root_rate(v2, slope_t * slope + slope * slope_t) / v2;
+    EACH_LANE each(cosine_t) = (-v3) * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t)) / v2;
     cosine = v3;
-    (*cspan_at(&work_t, region + layout__REGION_INCLINATION)) = slope_t;
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_INCLINATION))) = each(slope_t);
     (*cspan_at(&work, region + layout__REGION_INCLINATION)) = slope;
-    (*cspan_at(&work_t, region + layout__REGION_OWN)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_OWN)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(0);
-    (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_ALIGNMENT)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = 1.0;
-    (*cspan_at(&work_t, region + layout__REGION_OFFSET)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_OFFSET)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_OFFSET)) = 0.0;
-    (*cspan_at(&work_t, region + layout__REGION_COS)) = cosine_t;
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_COS))) = each(cosine_t);
     (*cspan_at(&work, region + layout__REGION_COS)) = cosine;
-    (*cspan_at(&work_t, region + layout__REGION_SIN)) = slope_t * cosine + slope * cosine_t;
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SIN))) = each(slope_t) * cosine + slope * each(cosine_t);
     (*cspan_at(&work, region + layout__REGION_SIN)) = slope * cosine;
-    (*cspan_at(&work_t, region + layout__REGION_SHARE)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_SHARE)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_SHARE)) = 1.0;
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
     {
-        derivative_rails__upright_share_t(&v4, &v4_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, cosine_t, (*cspan_at(&work, region + layout__REGION_SIN)), (*cspan_at(&work_t, region + layout__REGION_SIN)));
-        (*cspan_at(&work_t, region + layout__REGION_SHARE)) = v4_t;
+        derivative_rails__upright_share_t(&v4, &v4_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, cosine_t, (*cspan_at(&work, region + layout__REGION_SIN)), (*lanes_at(&work_t, region + layout__REGION_SIN)));
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SHARE))) = each(v4_t);
         (*cspan_at(&work, region + layout__REGION_SHARE)) = v4;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``measure_contact``. */
-static inline int64_t derivative_frame__measure_contact_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
+static inline int64_t derivative_frame__measure_contact_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
     double gap;
-    double gap_t;
+    lanes gap_t;
     double rate;
-    double rate_t;
+    lanes rate_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double curvature;
-    double curvature_t;
-    derivative_frame__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, 0.0, 0.0, frame__PLACE_TRACE, 0.0);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend_t;
+    lanes curvature_t;
+    derivative_frame__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, 0.0, all_lanes(0.0), frame__PLACE_TRACE, all_lanes(0.0));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND))) = each(bend_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE))) = each(curvature_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature;
     return INT64_C(0);
 }
 
 /* Derivative of ``open_contact_region``. */
-static inline int64_t derivative_frame__open_contact_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region)
+static inline int64_t derivative_frame__open_contact_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region)
 {
     double v1;
-    (*cspan_at(&work_t, region + layout__REGION_STATION)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_STATION)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
-    (*cspan_at(&work_t, region + layout__REGION_GAP)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_GAP)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
-    (*cspan_at(&work_t, region + layout__REGION_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_RAIL))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
     (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    (*cspan_at(&work_t, region + layout__REGION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WHEEL))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y)));
     (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL + layout__POINT_Y));
-    (*cspan_at(&work_t, region + layout__REGION_BEND)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_BEND))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)));
     (*cspan_at(&work, region + layout__REGION_BEND)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND));
-    (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_CURVATURE))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)));
     (*cspan_at(&work, region + layout__REGION_CURVATURE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE));
-    (*cspan_at(&work_t, region + layout__REGION_LOW)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_LOW)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_LOW)) = -frame__BEYOND;
-    (*cspan_at(&work_t, region + layout__REGION_HIGH)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_HIGH)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_HIGH)) = frame__BEYOND;
     v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    derivative_frame__incline_region_t(work, work_t, tables, region, v1, ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) - v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
+    lanes rates_1;
+    EACH_LANE each(rates_1) = (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) - v1 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    derivative_frame__incline_region_t(work, work_t, tables, region, v1, rates_1);
     return INT64_C(0);
 }
 
@@ -905,57 +915,57 @@ static inline int64_t derivative_frame__open_contact_region_t(array_double_1d wo
  */
 
 /* Derivative of ``turning_rule``. */
-static inline int64_t derivative_overlaps__turning_rule_t(double* found_x, double* found_x_t, double* result_2, double* result_3, double* overlap, double* overlap_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double x, double x_t, double y, double y_t, double height, double height_t)
+static inline int64_t derivative_overlaps__turning_rule_t(double* found_x, lanes* found_x_t, double* result_2, lanes* result_3, double* overlap, lanes* overlap_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t)
 {
     int64_t meeting;
     bool n1;
-    double rise_t;
+    lanes rise_t;
     double rise;
-    double change;
+    lanes change;
     double v2;
     meeting = place + layout__PLACE_MEETING;
-    x_t = 0.0;
-    y_t = 0.0;
-    (*found_x_t) = x_t;
+    x_t = all_lanes(0.0);
+    y_t = all_lanes(0.0);
+    EACH_LANE each((*found_x_t)) = each(x_t);
     (*found_x) = x;
-    (*overlap_t) = 0.0;
+    (*overlap_t) = all_lanes(0.0);
     (*overlap) = 0.0;
-    n1 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, 0.0);
+    n1 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
     if (n1)
     {
-        rise_t = (*cspan_at(&work_t, meeting + layout__MEETING_RISE));
+        EACH_LANE each(rise_t) = each((*lanes_at(&work_t, meeting + layout__MEETING_RISE)));
         rise = (*cspan_at(&work, meeting + layout__MEETING_RISE));
-        derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, 1.0, (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), 0.0, height, height_t, pressed__LINE_SHARP, 0.0);
-        change = (*cspan_at(&work_t, meeting + layout__MEETING_RISE)) - rise_t;
-        if (change != 0.0)
+        derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, all_lanes(1.0), (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), all_lanes(0.0), height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
+        EACH_LANE each(change) = each((*lanes_at(&work_t, meeting + layout__MEETING_RISE))) - each(rise_t);
+        if (derivative_rates__nonzero(change))
         {
             v2 = -rise;
-            (*found_x_t) = (-rise_t) / change;
+            EACH_LANE each((*found_x_t)) = (-each(rise_t)) / each(change);
             (*found_x) = x;
         }
-        derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, (*found_x), (*found_x_t), (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), 0.0, height, height_t, pressed__LINE_SHARP, 0.0);
-        y_t = (*cspan_at(&work_t, meeting + layout__MEETING_WHEEL));
+        derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, (*found_x), (*found_x_t), (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), all_lanes(0.0), height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
+        EACH_LANE each(y_t) = each((*lanes_at(&work_t, meeting + layout__MEETING_WHEEL)));
         y = (*cspan_at(&work, meeting + layout__MEETING_WHEEL));
-        (*overlap_t) = (*cspan_at(&work_t, meeting + layout__MEETING_OVERLAP));
+        EACH_LANE each((*overlap_t)) = each((*lanes_at(&work_t, meeting + layout__MEETING_OVERLAP)));
         (*overlap) = (*cspan_at(&work, meeting + layout__MEETING_OVERLAP));
     }
     (*result_2) = y;
-    (*result_3) = y_t;
+    EACH_LANE each((*result_3)) = each(y_t);
     return 0;
 }
 
 /* Derivative of ``overlaps_rule``. */
-static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double height, double height_t)
+static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double height, lanes height_t)
 {
     int64_t n1;
     int64_t entry;
     int64_t point;
     double x;
-    double x_t;
+    lanes x_t;
     double y;
-    double y_t;
+    lanes y_t;
     double depth;
-    double depth_t;
+    lanes depth_t;
     int64_t following;
     double v2;
     int64_t count;
@@ -964,19 +974,21 @@ static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d table
     for (entry = INT64_C(0); entry < count; entry += INT64_C(1))
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
-        derivative_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), height, height_t);
-        (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)) = x_t;
-        (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) = y_t;
-        (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH)) = depth_t;
+        derivative_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL)), height, height_t);
+        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL))) = each(x_t);
+        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL))) = each(y_t);
+        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_DEPTH))) = each(depth_t);
     }
     for (entry = INT64_C(0); entry < count - INT64_C(1); entry += INT64_C(1))
     {
         point = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * entry;
         following = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (entry + INT64_C(1));
         v2 = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work, following + layout__DEEP_POINT_WHEEL));
-        derivative_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)), 0.5 * v2, 0.5 * ((*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)) + (*cspan_at(&work_t, following + layout__DEEP_POINT_WHEEL))), height, height_t);
-        (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)) = x_t;
-        (*cspan_at(&work_t, point + layout__DEEP_POINT_BETWEEN)) = depth_t;
+        lanes rates_1;
+        EACH_LANE each(rates_1) = 0.5 * (each((*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL))) + each((*lanes_at(&work_t, following + layout__DEEP_POINT_WHEEL))));
+        derivative_overlaps__turning_rule_t(&x, &x_t, &y, &y_t, &depth, &depth_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE)), 0.5 * v2, rates_1, height, height_t);
+        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE))) = each(x_t);
+        EACH_LANE each((*lanes_at(&work_t, point + layout__DEEP_POINT_BETWEEN))) = each(depth_t);
     }
     return count;
 }
@@ -988,119 +1000,119 @@ static inline int64_t derivative_overlaps__overlaps_rule_t(array_double_1d table
  */
 
 /* Derivative of ``meet_wheel``. */
-static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t)
+static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t)
 {
     int64_t meeting;
     int64_t wheel;
     double z_rail;
-    double z_rail_t;
+    lanes z_rail_t;
     double m;
-    double m_t;
+    lanes m_t;
     double rail_bend;
-    double rail_bend_t;
+    lanes rail_bend_t;
     double v1;
     double v2;
     double v3;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
     double v4;
     double v5;
-    double kappa_t;
+    lanes kappa_t;
     double kappa;
     int64_t i;
     double z;
-    double z_t;
+    lanes z_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double y_track;
-    double y_track_t;
+    lanes y_track_t;
     double z_track;
-    double z_track_t;
+    lanes z_track_t;
     double outline_slope;
-    double outline_slope_t;
+    lanes outline_slope_t;
     double stretch;
-    double stretch_t;
+    lanes stretch_t;
     double rate;
-    double rate_t;
-    double across_t;
+    lanes rate_t;
+    lanes across_t;
     double across;
-    double down_t;
+    lanes down_t;
     double down;
-    double residual_t;
+    lanes residual_t;
     double residual;
     double v6;
-    double along_t;
+    lanes along_t;
     double along;
     double v7;
     double v8;
-    double move_t;
+    lanes move_t;
     double move;
-    double sharp_t;
+    lanes sharp_t;
     double sharp;
     double v9;
-    double overlap_t;
+    lanes overlap_t;
     double overlap;
     double v10;
     double v11;
     double v12;
-    double rise_t;
+    lanes rise_t;
     double rise;
     double v13;
     double v14;
     double v15;
-    double wheel_cos_t;
+    lanes wheel_cos_t;
     double wheel_cos;
     double v16;
     double v17;
     double v18;
-    double wheel_kappa_t;
+    lanes wheel_kappa_t;
     double wheel_kappa;
-    double steep_t;
+    lanes steep_t;
     double steep;
     double v19;
-    double rest_t;
+    lanes rest_t;
     double rest;
     double v20;
     double v21;
     double v22;
-    double turn_t;
+    lanes turn_t;
     double turn;
     double v23;
     double v24;
     double v25;
     double v26;
-    double v26_t;
+    lanes v26_t;
     double v27;
     double v28;
-    double v28_t;
+    lanes v28_t;
     meeting = place + layout__PLACE_MEETING;
-    (*cspan_at(&work_t, meeting + layout__MEETING_OVERLAP)) = 0.0;
+    (*lanes_at(&work_t, meeting + layout__MEETING_OVERLAP)) = all_lanes(0.0);
     (*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) = 0.0;
     wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
     derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
     v1 = 1.0 + m * m;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    cosine_t = (-v3) * derivative_rates__root_rate(v2, m_t * m + m * m_t) / v2;
+    EACH_LANE each(cosine_t) = (-v3) * derivative_rates__root_rate(v2, each(m_t) * m + m * each(m_t)) / v2;
     cosine = v3;
     v4 = rail_bend * cosine;
     v5 = v4 * cosine;
-    kappa_t = ((rail_bend_t * cosine + rail_bend * cosine_t) * cosine + v4 * cosine_t) * cosine + v5 * cosine_t;
+    EACH_LANE each(kappa_t) = ((each(rail_bend_t) * cosine + rail_bend * each(cosine_t)) * cosine + v4 * each(cosine_t)) * cosine + v5 * each(cosine_t);
     kappa = v5 * cosine;
     for (i = INT64_C(0); i < pressed__LINE_ITERATIONS; i += INT64_C(1))
     {
         derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, wheel, y, y_t);
         derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
-        across_t = y_track_t - abscissa_t;
+        EACH_LANE each(across_t) = each(y_track_t) - each(abscissa_t);
         across = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - abscissa;
-        down_t = z_track_t + height_t - z_rail_t;
+        EACH_LANE each(down_t) = each(z_track_t) + each(height_t) - each(z_rail_t);
         down = z_track + height - z_rail;
-        residual_t = across_t + (down_t * m + down * m_t);
+        EACH_LANE each(residual_t) = each(across_t) + (each(down_t) * m + down * each(m_t));
         residual = across + down * m;
         v6 = 1.0 + m * outline_slope;
-        along_t = stretch_t * v6 + stretch * (m_t * outline_slope + m * outline_slope_t);
+        EACH_LANE each(along_t) = each(stretch_t) * v6 + stretch * (each(m_t) * outline_slope + m * each(outline_slope_t));
         along = stretch * v6;
         if (!((along > 0.0) && (stretch > 0.0)))
         {
@@ -1108,19 +1120,19 @@ static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, arra
         }
         v7 = -residual;
         v8 = v7 / along;
-        move_t = ((-residual_t) - v8 * along_t) / along;
+        EACH_LANE each(move_t) = ((-each(residual_t)) - v8 * each(along_t)) / along;
         move = v8;
-        sharp_t = tolerance_t;
+        EACH_LANE each(sharp_t) = each(tolerance_t);
         sharp = tolerance;
         if ((i == pressed__LINE_ITERATIONS - INT64_C(1)) && (sharp < pressed__LINE_JOINT))
         {
-            sharp_t = 0.0;
+            sharp_t = all_lanes(0.0);
             sharp = pressed__LINE_JOINT;
         }
         if (fabs(move) < sharp)
         {
             v9 = down - m * across;
-            overlap_t = (down_t - (m_t * across + m * across_t)) * cosine + v9 * cosine_t;
+            EACH_LANE each(overlap_t) = (each(down_t) - (each(m_t) * across + m * each(across_t))) * cosine + v9 * each(cosine_t);
             overlap = v9 * cosine;
             if (!(fabs(overlap) < pressed__FARTHEST))
             {
@@ -1129,65 +1141,65 @@ static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, arra
             v10 = outline_slope - m;
             v11 = 1.0 + m * outline_slope;
             v12 = v10 / v11;
-            rise_t = (outline_slope_t - m_t - v12 * (m_t * outline_slope + m * outline_slope_t)) / v11;
+            EACH_LANE each(rise_t) = (each(outline_slope_t) - each(m_t) - v12 * (each(m_t) * outline_slope + m * each(outline_slope_t))) / v11;
             rise = v12;
             v13 = 1.0 + outline_slope * outline_slope;
             v14 = sqrt(v13);
             v15 = 1.0 / v14;
-            wheel_cos_t = (-v15) * derivative_rates__root_rate(v14, outline_slope_t * outline_slope + outline_slope * outline_slope_t) / v14;
+            EACH_LANE each(wheel_cos_t) = (-v15) * derivative_rates__root_rate(v14, each(outline_slope_t) * outline_slope + outline_slope * each(outline_slope_t)) / v14;
             wheel_cos = v15;
             v16 = rate / stretch;
             v17 = v16 * wheel_cos;
             v18 = v17 * wheel_cos;
-            wheel_kappa_t = (((rate_t - v16 * stretch_t) / stretch * wheel_cos + v16 * wheel_cos_t) * wheel_cos + v17 * wheel_cos_t) * wheel_cos + v18 * wheel_cos_t;
+            EACH_LANE each(wheel_kappa_t) = (((each(rate_t) - v16 * each(stretch_t)) / stretch * wheel_cos + v16 * each(wheel_cos_t)) * wheel_cos + v17 * each(wheel_cos_t)) * wheel_cos + v18 * each(wheel_cos_t);
             wheel_kappa = v18 * wheel_cos;
-            steep_t = rise_t * rise + rise * rise_t;
+            EACH_LANE each(steep_t) = each(rise_t) * rise + rise * each(rise_t);
             steep = 1.0 + rise * rise;
             v19 = -residual;
-            rest_t = (-residual_t) * cosine + v19 * cosine_t;
+            EACH_LANE each(rest_t) = (-each(residual_t)) * cosine + v19 * each(cosine_t);
             rest = v19 * cosine;
             v20 = wheel_kappa * steep;
             v21 = sqrt(steep);
             v22 = v20 * v21;
-            turn_t = ((wheel_kappa_t * steep + wheel_kappa * steep_t) * v21 + v20 * derivative_rates__root_rate(v21, steep_t)) * rest + v22 * rest_t;
+            EACH_LANE each(turn_t) = ((each(wheel_kappa_t) * steep + wheel_kappa * each(steep_t)) * v21 + v20 * derivative_rates__root_rate(v21, each(steep_t))) * rest + v22 * each(rest_t);
             turn = v22 * rest;
-            (*cspan_at(&work_t, meeting + layout__MEETING_WHEEL)) = y_t + move_t;
+            EACH_LANE each((*lanes_at(&work_t, meeting + layout__MEETING_WHEEL))) = each(y_t) + each(move_t);
             (*cspan_at(&work, meeting + layout__MEETING_WHEEL)) = y + move;
             v23 = rise + 0.5 * turn;
-            (*cspan_at(&work_t, meeting + layout__MEETING_OVERLAP)) = overlap_t + (rest_t * v23 + rest * (rise_t + 0.5 * turn_t));
+            EACH_LANE each((*lanes_at(&work_t, meeting + layout__MEETING_OVERLAP))) = each(overlap_t) + (each(rest_t) * v23 + rest * (each(rise_t) + 0.5 * each(turn_t)));
             (*cspan_at(&work, meeting + layout__MEETING_OVERLAP)) = overlap + rest * v23;
-            (*cspan_at(&work_t, meeting + layout__MEETING_RISE)) = rise_t + turn_t;
+            EACH_LANE each((*lanes_at(&work_t, meeting + layout__MEETING_RISE))) = each(rise_t) + each(turn_t);
             (*cspan_at(&work, meeting + layout__MEETING_RISE)) = rise + turn;
             v24 = sqrt(steep);
             v25 = wheel_kappa * v24 - kappa;
-            (*cspan_at(&work_t, meeting + layout__MEETING_RATE)) = steep_t * v25 + steep * (wheel_kappa_t * v24 + wheel_kappa * derivative_rates__root_rate(v24, steep_t) - kappa_t);
+            EACH_LANE each((*lanes_at(&work_t, meeting + layout__MEETING_RATE))) = each(steep_t) * v25 + steep * (each(wheel_kappa_t) * v24 + wheel_kappa * derivative_rates__root_rate(v24, each(steep_t)) - each(kappa_t));
             (*cspan_at(&work, meeting + layout__MEETING_RATE)) = steep * v25;
-            (*cspan_at(&work_t, meeting + layout__MEETING_Z)) = z_t + (slope_t * move + slope * move_t);
+            EACH_LANE each((*lanes_at(&work_t, meeting + layout__MEETING_Z))) = each(z_t) + (each(slope_t) * move + slope * each(move_t));
             (*cspan_at(&work, meeting + layout__MEETING_Z)) = z + slope * move;
-            (*cspan_at(&work_t, meeting + layout__MEETING_SLOPE)) = slope_t + (bend_t * move + bend * move_t);
+            EACH_LANE each((*lanes_at(&work_t, meeting + layout__MEETING_SLOPE))) = each(slope_t) + (each(bend_t) * move + bend * each(move_t));
             (*cspan_at(&work, meeting + layout__MEETING_SLOPE)) = slope + bend * move;
-            (*cspan_at(&work_t, meeting + layout__MEETING_BEND)) = bend_t;
+            EACH_LANE each((*lanes_at(&work_t, meeting + layout__MEETING_BEND))) = each(bend_t);
             (*cspan_at(&work, meeting + layout__MEETING_BEND)) = bend;
             return 1;
         }
         v26 = move;
-        v26_t = move_t;
+        EACH_LANE each(v26_t) = each(move_t);
         if (pressed__LINE_STEP < v26)
         {
             v26 = pressed__LINE_STEP;
-            v26_t = 0.0;
+            v26_t = all_lanes(0.0);
         }
         v27 = -pressed__LINE_STEP;
         v28 = v26;
-        v28_t = v26_t;
+        EACH_LANE each(v28_t) = each(v26_t);
         if (v27 > v28)
         {
             v28 = v27;
-            v28_t = 0.0;
+            v28_t = all_lanes(0.0);
         }
-        move_t = v28_t;
+        EACH_LANE each(move_t) = each(v28_t);
         move = v28;
-        y_t = y_t + move_t;
+        EACH_LANE each(y_t) = each(y_t) + each(move_t);
         y = y + move;
         if (!((y >= (*cspan_at(&tables, wheel + layout__PROFILE_START))) && (y <= (*cspan_at(&tables, wheel + layout__PROFILE_STOP)))))
         {
@@ -1198,137 +1210,137 @@ static inline bool derivative_pressed__meet_wheel_t(array_double_1d tables, arra
 }
 
 /* Derivative of ``mean_bend``. */
-static inline int64_t derivative_pressed__mean_bend_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double y, double y_t, double bend, double bend_t)
+static inline int64_t derivative_pressed__mean_bend_t(double* result_0, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double y, lanes y_t, double bend, lanes bend_t)
 {
-    double blur_t;
+    lanes blur_t;
     double blur;
     int64_t wheel;
-    double low_t;
+    lanes low_t;
     double low;
-    double high_t;
+    lanes high_t;
     double high;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double z;
-    double z_t;
+    lanes z_t;
     double low_slope;
-    double low_slope_t;
+    lanes low_slope_t;
     double high_slope;
-    double high_slope_t;
+    lanes high_slope_t;
     double v3;
     double v4;
     double v5;
-    blur_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR));
+    EACH_LANE each(blur_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)));
     blur = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR));
     if (blur > 0.0)
     {
         wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
-        low_t = y_t - blur_t;
+        EACH_LANE each(low_t) = each(y_t) - each(blur_t);
         low = y - blur;
-        high_t = y_t + blur_t;
+        EACH_LANE each(high_t) = each(y_t) + each(blur_t);
         high = y + blur;
         v1 = low;
-        v1_t = low_t;
+        EACH_LANE each(v1_t) = each(low_t);
         if ((*cspan_at(&tables, wheel + layout__PROFILE_START)) > v1)
         {
             v1 = (*cspan_at(&tables, wheel + layout__PROFILE_START));
-            v1_t = 0.0;
+            v1_t = all_lanes(0.0);
         }
-        low_t = v1_t;
+        EACH_LANE each(low_t) = each(v1_t);
         low = v1;
         v2 = high;
-        v2_t = high_t;
+        EACH_LANE each(v2_t) = each(high_t);
         if ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) < v2)
         {
             v2 = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
-            v2_t = 0.0;
+            v2_t = all_lanes(0.0);
         }
-        high_t = v2_t;
+        EACH_LANE each(high_t) = each(v2_t);
         high = v2;
         derivative_tables__height_slope_t(&z, &z_t, &low_slope, &low_slope_t, tables, wheel, low, low_t);
         derivative_tables__height_slope_t(&z, &z_t, &high_slope, &high_slope_t, tables, wheel, high, high_t);
         v3 = high_slope - low_slope;
         v4 = high - low;
         v5 = v3 / v4;
-        bend_t = (high_slope_t - low_slope_t - v5 * (high_t - low_t)) / v4;
+        EACH_LANE each(bend_t) = (each(high_slope_t) - each(low_slope_t) - v5 * (each(high_t) - each(low_t))) / v4;
         bend = v5;
     }
     (*result_0) = bend;
-    (*result_1) = bend_t;
+    EACH_LANE each((*result_1)) = each(bend_t);
     return 0;
 }
 
 /* Derivative of ``pressed_gap``. */
-static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t)
+static inline int64_t derivative_pressed__pressed_gap_t(double* gap, lanes* gap_t, double* rate, lanes* rate_t, double* bend, lanes* bend_t, double* curvature, lanes* curvature_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
 {
     int64_t k1;
     int64_t rail;
-    double way_t;
+    lanes way_t;
     double way;
     double v2;
-    double v2_t;
-    double abscissa_t;
+    lanes v2_t;
+    lanes abscissa_t;
     double abscissa;
     int64_t trace;
-    double estimate_t;
+    lanes estimate_t;
     double estimate;
     bool n3;
     int64_t meeting;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v6;
     double v7;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT;
     (*cspan_at(&work, k1)) = (*cspan_at(&work, k1)) + 1.0;
     rail = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL)));
-    way_t = station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    EACH_LANE each(way_t) = each(station_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
     way = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-    derivative_curves__rail_abscissa_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way, way_t);
-    abscissa_t = v2_t;
+    derivative_curves__rail_abscissa_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), way, way_t);
+    EACH_LANE each(abscissa_t) = each(v2_t);
     abscissa = v2;
-    (*gap_t) = 0.0;
+    (*gap_t) = all_lanes(0.0);
     (*gap) = frame__NO_GAP;
-    (*rate_t) = 0.0;
+    (*rate_t) = all_lanes(0.0);
     (*rate) = 0.0;
-    (*bend_t) = 0.0;
+    (*bend_t) = all_lanes(0.0);
     (*bend) = 0.0;
-    (*curvature_t) = 0.0;
+    (*curvature_t) = all_lanes(0.0);
     (*curvature) = 1.0;
     if ((abscissa >= (*cspan_at(&tables, rail + layout__PROFILE_START))) && (abscissa <= (*cspan_at(&tables, rail + layout__PROFILE_STOP))))
     {
         trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
-        estimate_t = (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) + (way_t * (*cspan_at(&work, trace + layout__TRACE_RATE)) + way * (*cspan_at(&work_t, trace + layout__TRACE_RATE)));
+        EACH_LANE each(estimate_t) = each((*lanes_at(&work_t, trace + layout__TRACE_ABSCISSA))) + (each(way_t) * (*cspan_at(&work, trace + layout__TRACE_RATE)) + way * each((*lanes_at(&work_t, trace + layout__TRACE_RATE))));
         estimate = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + way * (*cspan_at(&work, trace + layout__TRACE_RATE));
-        n3 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, estimate, estimate_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), pressed__NODE_SHARP, 0.0);
+        n3 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), abscissa, abscissa_t, estimate, estimate_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), pressed__NODE_SHARP, all_lanes(0.0));
         if (n3)
         {
             meeting = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_MEETING;
-            (*gap_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - (*cspan_at(&work_t, meeting + layout__MEETING_OVERLAP));
+            EACH_LANE each((*gap_t)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED))) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))) - each((*lanes_at(&work_t, meeting + layout__MEETING_OVERLAP)));
             (*gap) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - (*cspan_at(&work, meeting + layout__MEETING_OVERLAP));
-            (*rate_t) = -(*cspan_at(&work_t, meeting + layout__MEETING_RISE));
+            EACH_LANE each((*rate_t)) = -each((*lanes_at(&work_t, meeting + layout__MEETING_RISE)));
             (*rate) = -(*cspan_at(&work, meeting + layout__MEETING_RISE));
-            (*bend_t) = -(*cspan_at(&work_t, meeting + layout__MEETING_RATE));
+            EACH_LANE each((*bend_t)) = -each((*lanes_at(&work_t, meeting + layout__MEETING_RATE)));
             (*bend) = -(*cspan_at(&work, meeting + layout__MEETING_RATE));
-            derivative_pressed__mean_bend_t(&v5, &v5_t, tables, work, work_t, pair, (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), (*cspan_at(&work_t, meeting + layout__MEETING_WHEEL)), (*cspan_at(&work, meeting + layout__MEETING_BEND)), (*cspan_at(&work_t, meeting + layout__MEETING_BEND)));
-            derivative_curvature__longitudinal_curvature_t(&v4, &v4_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, meeting + layout__MEETING_Z)), (*cspan_at(&work_t, meeting + layout__MEETING_Z)), (*cspan_at(&work, meeting + layout__MEETING_SLOPE)), (*cspan_at(&work_t, meeting + layout__MEETING_SLOPE)), v5, v5_t);
-            (*curvature_t) = v4_t;
+            derivative_pressed__mean_bend_t(&v5, &v5_t, tables, work, work_t, pair, (*cspan_at(&work, meeting + layout__MEETING_WHEEL)), (*lanes_at(&work_t, meeting + layout__MEETING_WHEEL)), (*cspan_at(&work, meeting + layout__MEETING_BEND)), (*lanes_at(&work_t, meeting + layout__MEETING_BEND)));
+            derivative_curvature__longitudinal_curvature_t(&v4, &v4_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, meeting + layout__MEETING_Z)), (*lanes_at(&work_t, meeting + layout__MEETING_Z)), (*cspan_at(&work, meeting + layout__MEETING_SLOPE)), (*lanes_at(&work_t, meeting + layout__MEETING_SLOPE)), v5, v5_t);
+            EACH_LANE each((*curvature_t)) = each(v4_t);
             (*curvature) = v4;
             if (fabs(way) > pressed__LEAST_WAY)
             {
                 v6 = (*cspan_at(&work, meeting + layout__MEETING_WHEEL)) - (*cspan_at(&work, trace + layout__TRACE_ABSCISSA));
                 v7 = v6 / way;
-                (*cspan_at(&work_t, trace + layout__TRACE_RATE)) = ((*cspan_at(&work_t, meeting + layout__MEETING_WHEEL)) - (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) - v7 * way_t) / way;
+                EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_RATE))) = (each((*lanes_at(&work_t, meeting + layout__MEETING_WHEEL))) - each((*lanes_at(&work_t, trace + layout__TRACE_ABSCISSA))) - v7 * each(way_t)) / way;
                 (*cspan_at(&work, trace + layout__TRACE_RATE)) = v7;
             }
-            (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) = (*cspan_at(&work_t, meeting + layout__MEETING_WHEEL));
+            EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_ABSCISSA))) = each((*lanes_at(&work_t, meeting + layout__MEETING_WHEEL)));
             (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, meeting + layout__MEETING_WHEEL));
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa_t;
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) = each(abscissa_t);
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station_t;
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION))) = each(station_t);
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
         }
     }
@@ -1336,91 +1348,91 @@ static inline int64_t derivative_pressed__pressed_gap_t(double* gap, double* gap
 }
 
 /* Derivative of ``limited``. */
-static inline int64_t derivative_pressed__limited_t(double* result_0, double* result_1, double step, double step_t, double limit, double limit_t)
+static inline int64_t derivative_pressed__limited_t(double* result_0, lanes* result_1, double step, lanes step_t, double limit, lanes limit_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
     double v3;
-    double v3_t;
+    lanes v3_t;
     v1 = step;
-    v1_t = step_t;
+    EACH_LANE each(v1_t) = each(step_t);
     if (limit < v1)
     {
         v1 = limit;
-        v1_t = limit_t;
+        EACH_LANE each(v1_t) = each(limit_t);
     }
     v2 = -limit;
     v3 = v1;
-    v3_t = v1_t;
+    EACH_LANE each(v3_t) = each(v1_t);
     if (v2 > v3)
     {
         v3 = v2;
-        v3_t = -limit_t;
+        EACH_LANE each(v3_t) = -each(limit_t);
     }
-    step_t = v3_t;
+    EACH_LANE each(step_t) = each(v3_t);
     step = v3;
     (*result_0) = step;
-    (*result_1) = step_t;
+    EACH_LANE each((*result_1)) = each(step_t);
     return 0;
 }
 
 /* Derivative of ``turning_point``. */
-static inline int64_t derivative_pressed__turning_point_t(double* result_0_0001, double* result_1_0001, bool* result_2_0001, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double low, double low_t, double high, double high_t, double x, double x_t, double y, double y_t, double height, double height_t, double sign, double sign_t)
+static inline int64_t derivative_pressed__turning_point_t(double* result_0_0001, lanes* result_1_0001, bool* result_2_0001, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t, double y, lanes y_t, double height, lanes height_t, double sign, lanes sign_t)
 {
     int64_t meeting;
-    double before_t;
+    lanes before_t;
     double before;
     bool moved_low;
     bool moved_high;
     int64_t i;
     bool n1;
     double v2;
-    double following_t;
+    lanes following_t;
     double following;
     double z_rail;
-    double z_rail_t;
+    lanes z_rail_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double v3;
     double v4;
     double v5;
     double v6;
-    double newton_t;
+    lanes newton_t;
     double newton;
-    double rise_t;
+    lanes rise_t;
     double rise;
     meeting = place + layout__PLACE_MEETING;
-    before_t = 0.0;
+    before_t = all_lanes(0.0);
     before = 0.0;
     moved_low = 0;
     moved_high = 0;
     for (i = INT64_C(0); i < pressed__DEEP_ITERATIONS; i += INT64_C(1))
     {
-        n1 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, 0.0);
+        n1 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, place, x, x_t, y, y_t, height, height_t, pressed__LINE_SHARP, all_lanes(0.0));
         if (!n1)
         {
             (*result_0_0001) = x;
-            (*result_1_0001) = x_t;
+            EACH_LANE each((*result_1_0001)) = each(x_t);
             (*result_2_0001) = 0;
             return 0;
         }
-        y_t = (*cspan_at(&work_t, meeting + layout__MEETING_WHEEL));
+        EACH_LANE each(y_t) = each((*lanes_at(&work_t, meeting + layout__MEETING_WHEEL)));
         y = (*cspan_at(&work, meeting + layout__MEETING_WHEEL));
         if (sign * (*cspan_at(&work, meeting + layout__MEETING_RISE)) > 0.0)
         {
-            low_t = x_t;
+            EACH_LANE each(low_t) = each(x_t);
             low = x;
             moved_low = 1;
         }
         else
         {
-            high_t = x_t;
+            EACH_LANE each(high_t) = each(x_t);
             high = x;
             moved_high = 1;
         }
         v2 = low + high;
-        following_t = 0.5 * (low_t + high_t);
+        EACH_LANE each(following_t) = 0.5 * (each(low_t) + each(high_t));
         following = 0.5 * v2;
         if ((sign * (*cspan_at(&work, meeting + layout__MEETING_RATE)) < 0.0) && ((i == INT64_C(0)) || (fabs((*cspan_at(&work, meeting + layout__MEETING_RISE))) < 0.5 * before)))
         {
@@ -1429,11 +1441,11 @@ static inline int64_t derivative_pressed__turning_point_t(double* result_0_0001,
             v4 = sqrt(v3);
             v5 = (*cspan_at(&work, meeting + layout__MEETING_RATE)) * v4;
             v6 = (*cspan_at(&work, meeting + layout__MEETING_RISE)) / v5;
-            newton_t = x_t - ((*cspan_at(&work_t, meeting + layout__MEETING_RISE)) - v6 * ((*cspan_at(&work_t, meeting + layout__MEETING_RATE)) * v4 + (*cspan_at(&work, meeting + layout__MEETING_RATE)) * derivative_rates__root_rate(v4, slope_t * slope + slope * slope_t))) / v5;
+            EACH_LANE each(newton_t) = each(x_t) - (each((*lanes_at(&work_t, meeting + layout__MEETING_RISE))) - v6 * (each((*lanes_at(&work_t, meeting + layout__MEETING_RATE))) * v4 + (*cspan_at(&work, meeting + layout__MEETING_RATE)) * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)))) / v5;
             newton = x - v6;
             if ((newton > low) && (newton < high))
             {
-                following_t = newton_t;
+                EACH_LANE each(following_t) = each(newton_t);
                 following = newton;
             }
         }
@@ -1441,47 +1453,47 @@ static inline int64_t derivative_pressed__turning_point_t(double* result_0_0001,
         {
             break;
         }
-        x_t = following_t;
+        EACH_LANE each(x_t) = each(following_t);
         x = following;
-        before_t = derivative_rates__size_rate((*cspan_at(&work, meeting + layout__MEETING_RISE)), (*cspan_at(&work_t, meeting + layout__MEETING_RISE)));
+        EACH_LANE each(before_t) = derivative_rates__size_rate((*cspan_at(&work, meeting + layout__MEETING_RISE)), each((*lanes_at(&work_t, meeting + layout__MEETING_RISE))));
         before = fabs((*cspan_at(&work, meeting + layout__MEETING_RISE)));
     }
-    rise_t = derivative_rates__size_rate((*cspan_at(&work, meeting + layout__MEETING_RISE)), (*cspan_at(&work_t, meeting + layout__MEETING_RISE)));
+    EACH_LANE each(rise_t) = derivative_rates__size_rate((*cspan_at(&work, meeting + layout__MEETING_RISE)), each((*lanes_at(&work_t, meeting + layout__MEETING_RISE))));
     rise = fabs((*cspan_at(&work, meeting + layout__MEETING_RISE)));
     (*result_0_0001) = x;
-    (*result_1_0001) = x_t;
+    EACH_LANE each((*result_1_0001)) = each(x_t);
     (*result_2_0001) = (rise < pressed__ZERO_RISE) || ((rise < pressed__LEVEL_RISE) && moved_low && moved_high);
     return 0;
 }
 
 /* Derivative of ``meet_rule``. */
-static inline bool derivative_pressed__meet_rule_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double abscissa, double abscissa_t, double y, double y_t, double height, double height_t, double tolerance, double tolerance_t)
+static inline bool derivative_pressed__meet_rule_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double abscissa, lanes abscissa_t, double y, lanes y_t, double height, lanes height_t, double tolerance, lanes tolerance_t)
 {
     bool n1;
     double z_rail;
-    double z_rail_t;
+    lanes z_rail_t;
     double m;
-    double m_t;
+    lanes m_t;
     double rail_bend;
-    double rail_bend_t;
+    lanes rail_bend_t;
     double z;
-    double z_t;
+    lanes z_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double y_track;
-    double y_track_t;
+    lanes y_track_t;
     double z_track;
-    double z_track_t;
+    lanes z_track_t;
     double outline_slope;
-    double outline_slope_t;
+    lanes outline_slope_t;
     double stretch;
-    double stretch_t;
+    lanes stretch_t;
     double rate;
-    double rate_t;
+    lanes rate_t;
     double v2;
-    double residual_t;
+    lanes residual_t;
     double residual;
     double v3;
     double v4;
@@ -1490,17 +1502,17 @@ static inline bool derivative_pressed__meet_rule_t(array_double_1d tables, array
     found = n1;
     if (found)
     {
-        y_t = 0.0;
+        y_t = all_lanes(0.0);
         y = (*cspan_at(&work, place + layout__PLACE_MEETING + layout__MEETING_WHEEL));
         derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &m, &m_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
         derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
         derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &rate, &rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
         v2 = z_track + height - z_rail;
-        residual_t = y_track_t - abscissa_t + ((z_track_t + height_t - z_rail_t) * m + v2 * m_t);
+        EACH_LANE each(residual_t) = each(y_track_t) - each(abscissa_t) + ((each(z_track_t) + each(height_t) - each(z_rail_t)) * m + v2 * each(m_t));
         residual = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - abscissa + v2 * m;
         v3 = -residual;
         v4 = stretch * (1.0 + m * outline_slope);
-        y_t = (-residual_t) / v4;
+        EACH_LANE each(y_t) = (-each(residual_t)) / v4;
         derivative_pressed__meet_wheel_t(tables, work, work_t, pair, place, abscissa, abscissa_t, y, y_t, height, height_t, tolerance, tolerance_t);
     }
     return found;
@@ -1513,143 +1525,143 @@ static inline bool derivative_pressed__meet_rule_t(array_double_1d tables, array
  */
 
 /* Derivative of ``touching_shift``. */
-static inline int64_t derivative_pressed_regions__touching_shift_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t point)
+static inline int64_t derivative_pressed_regions__touching_shift_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point)
 {
     double z;
-    double z_t;
+    lanes z_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double y_track;
-    double y_track_t;
+    lanes y_track_t;
     double z_track;
-    double z_track_t;
+    lanes z_track_t;
     double outline_slope;
-    double outline_slope_t;
+    lanes outline_slope_t;
     double z_rail;
-    double z_rail_t;
+    lanes z_rail_t;
     double m;
-    double m_t;
-    derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)));
-    derivative_locus__outline_point_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, work, work_t, place, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), z, z_t, slope, slope_t);
-    derivative_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)));
+    lanes m_t;
+    derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL)));
+    derivative_locus__outline_point_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, work, work_t, place, (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL)), z, z_t, slope, slope_t);
+    derivative_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)));
     (*result_0) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)) + (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - y_track;
-    (*result_1) = (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)) - y_track_t;
+    EACH_LANE each((*result_1)) = each((*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL))) - each(y_track_t);
     (*result_2) = z_rail - z_track;
-    (*result_3) = z_rail_t - z_track_t;
+    EACH_LANE each((*result_3)) = each(z_rail_t) - each(z_track_t);
     return 0;
 }
 
 /* Derivative of ``press_frame``. */
-static inline int64_t derivative_pressed_regions__press_frame_t(array_double_1d work, array_double_1d work_t, double height, double height_t, double depth, double depth_t, double gap, double gap_t)
+static inline int64_t derivative_pressed_regions__press_frame_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t, double depth, lanes depth_t, double gap, lanes gap_t)
 {
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = height_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT))) = each(height_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)) = height;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = depth_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))) = each(depth_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = depth;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) = (double)(1);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = gap_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED))) = each(gap_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) = gap;
     return INT64_C(0);
 }
 
 /* Derivative of ``sink_wheel``. */
-static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double penetration, double penetration_t)
+static inline int64_t derivative_pressed_regions__sink_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double penetration, lanes penetration_t)
 {
     double v1;
-    double height_t;
+    lanes height_t;
     double height;
     int64_t n2;
     int64_t count;
     v1 = penetration / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    height_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + (penetration_t - v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    EACH_LANE each(height_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT))) + (each(penetration_t) - v1 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) + v1;
     n2 = derivative_overlaps__overlaps_rule_t(tables, work, work_t, pair, side, height, height_t);
     count = n2;
-    derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, penetration, penetration_t, 0.0, 0.0);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = 0.0;
+    derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, penetration, penetration_t, 0.0, all_lanes(0.0));
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(1);
     return count;
 }
 
 /* Derivative of ``open_pressed_region``. */
-static inline int64_t derivative_pressed_regions__open_pressed_region_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t point)
+static inline int64_t derivative_pressed_regions__open_pressed_region_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point)
 {
     double z_rail;
-    double z_rail_t;
+    lanes z_rail_t;
     double m;
-    double m_t;
-    (*cspan_at(&work_t, region + layout__REGION_STATION)) = 0.0;
+    lanes m_t;
+    (*lanes_at(&work_t, region + layout__REGION_STATION)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_STATION)) = 0.0;
-    (*cspan_at(&work_t, region + layout__REGION_GAP)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_GAP)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_GAP)) = 0.0;
-    (*cspan_at(&work_t, region + layout__REGION_RAIL)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL));
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_RAIL))) = each((*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)));
     (*cspan_at(&work, region + layout__REGION_RAIL)) = (*cspan_at(&work, point + layout__DEEP_POINT_RAIL));
-    (*cspan_at(&work_t, region + layout__REGION_WHEEL)) = (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL));
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WHEEL))) = each((*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL)));
     (*cspan_at(&work, region + layout__REGION_WHEEL)) = (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL));
-    derivative_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)));
+    derivative_tables__height_slope_t(&z_rail, &z_rail_t, &m, &m_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)));
     derivative_frame__incline_region_t(work, work_t, tables, region, m, m_t);
     return INT64_C(0);
 }
 
 /* Derivative of ``give_own_frame``. */
-static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t point)
+static inline int64_t derivative_pressed_regions__give_own_frame_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t point)
 {
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
-    double abscissa_t;
+    lanes abscissa_t;
     double abscissa;
-    double height_t;
+    lanes height_t;
     double height;
-    double depth_t;
+    lanes depth_t;
     double depth;
     bool sunk;
     double aside;
-    double aside_t;
+    lanes aside_t;
     double shift;
-    double shift_t;
+    lanes shift_t;
     double n1;
-    double n1_t;
+    lanes n1_t;
     double n2;
-    double n2_t;
+    lanes n2_t;
     double n3;
-    double n3_t;
+    lanes n3_t;
     double n4;
-    double n4_t;
+    lanes n4_t;
     double n5;
-    double n5_t;
+    lanes n5_t;
     double v6;
     double v7;
-    double v7_t;
-    cosine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    lanes v7_t;
+    EACH_LANE each(cosine_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
     cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    abscissa_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    EACH_LANE each(abscissa_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
     abscissa = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    height_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
+    EACH_LANE each(height_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)));
     height = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT));
-    depth_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    EACH_LANE each(depth_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
     depth = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     sunk = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0;
     derivative_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), point);
-    derivative_frame__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
-    (*cspan_at(&work_t, region + layout__REGION_OWN)) = 0.0;
+    derivative_frame__open_frame_t(&n1, &n1_t, &n2, &n2_t, &n3, &n3_t, &n4, &n4_t, &n5, &n5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
+    (*lanes_at(&work_t, region + layout__REGION_OWN)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_OWN)) = (double)(1);
     v6 = (*cspan_at(&work, region + layout__REGION_COS)) / cosine;
-    (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) = ((*cspan_at(&work_t, region + layout__REGION_COS)) - v6 * cosine_t) / cosine;
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_ALIGNMENT))) = (each((*lanes_at(&work_t, region + layout__REGION_COS))) - v6 * each(cosine_t)) / cosine;
     (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) = v6;
-    (*cspan_at(&work_t, region + layout__REGION_GAP)) = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * depth + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * depth_t - (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH));
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_GAP))) = each((*lanes_at(&work_t, region + layout__REGION_ALIGNMENT))) * depth + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * each(depth_t) - each((*lanes_at(&work_t, point + layout__DEEP_POINT_DEPTH)));
     (*cspan_at(&work, region + layout__REGION_GAP)) = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * depth - (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH));
-    derivative_curves__rail_length_t(&v7, &v7_t, tables, pair, abscissa, abscissa_t, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)));
-    (*cspan_at(&work_t, region + layout__REGION_OFFSET)) = v7_t;
+    derivative_curves__rail_length_t(&v7, &v7_t, tables, pair, abscissa, abscissa_t, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)));
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_OFFSET))) = each(v7_t);
     (*cspan_at(&work, region + layout__REGION_OFFSET)) = v7;
-    derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work, region + layout__REGION_GAP)), (*cspan_at(&work_t, region + layout__REGION_GAP)));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = 0.0;
+    derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, point + layout__DEEP_POINT_DEPTH)), (*lanes_at(&work_t, point + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work, region + layout__REGION_GAP)), (*lanes_at(&work_t, region + layout__REGION_GAP)));
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) = (double)(sunk);
     return INT64_C(0);
 }
 
 /* Derivative of ``gather_overlaps``. */
-static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
+static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
     int64_t contact;
     int64_t i_1;
@@ -1657,17 +1669,17 @@ static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double
     int64_t region;
     int64_t point;
     double gap;
-    double gap_t;
+    lanes gap_t;
     double rate;
-    double rate_t;
+    lanes rate_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double curvature;
-    double curvature_t;
+    lanes curvature_t;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     int64_t i_2;
     int64_t i_3;
     int64_t count;
@@ -1675,7 +1687,7 @@ static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double
     contact = deep_points__deepest_entry(work);
     for (i_1 = INT64_C(0); i_1 < layout__FRAME_SIZE; i_1 += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1)));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_1));
     }
     for (index = INT64_C(0); index < count; index += INT64_C(1))
@@ -1687,36 +1699,36 @@ static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double
         {
             derivative_pressed_regions__give_own_frame_t(tables, work, work_t, pair, region, point);
         }
-        derivative_traces__start_traces_t(work, work_t, 0.0, 0.0, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_WHEEL)));
-        derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, 0.0, 0.0);
-        (*cspan_at(&work_t, region + layout__REGION_BEND)) = bend_t;
+        derivative_traces__start_traces_t(work, work_t, 0.0, all_lanes(0.0), (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_WHEEL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_WHEEL)));
+        derivative_pressed__pressed_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, 0.0, all_lanes(0.0));
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_BEND))) = each(bend_t);
         (*cspan_at(&work, region + layout__REGION_BEND)) = bend;
-        (*cspan_at(&work_t, region + layout__REGION_CURVATURE)) = curvature_t;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_CURVATURE))) = each(curvature_t);
         (*cspan_at(&work, region + layout__REGION_CURVATURE)) = curvature;
-        (*cspan_at(&work_t, region + layout__REGION_LOW)) = 0.0;
+        (*lanes_at(&work_t, region + layout__REGION_LOW)) = all_lanes(0.0);
         (*cspan_at(&work, region + layout__REGION_LOW)) = -frame__BEYOND;
-        (*cspan_at(&work_t, region + layout__REGION_HIGH)) = 0.0;
+        (*lanes_at(&work_t, region + layout__REGION_HIGH)) = all_lanes(0.0);
         (*cspan_at(&work, region + layout__REGION_HIGH)) = frame__BEYOND;
         if (index > INT64_C(0))
         {
-            derivative_curves__rail_length_t(&v1, &v1_t, tables, pair, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)));
-            (*cspan_at(&work_t, region + layout__REGION_LOW)) = v1_t;
+            derivative_curves__rail_length_t(&v1, &v1_t, tables, pair, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * (index - INT64_C(1)) + layout__DEEP_POINT_SADDLE)));
+            EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_LOW))) = each(v1_t);
             (*cspan_at(&work, region + layout__REGION_LOW)) = v1;
         }
         if (index < count - INT64_C(1))
         {
-            derivative_curves__rail_length_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*cspan_at(&work_t, point + layout__DEEP_POINT_SADDLE)));
-            (*cspan_at(&work_t, region + layout__REGION_HIGH)) = v2_t;
+            derivative_curves__rail_length_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, point + layout__DEEP_POINT_RAIL)), (*lanes_at(&work_t, point + layout__DEEP_POINT_RAIL)), (*cspan_at(&work, point + layout__DEEP_POINT_SADDLE)), (*lanes_at(&work_t, point + layout__DEEP_POINT_SADDLE)));
+            EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_HIGH))) = each(v2_t);
             (*cspan_at(&work, region + layout__REGION_HIGH)) = v2;
         }
         for (i_2 = INT64_C(0); i_2 < layout__FRAME_SIZE; i_2 += INT64_C(1))
         {
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_2)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_2))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2)));
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * index + i_2)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_2));
         }
         for (i_3 = INT64_C(0); i_3 < INT64_C(27); i_3 += INT64_C(1))
         {
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_3));
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_3)));
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + i_3)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAMES + INT64_C(27) * layout__REGION_LIMIT + i_3));
         }
     }
@@ -1734,115 +1746,115 @@ static inline int64_t derivative_pressed_regions__gather_overlaps_t(array_double
  */
 
 /* Derivative of ``vertical_rise``. */
-static inline int64_t derivative_separation__vertical_rise_t(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t)
+static inline int64_t derivative_separation__vertical_rise_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, double* result_4, lanes* result_5, bool* exists, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
 {
-    double per_station_t;
+    lanes per_station_t;
     double per_station;
     double v1;
-    double lateral_t;
+    lanes lateral_t;
     double lateral;
     bool n2;
     double across;
-    double across_t;
+    lanes across_t;
     double rail_down;
-    double rail_down_t;
+    lanes rail_down_t;
     double rail_slope;
-    double rail_slope_t;
+    lanes rail_slope_t;
     double along;
-    double along_t;
+    lanes along_t;
     double rail_bend;
-    double rail_bend_t;
+    lanes rail_bend_t;
     double down;
-    double down_t;
+    lanes down_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double stretch;
-    double stretch_t;
+    lanes stretch_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double v3;
     double v4;
     double v5;
-    per_station_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    EACH_LANE each(per_station_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
     per_station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     v1 = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION));
-    lateral_t = (station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION))) * per_station + v1 * per_station_t;
+    EACH_LANE each(lateral_t) = (each(station_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_STATION)))) * per_station + v1 * each(per_station_t);
     lateral = v1 * per_station;
     n2 = derivative_curves__across_rule_t(tables, work, work_t, pair, lateral, lateral_t);
     (*exists) = n2;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y))) + each(lateral_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_POINTS + layout__POINT_SIZE * layout__RAIL + layout__POINT_Y)) + lateral;
     if (curves__within(tables, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) != (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)))
     {
         (*exists) = 0;
     }
-    derivative_curves__curve_jet_t(&across, &across_t, &rail_down, &rail_down_t, &rail_slope, &rail_slope_t, &along, &along_t, &rail_bend, &rail_bend_t, tables, work, work_t, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-    derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    derivative_curves__curve_jet_t(&across, &across_t, &rail_down, &rail_down_t, &rail_slope, &rail_slope_t, &along, &along_t, &rail_bend, &rail_bend_t, tables, work, work_t, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     v3 = bend / stretch;
-    bend_t = rail_bend_t - (bend_t - v3 * stretch_t) / stretch;
+    EACH_LANE each(bend_t) = each(rail_bend_t) - (each(bend_t) - v3 * each(stretch_t)) / stretch;
     bend = rail_bend - v3;
     v4 = rail_slope - slope;
     v5 = bend * per_station;
     (*result_0) = rail_down - down;
-    (*result_1) = rail_down_t - down_t;
+    EACH_LANE each((*result_1)) = each(rail_down_t) - each(down_t);
     (*result_2) = v4 * per_station;
-    (*result_3) = (rail_slope_t - slope_t) * per_station + v4 * per_station_t;
+    EACH_LANE each((*result_3)) = (each(rail_slope_t) - each(slope_t)) * per_station + v4 * each(per_station_t);
     (*result_4) = v5 * per_station;
-    (*result_5) = (bend_t * per_station + bend * per_station_t) * per_station + v5 * per_station_t;
+    EACH_LANE each((*result_5)) = (each(bend_t) * per_station + bend * each(per_station_t)) * per_station + v5 * each(per_station_t);
     return 0;
 }
 
 /* Derivative of ``equidistant_rise``. */
-static inline int64_t derivative_separation__equidistant_rise_t(double* result_0, double* result_1, double* rate, double* rate_t, double* result_4, double* result_5, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t)
+static inline int64_t derivative_separation__equidistant_rise_t(double* result_0, lanes* result_1, double* rate, lanes* rate_t, double* result_4, lanes* result_5, bool* exists, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t)
 {
     bool n1;
     bool on_rail;
     bool n2;
     bool on_wheel;
     double across;
-    double across_t;
+    lanes across_t;
     double down;
-    double down_t;
+    lanes down_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double stretch;
-    double stretch_t;
+    lanes stretch_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double v3;
     double v4;
     double v5;
-    double rail_cos_t;
+    lanes rail_cos_t;
     double rail_cos;
-    double rail_sin_t;
+    lanes rail_sin_t;
     double rail_sin;
     double v6;
     double v7;
-    double rail_curvature_t;
+    lanes rail_curvature_t;
     double rail_curvature;
     double wheel_across;
-    double wheel_across_t;
+    lanes wheel_across_t;
     double wheel_down;
-    double wheel_down_t;
+    lanes wheel_down_t;
     double v8;
     double v9;
     double v10;
-    double wheel_cos_t;
+    lanes wheel_cos_t;
     double wheel_cos;
-    double wheel_sin_t;
+    lanes wheel_sin_t;
     double wheel_sin;
     double v11;
     double v12;
     double v13;
-    double wheel_curvature_t;
+    lanes wheel_curvature_t;
     double wheel_curvature;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
-    double sine_t;
+    lanes sine_t;
     double sine;
     double v14;
     double v15;
-    double size_t;
+    lanes size_t;
     double size;
     double v16;
     double v17;
@@ -1855,102 +1867,102 @@ static inline int64_t derivative_separation__equidistant_rise_t(double* result_0
     on_rail = n1;
     n2 = derivative_curves__move_to_station_t(tables, work, work_t, pair, layout__WHEEL, station, station_t);
     on_wheel = n2;
-    derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    derivative_curves__curve_jet_t(&across, &across_t, &down, &down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__RAIL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v3 = 1.0 + slope * slope;
     v4 = sqrt(v3);
     v5 = 1.0 / v4;
-    rail_cos_t = (-v5) * derivative_rates__root_rate(v4, slope_t * slope + slope * slope_t) / v4;
+    EACH_LANE each(rail_cos_t) = (-v5) * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)) / v4;
     rail_cos = v5;
-    rail_sin_t = slope_t * rail_cos + slope * rail_cos_t;
+    EACH_LANE each(rail_sin_t) = each(slope_t) * rail_cos + slope * each(rail_cos_t);
     rail_sin = slope * rail_cos;
     v6 = bend * rail_cos;
     v7 = v6 * rail_cos;
-    rail_curvature_t = ((bend_t * rail_cos + bend * rail_cos_t) * rail_cos + v6 * rail_cos_t) * rail_cos + v7 * rail_cos_t;
+    EACH_LANE each(rail_curvature_t) = ((each(bend_t) * rail_cos + bend * each(rail_cos_t)) * rail_cos + v6 * each(rail_cos_t)) * rail_cos + v7 * each(rail_cos_t);
     rail_curvature = v7 * rail_cos;
-    derivative_curves__curve_jet_t(&wheel_across, &wheel_across_t, &wheel_down, &wheel_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+    derivative_curves__curve_jet_t(&wheel_across, &wheel_across_t, &wheel_down, &wheel_down_t, &slope, &slope_t, &stretch, &stretch_t, &bend, &bend_t, tables, work, work_t, pair, layout__WHEEL, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     v8 = 1.0 + slope * slope;
     v9 = sqrt(v8);
     v10 = 1.0 / v9;
-    wheel_cos_t = (-v10) * derivative_rates__root_rate(v9, slope_t * slope + slope * slope_t) / v9;
+    EACH_LANE each(wheel_cos_t) = (-v10) * derivative_rates__root_rate(v9, each(slope_t) * slope + slope * each(slope_t)) / v9;
     wheel_cos = v10;
-    wheel_sin_t = slope_t * wheel_cos + slope * wheel_cos_t;
+    EACH_LANE each(wheel_sin_t) = each(slope_t) * wheel_cos + slope * each(wheel_cos_t);
     wheel_sin = slope * wheel_cos;
     v11 = bend / stretch;
     v12 = v11 * wheel_cos;
     v13 = v12 * wheel_cos;
-    wheel_curvature_t = (((bend_t - v11 * stretch_t) / stretch * wheel_cos + v11 * wheel_cos_t) * wheel_cos + v12 * wheel_cos_t) * wheel_cos + v13 * wheel_cos_t;
+    EACH_LANE each(wheel_curvature_t) = (((each(bend_t) - v11 * each(stretch_t)) / stretch * wheel_cos + v11 * each(wheel_cos_t)) * wheel_cos + v12 * each(wheel_cos_t)) * wheel_cos + v13 * each(wheel_cos_t);
     wheel_curvature = v13 * wheel_cos;
-    across_t = wheel_across_t - across_t;
+    EACH_LANE each(across_t) = each(wheel_across_t) - each(across_t);
     across = wheel_across - across;
-    down_t = wheel_down_t - down_t;
+    EACH_LANE each(down_t) = each(wheel_down_t) - each(down_t);
     down = wheel_down - down;
-    cosine_t = wheel_cos_t + rail_cos_t;
+    EACH_LANE each(cosine_t) = each(wheel_cos_t) + each(rail_cos_t);
     cosine = wheel_cos + rail_cos;
-    sine_t = wheel_sin_t + rail_sin_t;
+    EACH_LANE each(sine_t) = each(wheel_sin_t) + each(rail_sin_t);
     sine = wheel_sin + rail_sin;
     v14 = cosine * cosine + sine * sine;
     v15 = sqrt(v14);
-    size_t = derivative_rates__root_rate(v15, cosine_t * cosine + cosine * cosine_t + (sine_t * sine + sine * sine_t));
+    EACH_LANE each(size_t) = derivative_rates__root_rate(v15, each(cosine_t) * cosine + cosine * each(cosine_t) + (each(sine_t) * sine + sine * each(sine_t)));
     size = v15;
     v16 = cosine / size;
-    cosine_t = (cosine_t - v16 * size_t) / size;
+    EACH_LANE each(cosine_t) = (each(cosine_t) - v16 * each(size_t)) / size;
     cosine = v16;
     v17 = sine / size;
-    sine_t = (sine_t - v17 * size_t) / size;
+    EACH_LANE each(sine_t) = (each(sine_t) - v17 * each(size_t)) / size;
     sine = v17;
     (*exists) = on_rail && on_wheel && (stretch > 0.0);
     v18 = wheel_cos - rail_cos;
     v19 = wheel_sin - rail_sin;
-    (*rate_t) = (wheel_cos_t - rail_cos_t) * sine + v18 * sine_t - ((wheel_sin_t - rail_sin_t) * cosine + v19 * cosine_t);
+    EACH_LANE each((*rate_t)) = (each(wheel_cos_t) - each(rail_cos_t)) * sine + v18 * each(sine_t) - ((each(wheel_sin_t) - each(rail_sin_t)) * cosine + v19 * each(cosine_t));
     (*rate) = v18 * sine - v19 * cosine;
     v20 = across * cosine + down * sine;
     v21 = 0.5 * v20;
     v22 = wheel_curvature + rail_curvature;
-    (*rate_t) = (*rate_t) + (0.5 * (across_t * cosine + across * cosine_t + (down_t * sine + down * sine_t)) * v22 + v21 * (wheel_curvature_t + rail_curvature_t));
+    EACH_LANE each((*rate_t)) = each((*rate_t)) + (0.5 * (each(across_t) * cosine + across * each(cosine_t) + (each(down_t) * sine + down * each(sine_t))) * v22 + v21 * (each(wheel_curvature_t) + each(rail_curvature_t)));
     (*rate) = (*rate) + v21 * v22;
     (*result_0) = across * sine - down * cosine;
-    (*result_1) = across_t * sine + across * sine_t - (down_t * cosine + down * cosine_t);
+    EACH_LANE each((*result_1)) = each(across_t) * sine + across * each(sine_t) - (each(down_t) * cosine + down * each(cosine_t));
     (*result_4) = rail_curvature - wheel_curvature;
-    (*result_5) = rail_curvature_t - wheel_curvature_t;
+    EACH_LANE each((*result_5)) = each(rail_curvature_t) - each(wheel_curvature_t);
     return 0;
 }
 
 /* Derivative of ``depth_lost``. */
-static inline int64_t derivative_separation__depth_lost_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
+static inline int64_t derivative_separation__depth_lost_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
     double height;
-    double height_t;
+    lanes height_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double v1;
     double v2;
     double v3;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
     double v4;
-    double along_t;
+    lanes along_t;
     double along;
     double v5;
-    double across_t;
+    lanes across_t;
     double across;
     double v6;
     double v7;
     double v8;
     double v9;
     double v10;
-    derivative_tables__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    derivative_tables__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    cosine_t = (-v3) * derivative_rates__root_rate(v2, slope_t * slope + slope * slope_t) / v2;
+    EACH_LANE each(cosine_t) = (-v3) * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t)) / v2;
     cosine = v3;
     v4 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    along_t = cosine_t * v4 + cosine * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (slope_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + slope * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))));
+    EACH_LANE each(along_t) = each(cosine_t) * v4 + cosine * (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) + (each(slope_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + slope * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)))));
     along = cosine * v4;
     v5 = slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    across_t = cosine_t * v5 + cosine * (slope_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+    EACH_LANE each(across_t) = each(cosine_t) * v5 + cosine * (each(slope_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))));
     across = cosine * v5;
     v6 = 1.0 - along;
     v7 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * across;
@@ -1958,33 +1970,33 @@ static inline int64_t derivative_separation__depth_lost_t(double* result_0, doub
     v9 = v8 * cosine;
     v10 = v9 * cosine;
     (*result_0) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * v6;
-    (*result_1) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * v6 + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * (-along_t);
+    EACH_LANE each((*result_1)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))) * v6 + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * (-each(along_t));
     (*result_2) = v10 * cosine;
-    (*result_3) = (((((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * across + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * across_t) * bend + v7 * bend_t) * cosine + v8 * cosine_t) * cosine + v9 * cosine_t) * cosine + v10 * cosine_t;
+    EACH_LANE each((*result_3)) = ((((each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))) * across + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) * each(across_t)) * bend + v7 * each(bend_t)) * cosine + v8 * each(cosine_t)) * cosine + v9 * each(cosine_t)) * cosine + v10 * each(cosine_t);
     return 0;
 }
 
 /* Derivative of ``moved_separation``. */
-static inline int64_t derivative_separation__moved_separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, int64_t kind)
+static inline int64_t derivative_separation__moved_separation_t(double* gap, lanes* gap_t, double* rate, lanes* rate_t, double* bend, lanes* bend_t, double* curvature, lanes* curvature_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, int64_t kind)
 {
     int64_t k1;
     bool exists;
     double lost;
-    double lost_t;
+    lanes lost_t;
     double more;
-    double more_t;
-    double y_t;
+    lanes more_t;
+    lanes y_t;
     double y;
     double z;
-    double z_t;
+    lanes z_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double wheel_bend;
-    double wheel_bend_t;
+    lanes wheel_bend_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     k1 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_NODE_COUNT;
     (*cspan_at(&work, k1)) = (*cspan_at(&work, k1)) + 1.0;
     if (kind == layout__SEPARATION_VERTICAL)
@@ -1995,37 +2007,37 @@ static inline int64_t derivative_separation__moved_separation_t(double* gap, dou
     {
         derivative_separation__equidistant_rise_t(gap, gap_t, rate, rate_t, bend, bend_t, &exists, tables, work, work_t, pair, station, station_t);
     }
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION))) = each(station_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
-    (*gap_t) = (*gap_t) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP));
+    EACH_LANE each((*gap_t)) = each((*gap_t)) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP)));
     (*gap) = (*gap) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_ORIGIN + layout__ORIGIN_GAP));
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (kind != layout__SEPARATION_VERTICAL))
     {
         derivative_separation__depth_lost_t(&lost, &lost_t, &more, &more_t, tables, work, work_t, pair);
-        (*gap_t) = (*gap_t) + lost_t;
+        EACH_LANE each((*gap_t)) = each((*gap_t)) + each(lost_t);
         (*gap) = (*gap) + lost;
-        (*rate_t) = (*rate_t) + more_t;
+        EACH_LANE each((*rate_t)) = each((*rate_t)) + each(more_t);
         (*rate) = (*rate) + more;
     }
     if (!exists)
     {
-        (*gap_t) = 0.0;
+        (*gap_t) = all_lanes(0.0);
         (*gap) = frame__NO_GAP;
     }
-    y_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    EACH_LANE each(y_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &wheel_bend, &wheel_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
     derivative_pressed__mean_bend_t(&v2, &v2_t, tables, work, work_t, pair, y, y_t, wheel_bend, wheel_bend_t);
-    wheel_bend_t = v2_t;
+    EACH_LANE each(wheel_bend_t) = each(v2_t);
     wheel_bend = v2;
     derivative_curvature__longitudinal_curvature_t(&v3, &v3_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), z, z_t, slope, slope_t, wheel_bend, wheel_bend_t);
-    (*curvature_t) = v3_t;
+    EACH_LANE each((*curvature_t)) = each(v3_t);
     (*curvature) = v3;
     return 0;
 }
 
 /* Derivative of ``separation``. */
-static inline int64_t derivative_separation__separation_t(double* gap, double* gap_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_separation__separation_t(double* gap, lanes* gap_t, double* rate, lanes* rate_t, double* bend, lanes* bend_t, double* curvature, lanes* curvature_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
     int64_t kind;
     kind = (int64_t)((*cspan_at(&tables, layout__TABLES_SEPARATION)));
@@ -2051,123 +2063,125 @@ static inline int64_t derivative_separation__separation_t(double* gap, double* g
  */
 
 /* Derivative of ``start_traces``. */
-static inline int64_t derivative_traces__start_traces_t(array_double_1d work, array_double_1d work_t, double station, double station_t, double abscissa, double abscissa_t, double y, double y_t)
+static inline int64_t derivative_traces__start_traces_t(array_double_1d work, array_lanes_1d work_t, double station, lanes station_t, double abscissa, lanes abscissa_t, double y, lanes y_t)
 {
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION))) = each(station_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)) = station;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA))) = each(abscissa_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)) = abscissa;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_RATE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_BEND)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = y_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA))) = each(y_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)) = y;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_RATE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_BEND)) = 0.0;
     return INT64_C(0);
 }
 
 /* Derivative of ``first_abscissa``. */
-static inline int64_t derivative_traces__first_abscissa_t(double* u, double* u_t, array_double_1d work, array_double_1d work_t, int64_t trace, double away, double away_t)
+static inline int64_t derivative_traces__first_abscissa_t(double* u, lanes* u_t, array_double_1d work, array_lanes_1d work_t, int64_t trace, double away, lanes away_t)
 {
     double v1;
     double v2;
-    (*u_t) = (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) + (away_t * (*cspan_at(&work, trace + layout__TRACE_RATE)) + away * (*cspan_at(&work_t, trace + layout__TRACE_RATE)));
+    EACH_LANE each((*u_t)) = each((*lanes_at(&work_t, trace + layout__TRACE_ABSCISSA))) + (each(away_t) * (*cspan_at(&work, trace + layout__TRACE_RATE)) + away * each((*lanes_at(&work_t, trace + layout__TRACE_RATE))));
     (*u) = (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) + away * (*cspan_at(&work, trace + layout__TRACE_RATE));
     if (fabs(away) < traces__EXTRAPOLATED)
     {
         v1 = 0.5 * away;
         v2 = v1 * away;
-        (*u_t) = (*u_t) + ((0.5 * away_t * away + v1 * away_t) * (*cspan_at(&work, trace + layout__TRACE_BEND)) + v2 * (*cspan_at(&work_t, trace + layout__TRACE_BEND)));
+        EACH_LANE each((*u_t)) = each((*u_t)) + ((0.5 * each(away_t) * away + v1 * each(away_t)) * (*cspan_at(&work, trace + layout__TRACE_BEND)) + v2 * each((*lanes_at(&work_t, trace + layout__TRACE_BEND))));
         (*u) = (*u) + v2 * (*cspan_at(&work, trace + layout__TRACE_BEND));
     }
     return 0;
 }
 
 /* Derivative of ``trace_profile``. */
-static inline int64_t derivative_traces__trace_profile_t(double* result_0, double* result_1, double* result_2, double* result_3, double* ordinate_bend, double* ordinate_bend_t, double* result_6, double* result_7, double* result_8, double* result_9, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_traces__trace_profile_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, double* ordinate_bend, lanes* ordinate_bend_t, double* result_6, lanes* result_7, double* result_8, lanes* result_9, bool* exists, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t profile, int64_t point, int64_t plane, int64_t trace, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
     double v1;
-    double v1_t;
-    double u_t;
+    lanes v1_t;
+    lanes u_t;
     double u;
-    double excess_t;
+    lanes excess_t;
     double excess;
-    double forward_t;
+    lanes forward_t;
     double forward;
-    double height_t;
+    lanes height_t;
     double height;
-    double slope_t;
+    lanes slope_t;
     double slope;
-    double bend_t;
+    lanes bend_t;
     double bend;
     int64_t i;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
     double v5;
     double v6;
     double v7;
-    double along_t;
+    lanes along_t;
     double along;
     double v8;
-    double rate_t;
+    lanes rate_t;
     double rate;
     double v9;
     double v10;
     double v11;
     double v12;
     double v13;
-    double ordinate_t;
+    lanes ordinate_t;
     double ordinate;
     double v14;
-    double move_t;
+    lanes move_t;
     double move;
     double v15;
     double v16;
-    derivative_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)), station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
-    u_t = v1_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each(station_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
+    derivative_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)), rates_1);
+    EACH_LANE each(u_t) = each(v1_t);
     u = v1;
     (*exists) = 0;
-    excess_t = 0.0;
+    excess_t = all_lanes(0.0);
     excess = 0.0;
-    forward_t = 0.0;
+    forward_t = all_lanes(0.0);
     forward = 1.0;
-    height_t = 0.0;
+    height_t = all_lanes(0.0);
     height = 0.0;
-    slope_t = 0.0;
+    slope_t = all_lanes(0.0);
     slope = 0.0;
-    bend_t = 0.0;
+    bend_t = all_lanes(0.0);
     bend = 0.0;
     for (i = INT64_C(0); i < traces__TRACE_ITERATIONS; i += INT64_C(1))
     {
         v2 = u;
-        v2_t = u_t;
+        EACH_LANE each(v2_t) = each(u_t);
         if ((*cspan_at(&tables, profile + layout__PROFILE_START)) > v2)
         {
             v2 = (*cspan_at(&tables, profile + layout__PROFILE_START));
-            v2_t = 0.0;
+            v2_t = all_lanes(0.0);
         }
         v3 = v2;
-        v3_t = v2_t;
+        EACH_LANE each(v3_t) = each(v2_t);
         if ((*cspan_at(&tables, profile + layout__PROFILE_STOP)) < v3)
         {
             v3 = (*cspan_at(&tables, profile + layout__PROFILE_STOP));
-            v3_t = 0.0;
+            v3_t = all_lanes(0.0);
         }
-        u_t = v3_t;
+        EACH_LANE each(u_t) = each(v3_t);
         u = v3;
         derivative_tables__height_slope_bend_t(&height, &height_t, &slope, &slope_t, &bend, &bend_t, tables, profile, u, u_t);
-        forward_t = (*cspan_at(&work_t, plane + layout__DIRECTION_COS)) + (slope_t * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + slope * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN)));
+        EACH_LANE each(forward_t) = each((*lanes_at(&work_t, plane + layout__DIRECTION_COS))) + (each(slope_t) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + slope * each((*lanes_at(&work_t, plane + layout__DIRECTION_SIN))));
         forward = (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
         v4 = u - (*cspan_at(&work, point + layout__POINT_Y));
         v5 = height - (*cspan_at(&work, point + layout__POINT_Z));
-        excess_t = (u_t - (*cspan_at(&work_t, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v4 * (*cspan_at(&work_t, plane + layout__DIRECTION_COS)) + ((height_t - (*cspan_at(&work_t, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + v5 * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN))) - station_t;
+        EACH_LANE each(excess_t) = (each(u_t) - each((*lanes_at(&work_t, point + layout__POINT_Y)))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v4 * each((*lanes_at(&work_t, plane + layout__DIRECTION_COS))) + ((each(height_t) - each((*lanes_at(&work_t, point + layout__POINT_Z)))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + v5 * each((*lanes_at(&work_t, plane + layout__DIRECTION_SIN)))) - each(station_t);
         excess = v4 * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v5 * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - station;
         if (fabs(excess) < tolerance)
         {
@@ -2178,79 +2192,79 @@ static inline int64_t derivative_traces__trace_profile_t(double* result_0, doubl
             break;
         }
         v6 = excess / forward;
-        u_t = u_t - (excess_t - v6 * forward_t) / forward;
+        EACH_LANE each(u_t) = each(u_t) - (each(excess_t) - v6 * each(forward_t)) / forward;
         u = u - v6;
     }
     v7 = 1.0 / forward;
-    along_t = (-v7) * forward_t / forward;
+    EACH_LANE each(along_t) = (-v7) * each(forward_t) / forward;
     along = v7;
     v8 = (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - slope * (*cspan_at(&work, plane + layout__DIRECTION_COS));
-    rate_t = ((*cspan_at(&work_t, plane + layout__DIRECTION_SIN)) - (slope_t * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * (*cspan_at(&work_t, plane + layout__DIRECTION_COS)))) * along + v8 * along_t;
+    EACH_LANE each(rate_t) = (each((*lanes_at(&work_t, plane + layout__DIRECTION_SIN))) - (each(slope_t) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + slope * each((*lanes_at(&work_t, plane + layout__DIRECTION_COS))))) * along + v8 * each(along_t);
     rate = v8 * along;
     v9 = -bend;
     v10 = v9 * along;
     v11 = v10 * along;
-    (*ordinate_bend_t) = (((-bend_t) * along + v9 * along_t) * along + v10 * along_t) * along + v11 * along_t;
+    EACH_LANE each((*ordinate_bend_t)) = (((-each(bend_t)) * along + v9 * each(along_t)) * along + v10 * each(along_t)) * along + v11 * each(along_t);
     (*ordinate_bend) = v11 * along;
-    (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) = u_t - (excess_t * along + excess * along_t);
+    EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_ABSCISSA))) = each(u_t) - (each(excess_t) * along + excess * each(along_t));
     (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = u - excess * along;
-    (*cspan_at(&work_t, trace + layout__TRACE_RATE)) = along_t;
+    EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_RATE))) = each(along_t);
     (*cspan_at(&work, trace + layout__TRACE_RATE)) = along;
-    (*cspan_at(&work_t, trace + layout__TRACE_BEND)) = (*ordinate_bend_t) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + (*ordinate_bend) * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN));
+    EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_BEND))) = each((*ordinate_bend_t)) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + (*ordinate_bend) * each((*lanes_at(&work_t, plane + layout__DIRECTION_SIN)));
     (*cspan_at(&work, trace + layout__TRACE_BEND)) = (*ordinate_bend) * (*cspan_at(&work, plane + layout__DIRECTION_SIN));
     v12 = u - (*cspan_at(&work, point + layout__POINT_Y));
     v13 = height - (*cspan_at(&work, point + layout__POINT_Z));
-    ordinate_t = (u_t - (*cspan_at(&work_t, point + layout__POINT_Y))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + v12 * (*cspan_at(&work_t, plane + layout__DIRECTION_SIN)) - ((height_t - (*cspan_at(&work_t, point + layout__POINT_Z))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v13 * (*cspan_at(&work_t, plane + layout__DIRECTION_COS)));
+    EACH_LANE each(ordinate_t) = (each(u_t) - each((*lanes_at(&work_t, point + layout__POINT_Y)))) * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) + v12 * each((*lanes_at(&work_t, plane + layout__DIRECTION_SIN))) - ((each(height_t) - each((*lanes_at(&work_t, point + layout__POINT_Z)))) * (*cspan_at(&work, plane + layout__DIRECTION_COS)) + v13 * each((*lanes_at(&work_t, plane + layout__DIRECTION_COS))));
     ordinate = v12 * (*cspan_at(&work, plane + layout__DIRECTION_SIN)) - v13 * (*cspan_at(&work, plane + layout__DIRECTION_COS));
     v14 = -excess;
-    move_t = (-excess_t) * along + v14 * along_t;
+    EACH_LANE each(move_t) = (-each(excess_t)) * along + v14 * each(along_t);
     move = v14 * along;
     v15 = 0.5 * excess;
     v16 = rate - v15 * (*ordinate_bend);
     (*result_0) = ordinate - excess * v16;
-    (*result_1) = ordinate_t - (excess_t * v16 + excess * (rate_t - (0.5 * excess_t * (*ordinate_bend) + v15 * (*ordinate_bend_t))));
+    EACH_LANE each((*result_1)) = each(ordinate_t) - (each(excess_t) * v16 + excess * (each(rate_t) - (0.5 * each(excess_t) * (*ordinate_bend) + v15 * each((*ordinate_bend_t)))));
     (*result_2) = rate - excess * (*ordinate_bend);
-    (*result_3) = rate_t - (excess_t * (*ordinate_bend) + excess * (*ordinate_bend_t));
+    EACH_LANE each((*result_3)) = each(rate_t) - (each(excess_t) * (*ordinate_bend) + excess * each((*ordinate_bend_t)));
     (*result_6) = slope + move * bend;
-    (*result_7) = slope_t + (move_t * bend + move * bend_t);
+    EACH_LANE each((*result_7)) = each(slope_t) + (each(move_t) * bend + move * each(bend_t));
     (*result_8) = height + move * slope;
-    (*result_9) = height_t + (move_t * slope + move * slope_t);
+    EACH_LANE each((*result_9)) = each(height_t) + (each(move_t) * slope + move * each(slope_t));
     return 0;
 }
 
 /* Derivative of ``trace_rail``. */
-static inline int64_t derivative_traces__trace_rail_t(double* ordinate, double* ordinate_t, double* rate, double* rate_t, double* bend, double* bend_t, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_traces__trace_rail_t(double* ordinate, lanes* ordinate_t, double* rate, lanes* rate_t, double* bend, lanes* bend_t, bool* exists, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
     double slope;
-    double slope_t;
+    lanes slope_t;
     double height;
-    double height_t;
+    lanes height_t;
     derivative_traces__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &height, &height_t, exists, tables, work, work_t, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL, station, station_t, tolerance, tolerance_t);
     return 0;
 }
 
 /* Derivative of ``trace_wheel``. */
-static inline int64_t derivative_traces__trace_wheel_t(double* ordinate, double* ordinate_t, double* rate, double* rate_t, double* bend, double* bend_t, double* curvature, double* curvature_t, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_traces__trace_wheel_t(double* ordinate, lanes* ordinate_t, double* rate, lanes* rate_t, double* bend, lanes* bend_t, double* curvature, lanes* curvature_t, bool* exists, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
     int64_t place;
-    double lifted_t;
+    lanes lifted_t;
     double lifted;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double z;
-    double z_t;
+    lanes z_t;
     double v1;
-    double v1_t;
+    lanes v1_t;
     place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)));
     if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
     {
-        lifted_t = station_t - ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
+        EACH_LANE each(lifted_t) = each(station_t) - (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))));
         lifted = station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
         derivative_traces__trace_profile_t(ordinate, ordinate_t, rate, rate_t, bend, bend_t, &slope, &slope_t, &z, &z_t, exists, tables, work, work_t, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL, lifted, lifted_t, tolerance, tolerance_t);
-        (*ordinate_t) = (*ordinate_t) - ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
+        EACH_LANE each((*ordinate_t)) = each((*ordinate_t)) - (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))));
         (*ordinate) = (*ordinate) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_LIFT)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         derivative_curvature__longitudinal_curvature_t(&v1, &v1_t, work, work_t, tables, place, z, z_t, slope, slope_t, (*bend), (*bend_t));
-        (*curvature_t) = v1_t;
+        EACH_LANE each((*curvature_t)) = each(v1_t);
         (*curvature) = v1;
     }
     else
@@ -2261,62 +2275,62 @@ static inline int64_t derivative_traces__trace_wheel_t(double* ordinate, double*
 }
 
 /* Derivative of ``trace_outline``. */
-static inline int64_t derivative_traces__trace_outline_t(double* ordinate, double* ordinate_t, double* result_2, double* result_3, double* ordinate_bend, double* ordinate_bend_t, double* curvature, double* curvature_t, bool* exists, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double station, double station_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_traces__trace_outline_t(double* ordinate, lanes* ordinate_t, double* result_2, lanes* result_3, double* ordinate_bend, lanes* ordinate_bend_t, double* curvature, lanes* curvature_t, bool* exists, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t)
 {
     int64_t wheel;
     int64_t place;
     int64_t trace;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
-    double sine_t;
+    lanes sine_t;
     double sine;
-    double left_t;
+    lanes left_t;
     double left;
-    double above_t;
+    lanes above_t;
     double above;
     double v1;
-    double v1_t;
-    double y_t;
+    lanes v1_t;
+    lanes y_t;
     double y;
-    double excess_t;
+    lanes excess_t;
     double excess;
-    double along_t;
+    lanes along_t;
     double along;
-    double across_t;
+    lanes across_t;
     double across;
-    double up_t;
+    lanes up_t;
     double up;
-    double stretch_t;
+    lanes stretch_t;
     double stretch;
-    double z_t;
+    lanes z_t;
     double z;
-    double slope_t;
+    lanes slope_t;
     double slope;
-    double bend_t;
+    lanes bend_t;
     double bend;
-    double outline_slope_t;
+    lanes outline_slope_t;
     double outline_slope;
-    double outline_rate_t;
+    lanes outline_rate_t;
     double outline_rate;
     int64_t i;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double y_track;
-    double y_track_t;
+    lanes y_track_t;
     double z_track;
-    double z_track_t;
+    lanes z_track_t;
     double v4;
     double v5;
     double v6;
-    double per_along_t;
+    lanes per_along_t;
     double per_along;
     double v7;
-    double per_stretch_t;
+    lanes per_stretch_t;
     double per_stretch;
     double v8;
-    double rate_t;
+    lanes rate_t;
     double rate;
     double v9;
     double v10;
@@ -2324,75 +2338,77 @@ static inline int64_t derivative_traces__trace_outline_t(double* ordinate, doubl
     double v12;
     double v13;
     double v14;
-    double move_t;
+    lanes move_t;
     double move;
     double v15;
     double v16;
-    double v16_t;
+    lanes v16_t;
     double v17;
     double v18;
     wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
     place = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE)));
     trace = layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL;
-    cosine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    EACH_LANE each(cosine_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
     cosine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    sine_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
+    EACH_LANE each(sine_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)));
     sine = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
-    left_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE));
+    EACH_LANE each(left_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE)));
     left = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_ASIDE));
-    above_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    EACH_LANE each(above_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
     above = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SHIFT)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    derivative_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)), station_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
-    y_t = v1_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each(station_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
+    derivative_traces__first_abscissa_t(&v1, &v1_t, work, work_t, trace, station - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)), rates_1);
+    EACH_LANE each(y_t) = each(v1_t);
     y = v1;
     (*exists) = 0;
-    excess_t = 0.0;
+    excess_t = all_lanes(0.0);
     excess = 0.0;
-    along_t = 0.0;
+    along_t = all_lanes(0.0);
     along = 1.0;
-    across_t = 0.0;
+    across_t = all_lanes(0.0);
     across = 0.0;
-    up_t = 0.0;
+    up_t = all_lanes(0.0);
     up = 0.0;
-    stretch_t = 0.0;
+    stretch_t = all_lanes(0.0);
     stretch = 1.0;
-    z_t = 0.0;
+    z_t = all_lanes(0.0);
     z = 0.0;
-    slope_t = 0.0;
+    slope_t = all_lanes(0.0);
     slope = 0.0;
-    bend_t = 0.0;
+    bend_t = all_lanes(0.0);
     bend = 0.0;
-    outline_slope_t = 0.0;
+    outline_slope_t = all_lanes(0.0);
     outline_slope = 0.0;
-    outline_rate_t = 0.0;
+    outline_rate_t = all_lanes(0.0);
     outline_rate = 0.0;
     for (i = INT64_C(0); i < traces__TRACE_ITERATIONS; i += INT64_C(1))
     {
         v2 = y;
-        v2_t = y_t;
+        EACH_LANE each(v2_t) = each(y_t);
         if ((*cspan_at(&tables, wheel + layout__PROFILE_START)) > v2)
         {
             v2 = (*cspan_at(&tables, wheel + layout__PROFILE_START));
-            v2_t = 0.0;
+            v2_t = all_lanes(0.0);
         }
         v3 = v2;
-        v3_t = v2_t;
+        EACH_LANE each(v3_t) = each(v2_t);
         if ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) < v3)
         {
             v3 = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
-            v3_t = 0.0;
+            v3_t = all_lanes(0.0);
         }
-        y_t = v3_t;
+        EACH_LANE each(y_t) = each(v3_t);
         y = v3;
         derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, wheel, y, y_t);
         derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
-        across_t = y_track_t - left_t;
+        EACH_LANE each(across_t) = each(y_track_t) - each(left_t);
         across = y_track - left;
-        up_t = z_track_t + above_t;
+        EACH_LANE each(up_t) = each(z_track_t) + each(above_t);
         up = z_track + above;
-        along_t = cosine_t + (outline_slope_t * sine + outline_slope * sine_t);
+        EACH_LANE each(along_t) = each(cosine_t) + (each(outline_slope_t) * sine + outline_slope * each(sine_t));
         along = cosine + outline_slope * sine;
-        excess_t = across_t * cosine + across * cosine_t + (up_t * sine + up * sine_t) - station_t;
+        EACH_LANE each(excess_t) = each(across_t) * cosine + across * each(cosine_t) + (each(up_t) * sine + up * each(sine_t)) - each(station_t);
         excess = across * cosine + up * sine - station;
         if (fabs(excess) < tolerance)
         {
@@ -2404,44 +2420,48 @@ static inline int64_t derivative_traces__trace_outline_t(double* ordinate, doubl
         }
         v4 = stretch * along;
         v5 = excess / v4;
-        y_t = y_t - (excess_t - v5 * (stretch_t * along + stretch * along_t)) / v4;
+        EACH_LANE each(y_t) = each(y_t) - (each(excess_t) - v5 * (each(stretch_t) * along + stretch * each(along_t))) / v4;
         y = y - v5;
     }
     v6 = 1.0 / along;
-    per_along_t = (-v6) * along_t / along;
+    EACH_LANE each(per_along_t) = (-v6) * each(along_t) / along;
     per_along = v6;
     v7 = 1.0 / stretch;
-    per_stretch_t = (-v7) * stretch_t / stretch;
+    EACH_LANE each(per_stretch_t) = (-v7) * each(stretch_t) / stretch;
     per_stretch = v7;
     v8 = sine - outline_slope * cosine;
-    rate_t = (sine_t - (outline_slope_t * cosine + outline_slope * cosine_t)) * per_along + v8 * per_along_t;
+    EACH_LANE each(rate_t) = (each(sine_t) - (each(outline_slope_t) * cosine + outline_slope * each(cosine_t))) * per_along + v8 * each(per_along_t);
     rate = v8 * per_along;
     v9 = -outline_rate;
     v10 = v9 * per_stretch;
     v11 = v10 * per_along;
     v12 = v11 * per_along;
-    (*ordinate_bend_t) = ((((-outline_rate_t) * per_stretch + v9 * per_stretch_t) * per_along + v10 * per_along_t) * per_along + v11 * per_along_t) * per_along + v12 * per_along_t;
+    EACH_LANE each((*ordinate_bend_t)) = ((((-each(outline_rate_t)) * per_stretch + v9 * each(per_stretch_t)) * per_along + v10 * each(per_along_t)) * per_along + v11 * each(per_along_t)) * per_along + v12 * each(per_along_t);
     (*ordinate_bend) = v12 * per_along;
     v13 = -excess;
     v14 = v13 * per_along;
-    move_t = ((-excess_t) * per_along + v13 * per_along_t) * per_stretch + v14 * per_stretch_t;
+    EACH_LANE each(move_t) = ((-each(excess_t)) * per_along + v13 * each(per_along_t)) * per_stretch + v14 * each(per_stretch_t);
     move = v14 * per_stretch;
-    (*cspan_at(&work_t, trace + layout__TRACE_ABSCISSA)) = y_t + move_t;
+    EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_ABSCISSA))) = each(y_t) + each(move_t);
     (*cspan_at(&work, trace + layout__TRACE_ABSCISSA)) = y + move;
-    (*cspan_at(&work_t, trace + layout__TRACE_RATE)) = per_along_t * per_stretch + per_along * per_stretch_t;
+    EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_RATE))) = each(per_along_t) * per_stretch + per_along * each(per_stretch_t);
     (*cspan_at(&work, trace + layout__TRACE_RATE)) = per_along * per_stretch;
     v15 = (*ordinate_bend) * sine;
-    (*cspan_at(&work_t, trace + layout__TRACE_BEND)) = ((*ordinate_bend_t) * sine + (*ordinate_bend) * sine_t) * per_stretch + v15 * per_stretch_t;
+    EACH_LANE each((*lanes_at(&work_t, trace + layout__TRACE_BEND))) = (each((*ordinate_bend_t)) * sine + (*ordinate_bend) * each(sine_t)) * per_stretch + v15 * each(per_stretch_t);
     (*cspan_at(&work, trace + layout__TRACE_BEND)) = v15 * per_stretch;
-    derivative_curvature__longitudinal_curvature_t(&v16, &v16_t, work, work_t, tables, place, z + move * slope, z_t + (move_t * slope + move * slope_t), slope + move * bend, slope_t + (move_t * bend + move * bend_t), bend, bend_t);
-    (*curvature_t) = v16_t;
+    lanes rates_2;
+    EACH_LANE each(rates_2) = each(z_t) + (each(move_t) * slope + move * each(slope_t));
+    lanes rates_3;
+    EACH_LANE each(rates_3) = each(slope_t) + (each(move_t) * bend + move * each(bend_t));
+    derivative_curvature__longitudinal_curvature_t(&v16, &v16_t, work, work_t, tables, place, z + move * slope, rates_2, slope + move * bend, rates_3, bend, bend_t);
+    EACH_LANE each((*curvature_t)) = each(v16_t);
     (*curvature) = v16;
     v17 = 0.5 * excess;
     v18 = rate - v17 * (*ordinate_bend);
-    (*ordinate_t) = across_t * sine + across * sine_t - (up_t * cosine + up * cosine_t) - (excess_t * v18 + excess * (rate_t - (0.5 * excess_t * (*ordinate_bend) + v17 * (*ordinate_bend_t))));
+    EACH_LANE each((*ordinate_t)) = each(across_t) * sine + across * each(sine_t) - (each(up_t) * cosine + up * each(cosine_t)) - (each(excess_t) * v18 + excess * (each(rate_t) - (0.5 * each(excess_t) * (*ordinate_bend) + v17 * each((*ordinate_bend_t)))));
     (*ordinate) = across * sine - up * cosine - excess * v18;
     (*result_2) = rate - excess * (*ordinate_bend);
-    (*result_3) = rate_t - (excess_t * (*ordinate_bend) + excess * (*ordinate_bend_t));
+    EACH_LANE each((*result_3)) = each(rate_t) - (each(excess_t) * (*ordinate_bend) + excess * each((*ordinate_bend_t)));
     return 0;
 }
 
@@ -2452,113 +2472,113 @@ static inline int64_t derivative_traces__trace_outline_t(double* ordinate, doubl
  */
 
 /* Derivative of ``width_limit``. */
-static inline int64_t derivative_widths__width_limit_t(double* limit, double* limit_t, array_double_1d work, array_double_1d work_t, int64_t region, double direction, double direction_t)
+static inline int64_t derivative_widths__width_limit_t(double* limit, lanes* limit_t, array_double_1d work, array_lanes_1d work_t, int64_t region, double direction, lanes direction_t)
 {
-    (*limit_t) = (*cspan_at(&work_t, region + layout__REGION_HIGH)) - (*cspan_at(&work_t, region + layout__REGION_STATION));
+    EACH_LANE each((*limit_t)) = each((*lanes_at(&work_t, region + layout__REGION_HIGH))) - each((*lanes_at(&work_t, region + layout__REGION_STATION)));
     (*limit) = (*cspan_at(&work, region + layout__REGION_HIGH)) - (*cspan_at(&work, region + layout__REGION_STATION));
     if (direction < 0.0)
     {
-        (*limit_t) = (*cspan_at(&work_t, region + layout__REGION_STATION)) - (*cspan_at(&work_t, region + layout__REGION_LOW));
+        EACH_LANE each((*limit_t)) = each((*lanes_at(&work_t, region + layout__REGION_STATION))) - each((*lanes_at(&work_t, region + layout__REGION_LOW)));
         (*limit) = (*cspan_at(&work, region + layout__REGION_STATION)) - (*cspan_at(&work, region + layout__REGION_LOW));
     }
     return 0;
 }
 
 /* Derivative of ``width_tolerance``. */
-static inline int64_t derivative_widths__width_tolerance_t(double* tolerance, double* tolerance_t, double estimate, double estimate_t)
+static inline int64_t derivative_widths__width_tolerance_t(double* tolerance, lanes* tolerance_t, double estimate, lanes estimate_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     v1 = widths__TRACE_OF_WIDTH * estimate;
-    v1_t = widths__TRACE_OF_WIDTH * estimate_t;
+    EACH_LANE each(v1_t) = widths__TRACE_OF_WIDTH * each(estimate_t);
     if (widths__WIDTH_TRACE < v1)
     {
         v1 = widths__WIDTH_TRACE;
-        v1_t = 0.0;
+        v1_t = all_lanes(0.0);
     }
-    (*tolerance_t) = v1_t;
+    EACH_LANE each((*tolerance_t)) = each(v1_t);
     (*tolerance) = v1;
     return 0;
 }
 
 /* Derivative of ``zone_width``. */
-static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, double* result_1_0001, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
+static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, lanes* result_1_0001, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t)
 {
     double v1;
-    double v1_t;
-    double limit_t;
+    lanes v1_t;
+    lanes limit_t;
     double limit;
     double v2;
-    double v2_t;
-    double tolerance_t;
+    lanes v2_t;
+    lanes tolerance_t;
     double tolerance;
     double v3;
-    double root_t;
+    lanes root_t;
     double root;
-    double low_t;
+    lanes low_t;
     double low;
-    double high_t;
+    lanes high_t;
     double high;
-    double width_t;
+    lanes width_t;
     double width;
-    double station_t;
+    lanes station_t;
     double station;
-    double abscissa_t;
+    lanes abscissa_t;
     double abscissa;
-    double y_t;
+    lanes y_t;
     double y;
     double near;
     int64_t i;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double gap;
-    double gap_t;
+    lanes gap_t;
     double rate;
-    double rate_t;
+    lanes rate_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double curvature;
-    double curvature_t;
-    double rise_t;
+    lanes curvature_t;
+    lanes rise_t;
     double rise;
-    double following_t;
+    lanes following_t;
     double following;
     double sharp;
     double v5;
     double v6;
-    double square_t;
+    lanes square_t;
     double square;
     double v7;
     double v8;
     double v9;
     double v10;
     double v11;
-    double newton_t;
+    lanes newton_t;
     double newton;
     derivative_widths__width_limit_t(&v1, &v1_t, work, work_t, region, direction, direction_t);
-    limit_t = v1_t;
+    EACH_LANE each(limit_t) = each(v1_t);
     limit = v1;
-    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-    derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, 0.0);
+    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*lanes_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
+    derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, all_lanes(0.0));
     derivative_widths__width_tolerance_t(&v2, &v2_t, estimate, estimate_t);
-    tolerance_t = v2_t;
+    EACH_LANE each(tolerance_t) = each(v2_t);
     tolerance = v2;
     v3 = sqrt(level);
-    root_t = derivative_rates__root_rate(v3, level_t);
+    EACH_LANE each(root_t) = derivative_rates__root_rate(v3, each(level_t));
     root = v3;
-    low_t = 0.0;
+    low_t = all_lanes(0.0);
     low = 0.0;
-    high_t = 0.0;
+    high_t = all_lanes(0.0);
     high = -1.0;
-    width_t = estimate_t;
+    EACH_LANE each(width_t) = each(estimate_t);
     width = estimate;
-    (*cspan_at(&work_t, region + layout__REGION_REACHED)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_REACHED)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_REACHED)) = 0.0;
-    station_t = (*cspan_at(&work_t, region + layout__REGION_STATION));
+    EACH_LANE each(station_t) = each((*lanes_at(&work_t, region + layout__REGION_STATION)));
     station = (*cspan_at(&work, region + layout__REGION_STATION));
-    abscissa_t = (*cspan_at(&work_t, region + layout__REGION_RAIL));
+    EACH_LANE each(abscissa_t) = each((*lanes_at(&work_t, region + layout__REGION_RAIL)));
     abscissa = (*cspan_at(&work, region + layout__REGION_RAIL));
-    y_t = (*cspan_at(&work_t, region + layout__REGION_WHEEL));
+    EACH_LANE each(y_t) = each((*lanes_at(&work_t, region + layout__REGION_WHEEL)));
     y = (*cspan_at(&work, region + layout__REGION_WHEEL));
     near = widths__WIDTH_SHARP;
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)
@@ -2572,72 +2592,74 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
     for (i = INT64_C(0); i < widths__WIDTH_ITERATIONS; i += INT64_C(1))
     {
         v4 = width;
-        v4_t = width_t;
+        EACH_LANE each(v4_t) = each(width_t);
         if (limit < v4)
         {
             v4 = limit;
-            v4_t = limit_t;
+            EACH_LANE each(v4_t) = each(limit_t);
         }
-        width_t = v4_t;
+        EACH_LANE each(width_t) = each(v4_t);
         width = v4;
-        derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
+        lanes rates_1;
+        EACH_LANE each(rates_1) = each((*lanes_at(&work_t, region + layout__REGION_STATION))) + (each(direction_t) * width + direction * each(width_t));
+        derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, rates_1, tolerance, tolerance_t);
         if (gap >= frame__NO_GAP)
         {
             derivative_traces__start_traces_t(work, work_t, station, station_t, abscissa, abscissa_t, y, y_t);
         }
         else
         {
-            station_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+            EACH_LANE each(station_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
             station = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
-            abscissa_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+            EACH_LANE each(abscissa_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
             abscissa = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-            y_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+            EACH_LANE each(y_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
             y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
         }
-        rise_t = gap_t - (*cspan_at(&work_t, region + layout__REGION_GAP));
+        EACH_LANE each(rise_t) = each(gap_t) - each((*lanes_at(&work_t, region + layout__REGION_GAP)));
         rise = gap - (*cspan_at(&work, region + layout__REGION_GAP));
         if (rise < level)
         {
-            low_t = width_t;
+            EACH_LANE each(low_t) = each(width_t);
             low = width;
-            (*cspan_at(&work_t, region + layout__REGION_REACHED)) = rise_t;
+            EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_REACHED))) = each(rise_t);
             (*cspan_at(&work, region + layout__REGION_REACHED)) = rise;
             if (width >= limit)
             {
                 (*result_0_0001) = limit;
-                (*result_1_0001) = limit_t;
+                EACH_LANE each((*result_1_0001)) = each(limit_t);
                 return 0;
             }
         }
         else
         {
-            high_t = width_t;
+            EACH_LANE each(high_t) = each(width_t);
             high = width;
         }
-        following_t = 2.0 * width_t;
+        EACH_LANE each(following_t) = 2.0 * each(width_t);
         following = 2.0 * width;
         sharp = widths__HALVED_SHARP;
         if (high > 0.0)
         {
             v5 = low + high;
-            following_t = 0.5 * (low_t + high_t);
+            EACH_LANE each(following_t) = 0.5 * (each(low_t) + each(high_t));
             following = 0.5 * v5;
         }
         if ((rise > 0.0) && (rate * direction > 0.0))
         {
             v6 = sqrt(rise);
-            square_t = derivative_rates__root_rate(v6, rise_t);
+            EACH_LANE each(square_t) = derivative_rates__root_rate(v6, each(rise_t));
             square = v6;
             v7 = root - square;
             v8 = v7 * 2.0;
             v9 = v8 * square;
             v10 = rate * direction;
             v11 = v9 / v10;
-            newton_t = width_t + ((root_t - square_t) * 2.0 * square + v8 * square_t - v11 * (rate_t * direction + rate * direction_t)) / v10;
+            EACH_LANE each(newton_t) = each(width_t) + ((each(root_t) - each(square_t)) * 2.0 * square + v8 * each(square_t) - v11 * (each(rate_t) * direction + rate * each(direction_t))) / v10;
             newton = width + v11;
             if ((newton > low) && (newton < 4.0 * width) && ((high < 0.0) || (newton < high)))
             {
-                following_t = newton_t;
+                EACH_LANE each(following_t) = each(newton_t);
                 following = newton;
                 sharp = near;
             }
@@ -2646,309 +2668,315 @@ static inline int64_t derivative_widths__zone_width_t(double* result_0_0001, dou
         {
             if (sharp == near)
             {
-                (*cspan_at(&work_t, region + layout__REGION_REACHED)) = level_t;
+                EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_REACHED))) = each(level_t);
                 (*cspan_at(&work, region + layout__REGION_REACHED)) = level;
             }
             (*result_0_0001) = following;
-            (*result_1_0001) = following_t;
+            EACH_LANE each((*result_1_0001)) = each(following_t);
             return 0;
         }
-        width_t = following_t;
+        EACH_LANE each(width_t) = each(following_t);
         width = following;
     }
     (*result_0_0001) = width;
-    (*result_1_0001) = width_t;
+    EACH_LANE each((*result_1_0001)) = each(width_t);
     return 0;
 }
 
 /* Derivative of ``keep_widths``. */
-static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_double_1d work_t, int64_t region)
+static inline int64_t derivative_widths__keep_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region)
 {
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION))) = each((*lanes_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) = (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW))) = each((*lanes_at(&work_t, region + layout__REGION_WIDTH_LOW)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))) = each((*lanes_at(&work_t, region + layout__REGION_WIDTH_HIGH)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
     return INT64_C(0);
 }
 
 /* Derivative of ``start_widths``. */
-static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_double_1d work_t, int64_t region)
+static inline int64_t derivative_widths__start_widths_t(array_double_1d work, array_lanes_1d work_t, int64_t region)
 {
-    double low_t;
+    lanes low_t;
     double low;
-    double high_t;
+    lanes high_t;
     double high;
-    (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = 0.0;
-    low_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) + (*cspan_at(&work_t, region + layout__REGION_OFFSET));
+    EACH_LANE each(low_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW))) + each((*lanes_at(&work_t, region + layout__REGION_OFFSET)));
     low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW)) + (*cspan_at(&work, region + layout__REGION_OFFSET));
-    high_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET));
+    EACH_LANE each(high_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))) - each((*lanes_at(&work_t, region + layout__REGION_OFFSET)));
     high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH)) - (*cspan_at(&work, region + layout__REGION_OFFSET));
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) > 0.0) && (low > widths__LEAST_LEFT * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_LOW))) && (high > widths__LEAST_LEFT * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_HIGH))))
     {
-        (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION));
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WIDTH_PENETRATION))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)));
         (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION));
-        (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) = low_t;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WIDTH_LOW))) = each(low_t);
         (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
-        (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)) = high_t;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WIDTH_HIGH))) = each(high_t);
         (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``measure_widths``. */
-static inline int64_t derivative_widths__measure_widths_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double local_penetration, double local_penetration_t)
+static inline int64_t derivative_widths__measure_widths_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double local_penetration, lanes local_penetration_t)
 {
     double v1;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     double v4;
-    double v4_t;
-    double bend_t;
+    lanes v4_t;
+    lanes bend_t;
     double bend;
     double v5;
     double v6;
     double v7;
-    double low_t;
+    lanes low_t;
     double low;
-    double high_t;
+    lanes high_t;
     double high;
     double v8;
     double v9;
-    double grown_t;
+    lanes grown_t;
     double grown;
     double v10;
-    double v10_t;
-    double high_reached_t;
+    lanes v10_t;
+    lanes high_reached_t;
     double high_reached;
-    double slant_t;
+    lanes slant_t;
     double slant;
-    double start_t;
+    lanes start_t;
     double start;
     bool yawed;
     double v11;
-    double v11_t;
+    lanes v11_t;
     double v12;
-    double v12_t;
+    lanes v12_t;
     double v13;
-    double v13_t;
+    lanes v13_t;
     double v14;
     double v15;
     double v17;
     double v16;
-    double v16_t;
+    lanes v16_t;
     double v19;
     double v18;
-    double v18_t;
+    lanes v18_t;
     double v20;
     v1 = widths__LEAST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
     v2 = (*cspan_at(&work, region + layout__REGION_BEND));
-    v2_t = (*cspan_at(&work_t, region + layout__REGION_BEND));
+    EACH_LANE each(v2_t) = each((*lanes_at(&work_t, region + layout__REGION_BEND)));
     if (v1 > v2)
     {
         v2 = v1;
-        v2_t = widths__LEAST_BEND * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
+        EACH_LANE each(v2_t) = widths__LEAST_BEND * each((*lanes_at(&work_t, region + layout__REGION_CURVATURE)));
     }
     v3 = widths__MOST_BEND * (*cspan_at(&work, region + layout__REGION_CURVATURE));
     v4 = v2;
-    v4_t = v2_t;
+    EACH_LANE each(v4_t) = each(v2_t);
     if (v3 < v4)
     {
         v4 = v3;
-        v4_t = widths__MOST_BEND * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
+        EACH_LANE each(v4_t) = widths__MOST_BEND * each((*lanes_at(&work_t, region + layout__REGION_CURVATURE)));
     }
-    bend_t = v4_t;
+    EACH_LANE each(bend_t) = each(v4_t);
     bend = v4;
     v5 = 2.0 * local_penetration;
     v6 = v5 / bend;
     v7 = sqrt(v6);
-    low_t = derivative_rates__root_rate(v7, (2.0 * local_penetration_t - v6 * bend_t) / bend);
+    EACH_LANE each(low_t) = derivative_rates__root_rate(v7, (2.0 * each(local_penetration_t) - v6 * each(bend_t)) / bend);
     low = v7;
-    high_t = low_t;
+    EACH_LANE each(high_t) = each(low_t);
     high = low;
     if ((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0)
     {
         v8 = local_penetration / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION));
         v9 = sqrt(v8);
-        grown_t = derivative_rates__root_rate(v9, (local_penetration_t - v8 * (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION))) / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)));
+        EACH_LANE each(grown_t) = derivative_rates__root_rate(v9, (each(local_penetration_t) - v8 * each((*lanes_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)))) / (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)));
         grown = v9;
-        low_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown_t;
+        EACH_LANE each(low_t) = each((*lanes_at(&work_t, region + layout__REGION_WIDTH_LOW))) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * each(grown_t);
         low = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) * grown;
-        high_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown_t;
+        EACH_LANE each(high_t) = each((*lanes_at(&work_t, region + layout__REGION_WIDTH_HIGH))) * grown + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * each(grown_t);
         high = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) * grown;
     }
-    derivative_widths__width_rule_t(&v10, &v10_t, tables, work, work_t, pair, region, 1.0, 0.0, local_penetration, local_penetration_t, high, high_t);
-    high_t = v10_t;
+    derivative_widths__width_rule_t(&v10, &v10_t, tables, work, work_t, pair, region, 1.0, all_lanes(0.0), local_penetration, local_penetration_t, high, high_t);
+    EACH_LANE each(high_t) = each(v10_t);
     high = v10;
-    high_reached_t = (*cspan_at(&work_t, region + layout__REGION_REACHED));
+    EACH_LANE each(high_reached_t) = each((*lanes_at(&work_t, region + layout__REGION_REACHED)));
     high_reached = (*cspan_at(&work, region + layout__REGION_REACHED));
-    slant_t = 0.0;
+    slant_t = all_lanes(0.0);
     slant = 0.0;
-    start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
+    EACH_LANE each(start_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)));
     start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
     yawed = frame__is_yawed(work);
     if (yawed)
     {
-        derivative_locus__outline_x_t(&v11, &v11_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-        slant_t = v11_t;
+        derivative_locus__outline_x_t(&v11, &v11_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        EACH_LANE each(slant_t) = each(v11_t);
         slant = v11;
     }
     if (!((*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) > 0.0))
     {
-        low_t = high_t;
+        EACH_LANE each(low_t) = each(high_t);
         low = high;
     }
-    derivative_widths__width_rule_t(&v12, &v12_t, tables, work, work_t, pair, region, -1.0, 0.0, local_penetration, local_penetration_t, low, low_t);
-    low_t = v12_t;
+    derivative_widths__width_rule_t(&v12, &v12_t, tables, work, work_t, pair, region, -1.0, all_lanes(0.0), local_penetration, local_penetration_t, low, low_t);
+    EACH_LANE each(low_t) = each(v12_t);
     low = v12;
     if (yawed)
     {
-        derivative_locus__outline_x_t(&v13, &v13_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
-        slant_t = slant_t - v13_t;
+        derivative_locus__outline_x_t(&v13, &v13_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        EACH_LANE each(slant_t) = each(slant_t) - each(v13_t);
         slant = slant - v13;
         if (start > (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))
         {
             v14 = start - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION));
             v15 = slant / v14;
-            (*cspan_at(&work_t, region + layout__REGION_SLANT)) = (slant_t - v15 * (start_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION)))) / v14;
+            EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SLANT))) = (each(slant_t) - v15 * (each(start_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_STATION))))) / v14;
             (*cspan_at(&work, region + layout__REGION_SLANT)) = v15;
         }
     }
     v17 = low + high;
-    derivative_widths__side_curvature_t(&v16, &v16_t, high_reached, high_reached_t, high, high_t, 0.5 * v17, 0.5 * (low_t + high_t));
-    (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)) = v16_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = 0.5 * (each(low_t) + each(high_t));
+    derivative_widths__side_curvature_t(&v16, &v16_t, high_reached, high_reached_t, high, high_t, 0.5 * v17, rates_1);
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SIDE_HIGH))) = each(v16_t);
     (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)) = v16;
     v19 = low + high;
-    derivative_widths__side_curvature_t(&v18, &v18_t, (*cspan_at(&work, region + layout__REGION_REACHED)), (*cspan_at(&work_t, region + layout__REGION_REACHED)), low, low_t, 0.5 * v19, 0.5 * (low_t + high_t));
-    (*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)) = v18_t;
+    lanes rates_2;
+    EACH_LANE each(rates_2) = 0.5 * (each(low_t) + each(high_t));
+    derivative_widths__side_curvature_t(&v18, &v18_t, (*cspan_at(&work, region + layout__REGION_REACHED)), (*lanes_at(&work_t, region + layout__REGION_REACHED)), low, low_t, 0.5 * v19, rates_2);
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SIDE_LOW))) = each(v18_t);
     (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) = v18;
-    (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)) = high_t;
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WIDTH_HIGH))) = each(high_t);
     (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) = high;
-    (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) = low_t;
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WIDTH_LOW))) = each(low_t);
     (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) = low;
-    (*cspan_at(&work_t, region + layout__REGION_WIDTH_PENETRATION)) = local_penetration_t;
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_WIDTH_PENETRATION))) = each(local_penetration_t);
     (*cspan_at(&work, region + layout__REGION_WIDTH_PENETRATION)) = local_penetration;
     v20 = high - low;
-    (*cspan_at(&work_t, region + layout__REGION_MIDDLE)) = (*cspan_at(&work_t, region + layout__REGION_STATION)) + 0.5 * (high_t - low_t);
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_MIDDLE))) = each((*lanes_at(&work_t, region + layout__REGION_STATION))) + 0.5 * (each(high_t) - each(low_t));
     (*cspan_at(&work, region + layout__REGION_MIDDLE)) = (*cspan_at(&work, region + layout__REGION_STATION)) + 0.5 * v20;
     return INT64_C(0);
 }
 
 /* Derivative of ``side_curvature``. */
-static inline int64_t derivative_widths__side_curvature_t(double* curvature, double* curvature_t, double reached, double reached_t, double own, double own_t, double mean, double mean_t)
+static inline int64_t derivative_widths__side_curvature_t(double* curvature, lanes* curvature_t, double reached, lanes reached_t, double own, lanes own_t, double mean, lanes mean_t)
 {
     double v1;
     double v2;
-    double v2_t;
-    double ratio_t;
+    lanes v2_t;
+    lanes ratio_t;
     double ratio;
     double v3;
     double v4;
     double v5;
-    (*curvature_t) = 0.0;
+    (*curvature_t) = all_lanes(0.0);
     (*curvature) = 0.0;
     if (own > 0.0)
     {
         v1 = mean / own;
         v2 = v1;
-        v2_t = (mean_t - v1 * own_t) / own;
+        EACH_LANE each(v2_t) = (each(mean_t) - v1 * each(own_t)) / own;
         if (widths__NARROWER < v2)
         {
             v2 = widths__NARROWER;
-            v2_t = 0.0;
+            v2_t = all_lanes(0.0);
         }
-        ratio_t = v2_t;
+        EACH_LANE each(ratio_t) = each(v2_t);
         ratio = v2;
         v3 = own * own;
         v4 = reached / v3;
         v5 = v4 * ratio;
-        (*curvature_t) = ((reached_t - v4 * (own_t * own + own * own_t)) / v3 * ratio + v4 * ratio_t) * ratio + v5 * ratio_t;
+        EACH_LANE each((*curvature_t)) = ((each(reached_t) - v4 * (each(own_t) * own + own * each(own_t))) / v3 * ratio + v4 * each(ratio_t)) * ratio + v5 * each(ratio_t);
         (*curvature) = v5 * ratio;
     }
     return 0;
 }
 
 /* Derivative of ``width_rule``. */
-static inline int64_t derivative_widths__width_rule_t(double* width, double* width_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double direction, double direction_t, double level, double level_t, double estimate, double estimate_t)
+static inline int64_t derivative_widths__width_rule_t(double* width, lanes* width_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double level, lanes level_t, double estimate, lanes estimate_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
-    double limit_t;
+    lanes v2_t;
+    lanes limit_t;
     double limit;
     double inner;
     double v3;
-    double v3_t;
-    double tolerance_t;
+    lanes v3_t;
+    lanes tolerance_t;
     double tolerance;
     double gap;
-    double gap_t;
+    lanes gap_t;
     double rate;
-    double rate_t;
-    double rail_rate;
-    double wheel_rate;
-    double missing;
-    double moved;
-    double x_t;
+    lanes rate_t;
+    lanes rail_rate;
+    lanes wheel_rate;
+    lanes missing;
+    lanes moved;
+    lanes x_t;
     double x;
-    double y_t;
+    lanes y_t;
     double y;
-    double out;
+    lanes out;
     derivative_widths__zone_width_t(&v1, &v1_t, tables, work, work_t, pair, region, direction, direction_t, level, level_t, estimate, estimate_t);
-    (*width_t) = v1_t;
+    EACH_LANE each((*width_t)) = each(v1_t);
     (*width) = v1;
     derivative_widths__width_limit_t(&v2, &v2_t, work, work_t, region, direction, direction_t);
-    limit_t = v2_t;
+    EACH_LANE each(limit_t) = each(v2_t);
     limit = v2;
     if (((*width) < limit) && ((*cspan_at(&work, region + layout__REGION_REACHED)) != level))
     {
         inner = (*width) * (1.0 - 10.0 * widths__HALVED_SHARP);
-        derivative_widths__width_tolerance_t(&v3, &v3_t, estimate, 0.0);
-        tolerance_t = v3_t;
+        derivative_widths__width_tolerance_t(&v3, &v3_t, estimate, all_lanes(0.0));
+        EACH_LANE each(tolerance_t) = each(v3_t);
         tolerance = v3;
-        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, 0.0, tolerance, tolerance_t);
-        rail_rate = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-        wheel_rate = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-        missing = level_t - gap_t + (*cspan_at(&work_t, region + layout__REGION_GAP));
-        moved = 0.0;
+        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, all_lanes(0.0), tolerance, tolerance_t);
+        EACH_LANE each(rail_rate) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+        EACH_LANE each(wheel_rate) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
+        EACH_LANE each(missing) = each(level_t) - each(gap_t) + each((*lanes_at(&work_t, region + layout__REGION_GAP)));
+        moved = all_lanes(0.0);
         if (rate * direction > 0.0)
         {
-            moved = missing / (rate * direction);
+            EACH_LANE each(moved) = each(missing) / (rate * direction);
         }
-        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, 1.0, tolerance, tolerance_t);
-        x_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
+        derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, all_lanes(1.0), tolerance, tolerance_t);
+        EACH_LANE each(x_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
         x = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA));
-        y_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+        EACH_LANE each(y_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
         y = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
-        out = x_t - rail_rate;
-        if ((out != 0.0) && ((x < (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START)) + widths__WIDTH_TRACE) || (x > (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP)) - widths__WIDTH_TRACE)))
+        EACH_LANE each(out) = each(x_t) - each(rail_rate);
+        if (derivative_rates__nonzero(out) && ((x < (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START)) + widths__WIDTH_TRACE) || (x > (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP)) - widths__WIDTH_TRACE)))
         {
-            moved = (-rail_rate) / out;
+            EACH_LANE each(moved) = (-each(rail_rate)) / each(out);
         }
-        out = y_t - wheel_rate;
-        if ((out != 0.0) && ((y < (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_START)) + widths__WIDTH_TRACE) || (y > (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_STOP)) - widths__WIDTH_TRACE)))
+        EACH_LANE each(out) = each(y_t) - each(wheel_rate);
+        if (derivative_rates__nonzero(out) && ((y < (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_START)) + widths__WIDTH_TRACE) || (y > (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_STOP)) - widths__WIDTH_TRACE)))
         {
-            moved = (-wheel_rate) / out;
+            EACH_LANE each(moved) = (-each(wheel_rate)) / each(out);
         }
         derivative_widths__width_jet_t(&gap, &gap_t, &rate, &rate_t, tables, work, work_t, pair, region, direction, direction_t, inner, moved, tolerance, tolerance_t);
-        (*width_t) = moved;
-        (*cspan_at(&work_t, region + layout__REGION_REACHED)) = gap_t - (*cspan_at(&work_t, region + layout__REGION_GAP));
+        EACH_LANE each((*width_t)) = each(moved);
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_REACHED))) = each(gap_t) - each((*lanes_at(&work_t, region + layout__REGION_GAP)));
     }
     return 0;
 }
 
 /* Derivative of ``width_jet``. */
-static inline int64_t derivative_widths__width_jet_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double direction, double direction_t, double width, double width_t, double tolerance, double tolerance_t)
+static inline int64_t derivative_widths__width_jet_t(double* gap, lanes* gap_t, double* rate, lanes* rate_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double direction, lanes direction_t, double width, lanes width_t, double tolerance, lanes tolerance_t)
 {
     double bend;
-    double bend_t;
+    lanes bend_t;
     double curvature;
-    double curvature_t;
-    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-    derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (direction_t * width + direction * width_t), tolerance, tolerance_t);
+    lanes curvature_t;
+    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*lanes_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, region + layout__REGION_STATION))) + (each(direction_t) * width + direction * each(width_t));
+    derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, region + layout__REGION_STATION)) + direction * width, rates_1, tolerance, tolerance_t);
     return 0;
 }

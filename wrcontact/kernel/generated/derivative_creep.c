@@ -8,190 +8,196 @@
  */
 
 /* Derivative of ``correct_force``. */
-static inline int64_t derivative_correction__correct_force_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_correction__correct_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
     int64_t table;
-    double bound_t;
+    lanes bound_t;
     double bound;
     double v1;
     double v2;
-    double mean_axis_t;
+    lanes mean_axis_t;
     double mean_axis;
     double v4;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v5;
     int64_t ratio;
     double on_ratio;
-    double on_ratio_t;
+    lanes on_ratio_t;
     double along;
-    double along_t;
+    lanes along_t;
     double across;
-    double across_t;
+    lanes across_t;
     double turning;
-    double turning_t;
+    lanes turning_t;
     double sign_x;
     double sign_y;
     int64_t at;
     double on_elevation;
-    double on_elevation_t;
+    lanes on_elevation_t;
     double on_azimuth;
-    double on_azimuth_t;
+    lanes on_azimuth_t;
     double on_radius;
-    double on_radius_t;
+    lanes on_radius_t;
     double v6;
     double v7;
-    double v7_t;
+    lanes v7_t;
     double v8;
     double v9;
-    double v9_t;
+    lanes v9_t;
     double v10;
     double v11;
     double v12;
-    double v12_t;
+    lanes v12_t;
     double v13;
-    double v13_t;
+    lanes v13_t;
     double v14;
-    double v14_t;
+    lanes v14_t;
     double v15;
-    double v15_t;
+    lanes v15_t;
     double force_x;
-    double force_x_t;
+    lanes force_x_t;
     double force_y;
-    double force_y_t;
+    lanes force_y_t;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING)));
-    bound_t = (*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    EACH_LANE each(bound_t) = each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
     bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     v1 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     v2 = sqrt(v1);
-    mean_axis_t = derivative_rates__root_rate(v2, (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH)));
+    EACH_LANE each(mean_axis_t) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH))));
     mean_axis = v2;
     v4 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    derivative_powers__log_rule_t(&v3, &v3_t, v4, ((*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) - v4 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
+    lanes rates_1;
+    EACH_LANE each(rates_1) = (each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) - v4 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    derivative_powers__log_rule_t(&v3, &v3_t, v4, rates_1);
     v5 = v3 - correction__LN_FIRST_RATIO;
-    derivative_tables__table_cell_t(&ratio, &on_ratio, &on_ratio_t, v5 * correction__PER_DOUBLING, v3_t * correction__PER_DOUBLING, (double)(layout__CORRECTION_RATIOS - INT64_C(1)), 0.0);
+    lanes rates_2;
+    EACH_LANE each(rates_2) = each(v3_t) * correction__PER_DOUBLING;
+    derivative_tables__table_cell_t(&ratio, &on_ratio, &on_ratio_t, v5 * correction__PER_DOUBLING, rates_2, (double)(layout__CORRECTION_RATIOS - INT64_C(1)), all_lanes(0.0));
     derivative_correction__saturation_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch, ratio, on_ratio, on_ratio_t);
     sign_x = 1.0;
     if (along < 0.0)
     {
         sign_x = -1.0;
-        along_t = -along_t;
+        EACH_LANE each(along_t) = -each(along_t);
         along = -along;
     }
     sign_y = 1.0;
     if (turning < 0.0)
     {
         sign_y = -1.0;
-        across_t = -across_t;
+        EACH_LANE each(across_t) = -each(across_t);
         across = -across;
-        turning_t = -turning_t;
+        EACH_LANE each(turning_t) = -each(turning_t);
         turning = -turning;
     }
     derivative_correction__node_at_t(&at, &on_elevation, &on_elevation_t, &on_azimuth, &on_azimuth_t, &on_radius, &on_radius_t, tables, table, along, along_t, across, across_t, turning, turning_t);
     at = at + ratio * correction__RATIO_STRIDE;
     v6 = sign_x * bound;
     derivative_correction__missing_t(&v7, &v7_t, tables, table, at, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) + (sign_x * bound_t * v7 + v6 * v7_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) + (sign_x * each(bound_t) * v7 + v6 * each(v7_t));
     (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + v6 * v7;
     v8 = sign_y * bound;
     derivative_correction__missing_t(&v9, &v9_t, tables, table, at + INT64_C(1), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) + (sign_y * bound_t * v9 + v8 * v9_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) + (sign_y * each(bound_t) * v9 + v8 * each(v9_t));
     (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + v8 * v9;
     v10 = sign_y * bound;
     v11 = v10 * mean_axis;
     derivative_correction__missing_t(&v12, &v12_t, tables, table, at + INT64_C(2), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((sign_y * bound_t * mean_axis + v10 * mean_axis_t) * v12 + v11 * v12_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))) + ((sign_y * each(bound_t) * mean_axis + v10 * each(mean_axis_t)) * v12 + v11 * each(v12_t));
     (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + v11 * v12;
     derivative_correction__missing_t(&v13, &v13_t, tables, table, at + INT64_C(3), on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) + v13_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE))) = each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE))) + each(v13_t);
     (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) + v13;
     v14 = (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE));
-    v14_t = (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE));
+    EACH_LANE each(v14_t) = each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE)));
     if (0.0 > v14)
     {
         v14 = 0.0;
-        v14_t = 0.0;
+        v14_t = all_lanes(0.0);
     }
     v15 = v14;
-    v15_t = v14_t;
+    EACH_LANE each(v15_t) = each(v14_t);
     if (1.0 < v15)
     {
         v15 = 1.0;
-        v15_t = 0.0;
+        v15_t = all_lanes(0.0);
     }
-    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = v15_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE))) = each(v15_t);
     (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = v15;
-    derivative_tractions__cut_to_t(&force_x, &force_x_t, &force_y, &force_y_t, (*cspan_at(&work, patch + layout__PATCH_CREEP_X)), (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)), (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)), (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)), bound, bound_t);
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = force_x_t;
+    derivative_tractions__cut_to_t(&force_x, &force_x_t, &force_y, &force_y_t, (*cspan_at(&work, patch + layout__PATCH_CREEP_X)), (*lanes_at(&work_t, patch + layout__PATCH_CREEP_X)), (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)), (*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)), bound, bound_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) = each(force_x_t);
     (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = force_x;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) = force_y_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) = each(force_y_t);
     (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = force_y;
     return INT64_C(0);
 }
 
 /* Derivative of ``saturation``. */
-static inline int64_t derivative_correction__saturation_t(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch, int64_t cell, double share, double share_t)
+static inline int64_t derivative_correction__saturation_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, double* result_4, lanes* result_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t cell, double share, lanes share_t)
 {
     double v1;
-    double ratio_t;
+    lanes ratio_t;
     double ratio;
-    double area_t;
+    lanes area_t;
     double area;
     double first;
-    double first_t;
+    lanes first_t;
     double second;
-    double second_t;
+    lanes second_t;
     double third;
-    double third_t;
+    lanes third_t;
     double v2;
     double v3;
     double v4;
     double v5;
-    double scale_t;
+    lanes scale_t;
     double scale;
     double v7;
     double v8;
-    double v8_t;
+    lanes v8_t;
     double v6;
-    double v6_t;
+    lanes v6_t;
     double v9;
     double v10;
-    double wide_t;
+    lanes wide_t;
     double wide;
     int64_t at;
     double v11;
     double v12;
-    double v12_t;
+    lanes v12_t;
     double v13;
     double v14;
     double v15;
-    double v15_t;
+    lanes v15_t;
     double v16;
     double v17;
     double v18;
     double v19;
     double v20;
-    double v20_t;
+    lanes v20_t;
     double v21;
     double v22;
     v1 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    ratio_t = ((*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    EACH_LANE each(ratio_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) - v1 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     ratio = v1;
-    area_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH));
+    EACH_LANE each(area_t) = each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)));
     area = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), ratio, ratio_t);
     v2 = -area;
     v3 = v2 * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS));
     v4 = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     v5 = v3 / v4;
-    scale_t = ((-area_t) * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) - v5 * ((*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)))) / v4;
+    EACH_LANE each(scale_t) = ((-each(area_t)) * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) - v5 * (each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))))) / v4;
     scale = v5;
     v7 = -2.7;
     derivative_powers__log_rule_t(&v8, &v8_t, ratio, ratio_t);
-    derivative_powers__exp_rule_t(&v6, &v6_t, v7 * v8, v7 * v8_t);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = v7 * each(v8_t);
+    derivative_powers__exp_rule_t(&v6, &v6_t, v7 * v8, rates_1);
     v9 = 1.0 + 0.66 * v6;
     v10 = sqrt(v9);
-    wide_t = derivative_rates__root_rate(v10, 0.66 * v6_t);
+    EACH_LANE each(wide_t) = derivative_rates__root_rate(v10, 0.66 * each(v6_t));
     wide = v10;
     at = INT64_C(3) * cell;
     v11 = scale * first;
@@ -207,44 +213,44 @@ static inline int64_t derivative_correction__saturation_t(double* result_0, doub
     v21 = v19 * v20;
     v22 = v21 * (*cspan_at(&work, patch + layout__PATCH_SPIN));
     (*result_0) = v13 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-    (*result_1) = ((scale_t * first + scale * first_t) * v12 + v11 * v12_t) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + v13 * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X));
+    EACH_LANE each((*result_1)) = ((each(scale_t) * first + scale * each(first_t)) * v12 + v11 * each(v12_t)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + v13 * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)));
     (*result_2) = v16 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
-    (*result_3) = ((scale_t * second + scale * second_t) * v15 + v14 * v15_t) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + v16 * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y));
+    EACH_LANE each((*result_3)) = ((each(scale_t) * second + scale * each(second_t)) * v15 + v14 * each(v15_t)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + v16 * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)));
     (*result_4) = v22 * wide;
-    (*result_5) = ((((scale_t * v17 + scale * derivative_rates__root_rate(v17, area_t)) * third + v18 * third_t) * v20 + v19 * v20_t) * (*cspan_at(&work, patch + layout__PATCH_SPIN)) + v21 * (*cspan_at(&work_t, patch + layout__PATCH_SPIN))) * wide + v22 * wide_t;
+    EACH_LANE each((*result_5)) = ((((each(scale_t) * v17 + scale * derivative_rates__root_rate(v17, each(area_t))) * third + v18 * each(third_t)) * v20 + v19 * each(v20_t)) * (*cspan_at(&work, patch + layout__PATCH_SPIN)) + v21 * each((*lanes_at(&work_t, patch + layout__PATCH_SPIN)))) * wide + v22 * each(wide_t);
     return 0;
 }
 
 /* Derivative of ``scale_at``. */
-static inline int64_t derivative_correction__scale_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t at, double share, double share_t)
+static inline int64_t derivative_correction__scale_at_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t at, double share, lanes share_t)
 {
     double v1;
     v1 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SCALES + (at + INT64_C(3)))) - (*cspan_at(&tables, table + layout__ROLLING_TABLE_SCALES + at));
     (*result_0) = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SCALES + at)) + share * v1;
-    (*result_1) = share_t * v1;
+    EACH_LANE each((*result_1)) = each(share_t) * v1;
     return 0;
 }
 
 /* Derivative of ``node_at``. */
-static inline int64_t derivative_correction__node_at_t(int64_t* at, double* on_elevation, double* on_elevation_t, double* on_azimuth, double* on_azimuth_t, double* on_radius, double* on_radius_t, array_double_1d tables, int64_t table, double along, double along_t, double across, double across_t, double turning, double turning_t)
+static inline int64_t derivative_correction__node_at_t(int64_t* at, double* on_elevation, lanes* on_elevation_t, double* on_azimuth, lanes* on_azimuth_t, double* on_radius, lanes* on_radius_t, array_double_1d tables, int64_t table, double along, lanes along_t, double across, lanes across_t, double turning, lanes turning_t)
 {
     double v1;
     double v2;
-    double flat_t;
+    lanes flat_t;
     double flat;
     double v3;
     double v4;
-    double radius_t;
+    lanes radius_t;
     double radius;
     double v5;
-    double v5_t;
-    double place_t;
+    lanes v5_t;
+    lanes place_t;
     double place;
     double v6;
-    double v6_t;
+    lanes v6_t;
     int64_t elevation;
     double v7;
-    double v7_t;
+    lanes v7_t;
     double v8;
     double v9;
     int64_t azimuth;
@@ -253,36 +259,44 @@ static inline int64_t derivative_correction__node_at_t(int64_t* at, double* on_e
     int64_t cell;
     v1 = across * across + turning * turning;
     v2 = sqrt(v1);
-    flat_t = derivative_rates__root_rate(v2, across_t * across + across * across_t + (turning_t * turning + turning * turning_t));
+    EACH_LANE each(flat_t) = derivative_rates__root_rate(v2, each(across_t) * across + across * each(across_t) + (each(turning_t) * turning + turning * each(turning_t)));
     flat = v2;
     v3 = flat * flat + along * along;
     v4 = sqrt(v3);
-    radius_t = derivative_rates__root_rate(v4, flat_t * flat + flat * flat_t + (along_t * along + along * along_t));
+    EACH_LANE each(radius_t) = derivative_rates__root_rate(v4, each(flat_t) * flat + flat * each(flat_t) + (each(along_t) * along + along * each(along_t)));
     radius = v4;
     derivative_circle__atan2_rule_t(&v5, &v5_t, along, along_t, flat, flat_t);
-    place_t = v5_t * correction__PER_RADIAN;
+    EACH_LANE each(place_t) = each(v5_t) * correction__PER_RADIAN;
     place = v5 * correction__PER_RADIAN;
     v6 = place;
-    v6_t = place_t;
+    EACH_LANE each(v6_t) = each(place_t);
     if (1.0 < v6)
     {
         v6 = 1.0;
-        v6_t = 0.0;
+        v6_t = all_lanes(0.0);
     }
-    derivative_tables__table_cell_t(&elevation, on_elevation, on_elevation_t, place + v6, place_t + v6_t, (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)), 0.0);
-    derivative_circle__atan2_rule_t(&v7, &v7_t, fabs(turning), derivative_rates__size_rate(turning, turning_t), across, across_t);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each(place_t) + each(v6_t);
+    derivative_tables__table_cell_t(&elevation, on_elevation, on_elevation_t, place + v6, rates_1, (double)(layout__CORRECTION_ELEVATIONS - INT64_C(1)), all_lanes(0.0));
+    lanes rates_2;
+    EACH_LANE each(rates_2) = derivative_rates__size_rate(turning, each(turning_t));
+    derivative_circle__atan2_rule_t(&v7, &v7_t, fabs(turning), rates_2, across, across_t);
     v8 = v7 / M_PI;
     v9 = (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1));
-    derivative_tables__table_cell_t(&azimuth, on_azimuth, on_azimuth_t, v8 * v9, v7_t / M_PI * v9, (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), 0.0);
+    lanes rates_3;
+    EACH_LANE each(rates_3) = each(v7_t) / M_PI * v9;
+    derivative_tables__table_cell_t(&azimuth, on_azimuth, on_azimuth_t, v8 * v9, rates_3, (double)(layout__CORRECTION_AZIMUTHS - INT64_C(1)), all_lanes(0.0));
     v10 = 1.0 + radius;
     v11 = radius / v10;
-    derivative_correction__radius_cell_t(&cell, on_radius, on_radius_t, tables, table, v11, (radius_t - v11 * radius_t) / v10);
+    lanes rates_4;
+    EACH_LANE each(rates_4) = (each(radius_t) - v11 * each(radius_t)) / v10;
+    derivative_correction__radius_cell_t(&cell, on_radius, on_radius_t, tables, table, v11, rates_4);
     (*at) = elevation * correction__ELEVATION_STRIDE + azimuth * layout__CORRECTION_LINE + cell * layout__CORRECTION_COLUMNS;
     return 0;
 }
 
 /* Derivative of ``radius_cell``. */
-static inline int64_t derivative_correction__radius_cell_t(int64_t* cell, double* result_1, double* result_2, array_double_1d tables, int64_t table, double place, double place_t)
+static inline int64_t derivative_correction__radius_cell_t(int64_t* cell, double* result_1, lanes* result_2, array_double_1d tables, int64_t table, double place, lanes place_t)
 {
     double v1;
     double v2;
@@ -294,79 +308,79 @@ static inline int64_t derivative_correction__radius_cell_t(int64_t* cell, double
     v1 = place - (*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + (*cell)));
     v2 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + ((*cell) + INT64_C(1)))) - (*cspan_at(&tables, table + layout__ROLLING_TABLE_RADII + (*cell)));
     (*result_1) = v1 / v2;
-    (*result_2) = place_t / v2;
+    EACH_LANE each((*result_2)) = each(place_t) / v2;
     return 0;
 }
 
 /* Derivative of ``missing``. */
-static inline int64_t derivative_correction__missing_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t at, double on_ratio, double on_ratio_t, double on_elevation, double on_elevation_t, double on_azimuth, double on_azimuth_t, double on_radius, double on_radius_t)
+static inline int64_t derivative_correction__missing_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t at, double on_ratio, lanes on_ratio_t, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double on_radius, lanes on_radius_t)
 {
     double v1;
-    double v1_t;
-    double low_t;
+    lanes v1_t;
+    lanes low_t;
     double low;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     derivative_correction__on_plane_t(&v1, &v1_t, tables, table, at, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    low_t = v1_t;
+    EACH_LANE each(low_t) = each(v1_t);
     low = v1;
     derivative_correction__on_plane_t(&v2, &v2_t, tables, table, at + correction__RATIO_STRIDE, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
     v3 = v2 - low;
     (*result_0) = low + on_ratio * v3;
-    (*result_1) = low_t + (on_ratio_t * v3 + on_ratio * (v2_t - low_t));
+    EACH_LANE each((*result_1)) = each(low_t) + (each(on_ratio_t) * v3 + on_ratio * (each(v2_t) - each(low_t)));
     return 0;
 }
 
 /* Derivative of ``on_plane``. */
-static inline int64_t derivative_correction__on_plane_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t at, double on_elevation, double on_elevation_t, double on_azimuth, double on_azimuth_t, double on_radius, double on_radius_t)
+static inline int64_t derivative_correction__on_plane_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t at, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double on_radius, lanes on_radius_t)
 {
     double v1;
-    double v1_t;
-    double low_t;
+    lanes v1_t;
+    lanes low_t;
     double low;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     derivative_correction__on_cone_t(&v1, &v1_t, tables, table, at, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    low_t = v1_t;
+    EACH_LANE each(low_t) = each(v1_t);
     low = v1;
     derivative_correction__on_cone_t(&v2, &v2_t, tables, table, at + correction__ELEVATION_STRIDE, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
     v3 = v2 - low;
     (*result_0) = low + on_elevation * v3;
-    (*result_1) = low_t + (on_elevation_t * v3 + on_elevation * (v2_t - low_t));
+    EACH_LANE each((*result_1)) = each(low_t) + (each(on_elevation_t) * v3 + on_elevation * (each(v2_t) - each(low_t)));
     return 0;
 }
 
 /* Derivative of ``on_cone``. */
-static inline int64_t derivative_correction__on_cone_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t at, double on_azimuth, double on_azimuth_t, double on_radius, double on_radius_t)
+static inline int64_t derivative_correction__on_cone_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t at, double on_azimuth, lanes on_azimuth_t, double on_radius, lanes on_radius_t)
 {
     double v1;
-    double v1_t;
-    double low_t;
+    lanes v1_t;
+    lanes low_t;
     double low;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     derivative_correction__on_line_t(&v1, &v1_t, tables, table, at, on_radius, on_radius_t);
-    low_t = v1_t;
+    EACH_LANE each(low_t) = each(v1_t);
     low = v1;
     derivative_correction__on_line_t(&v2, &v2_t, tables, table, at + layout__CORRECTION_LINE, on_radius, on_radius_t);
     v3 = v2 - low;
     (*result_0) = low + on_azimuth * v3;
-    (*result_1) = low_t + (on_azimuth_t * v3 + on_azimuth * (v2_t - low_t));
+    EACH_LANE each((*result_1)) = each(low_t) + (each(on_azimuth_t) * v3 + on_azimuth * (each(v2_t) - each(low_t)));
     return 0;
 }
 
 /* Derivative of ``on_line``. */
-static inline int64_t derivative_correction__on_line_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t at, double on_radius, double on_radius_t)
+static inline int64_t derivative_correction__on_line_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t at, double on_radius, lanes on_radius_t)
 {
     double low;
     double v1;
     low = (*cspan_at(&tables, table + layout__ROLLING_TABLE_CORRECTIONS + at));
     v1 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_CORRECTIONS + (at + layout__CORRECTION_COLUMNS))) - low;
     (*result_0) = low + on_radius * v1;
-    (*result_1) = on_radius_t * v1;
+    EACH_LANE each((*result_1)) = each(on_radius_t) * v1;
     return 0;
 }
 
@@ -377,12 +391,12 @@ static inline int64_t derivative_correction__on_line_t(double* result_0, double*
  */
 
 /* Derivative of ``open_stick_zone``. */
-static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_1d work, array_double_1d work_t, int64_t march, double shift, double shift_t, double width, double width_t, double ratio, double ratio_t)
+static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double shift, lanes shift_t, double width, lanes width_t, double ratio, lanes ratio_t)
 {
-    double a_t;
+    lanes a_t;
     double a;
     double v1;
-    double inverse_t;
+    lanes inverse_t;
     double inverse;
     double v2;
     double v3;
@@ -392,97 +406,101 @@ static inline int64_t derivative_coupled_strips__open_stick_zone_t(array_double_
     double v7;
     double v8;
     double v9;
-    double v9_t;
+    lanes v9_t;
     double depth;
-    double depth_t;
+    lanes depth_t;
     double weight;
-    double weight_t;
+    lanes weight_t;
     double v10;
     double v11;
     double v12;
     double v13;
     double v14;
-    a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    EACH_LANE each(a_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)));
     a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     v1 = 1.0 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    inverse_t = (-v1) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    EACH_LANE each(inverse_t) = (-v1) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     inverse = v1;
     v2 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG));
     v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) + shift;
     v4 = v2 * v3;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = ((-(*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG))) * v3 + v2 * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP)) + shift_t)) * inverse + v4 * inverse_t;
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) = ((-each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ALONG)))) * v3 + v2 * (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SLIP))) + each(shift_t))) * inverse + v4 * each(inverse_t);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = v4 * inverse;
     v5 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS));
     v6 = v5 * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL));
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = ((-(*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) + v5 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL))) * inverse + v6 * inverse_t;
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) = ((-each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ACROSS)))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) + v5 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)))) * inverse + v6 * each(inverse_t);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v6 * inverse;
     v7 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING));
     v8 = v7 * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN));
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) = ((-(*cspan_at(&work_t, march + layout__ROLLING_MARCH_TURNING))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) + v7 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN))) * inverse + v8 * inverse_t;
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) = ((-each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TURNING)))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) + v7 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPIN)))) * inverse + v8 * each(inverse_t);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = v8 * inverse;
-    derivative_coupled_strips__spread_square_t(&v9, &v9_t, work, work_t, march, width * inverse, width_t * inverse + width * inverse_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)), ratio, ratio_t);
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPREAD)) = v9_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each(width_t) * inverse + width * each(inverse_t);
+    derivative_coupled_strips__spread_square_t(&v9, &v9_t, work, work_t, march, width * inverse, rates_1, (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)), (*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST)), ratio, ratio_t);
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPREAD))) = each(v9_t);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)) = v9;
-    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPREAD)), (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)), (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)), a, a_t);
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = depth_t;
+    lanes rates_2;
+    EACH_LANE each(rates_2) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) + each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPREAD)));
+    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), rates_2, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)), (*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)), (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)), (*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST)), a, a_t);
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) = each(depth_t);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) = weight_t;
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT))) = each(weight_t);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = weight;
     if (depth < a)
     {
         v10 = 0.5 * depth;
         v11 = v10 / a;
         v12 = 1.0 - v11;
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) = weight_t * v12 + weight * (-((0.5 * depth_t - v11 * a_t) / a));
+        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_CARRIED))) = each(weight_t) * v12 + weight * (-((0.5 * each(depth_t) - v11 * each(a_t)) / a));
         (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = weight * v12;
     }
     else
     {
         v13 = 0.5 * a;
         v14 = v13 / depth;
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) = weight_t * v14 + weight * ((0.5 * a_t - v14 * depth_t) / depth);
+        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_CARRIED))) = each(weight_t) * v14 + weight * ((0.5 * each(a_t) - v14 * each(depth_t)) / depth);
         (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) = weight * v14;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``find_stick_zone``. */
-static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_double_1d work_t, int64_t march, double mean, double mean_t, double ratio, double ratio_t)
+static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double mean, lanes mean_t, double ratio, lanes ratio_t)
 {
-    double a_t;
+    lanes a_t;
     double a;
     double v2;
     double v1;
-    double v1_t;
-    double share_t;
+    lanes v1_t;
+    lanes share_t;
     double share;
     double v3;
     double v4;
     double v5;
-    double yielding_t;
+    lanes yielding_t;
     double yielding;
     double v6;
     double v7;
     double v8;
-    double v8_t;
+    lanes v8_t;
     double v9;
     double v10;
     double v11;
-    double push_t;
+    lanes push_t;
     double push;
-    double u_t;
+    lanes u_t;
     double u;
-    double v_t;
+    lanes v_t;
     double v;
-    double k_t;
+    lanes k_t;
     double k;
     double v12;
     double depth;
-    double depth_t;
+    lanes depth_t;
     double weight;
-    double weight_t;
+    lanes weight_t;
     double v13;
-    double v13_t;
+    lanes v13_t;
     double v14;
     double v15;
     double v16;
@@ -490,150 +508,156 @@ static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_
     double v19;
     double v20;
     double v18;
-    double v18_t;
+    lanes v18_t;
     double v21;
     double v22;
-    double v22_t;
-    a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    lanes v22_t;
+    EACH_LANE each(a_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)));
     a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / a;
-    derivative_coupled_strips__later_share_t(&v1, &v1_t, v2, ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - v2 * a_t) / a, ratio, ratio_t);
-    share_t = v1_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) - v2 * each(a_t)) / a;
+    derivative_coupled_strips__later_share_t(&v1, &v1_t, v2, rates_1, ratio, ratio_t);
+    EACH_LANE each(share_t) = each(v1_t);
     share = v1;
     v3 = coupled_strips__YIELD_TWIST * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
     v4 = 1.0 + v3 * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
     v5 = coupled_strips__YIELD / v4;
-    yielding_t = (-v5) * (coupled_strips__YIELD_TWIST * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) + v3 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) / v4;
+    EACH_LANE each(yielding_t) = (-v5) * (coupled_strips__YIELD_TWIST * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) + v3 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST)))) / v4;
     yielding = v5;
     v6 = (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) - mean;
     v7 = yielding * v6;
     v8 = (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED));
-    v8_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED));
+    EACH_LANE each(v8_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)));
     if (mean > v8)
     {
         v8 = mean;
-        v8_t = mean_t;
+        EACH_LANE each(v8_t) = each(mean_t);
     }
     v9 = v8 + march__NOTHING;
     v10 = v7 / v9;
     v11 = 1.0 + v10;
-    push_t = share_t * v11 + share * ((yielding_t * v6 + yielding * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)) - mean_t) - v10 * v8_t) / v9);
+    EACH_LANE each(push_t) = each(share_t) * v11 + share * ((each(yielding_t) * v6 + yielding * (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_CARRIED))) - each(mean_t)) - v10 * each(v8_t)) / v9);
     push = share * v11;
-    u_t = push_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + push * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X));
+    EACH_LANE each(u_t) = each(push_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + push * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)));
     u = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
-    v_t = push_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + push * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y));
+    EACH_LANE each(v_t) = each(push_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + push * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)));
     v = push * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
-    k_t = share_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) + share * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST));
+    EACH_LANE each(k_t) = each(share_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) + share * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST)));
     k = share * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
     v12 = share * share;
-    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, u * u + v12 * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), u_t * u + u * u_t + ((share_t * share + share * share_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)) + v12 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPREAD))), v, v_t, k, k_t, a, a_t);
+    lanes rates_2;
+    EACH_LANE each(rates_2) = each(u_t) * u + u * each(u_t) + ((each(share_t) * share + share * each(share_t)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)) + v12 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPREAD))));
+    derivative_coupled_strips__slip_depth_t(&depth, &depth_t, &weight, &weight_t, u * u + v12 * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPREAD)), rates_2, v, v_t, k, k_t, a, a_t);
     v13 = weight;
-    v13_t = weight_t;
+    EACH_LANE each(v13_t) = each(weight_t);
     if ((*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) < v13)
     {
         v13 = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
-        v13_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT));
+        EACH_LANE each(v13_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)));
     }
-    weight_t = v13_t;
+    EACH_LANE each(weight_t) = each(v13_t);
     weight = v13;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = a_t;
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) = each(a_t);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = a;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
+    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) = all_lanes(0.0);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = 0.0;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) = k_t;
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) = each(k_t);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = k;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
+    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = all_lanes(0.0);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
+    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = all_lanes(0.0);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
     if ((weight > 0.0) && (depth < a))
     {
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = depth_t;
+        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) = each(depth_t);
         (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
         v14 = depth + march__NOTHING;
         v15 = u / v14;
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = (u_t - v15 * depth_t) / v14;
+        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) = (each(u_t) - v15 * each(depth_t)) / v14;
         (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = v15;
         v16 = depth + march__NOTHING;
         v17 = v / v16;
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = (v_t - v17 * depth_t) / v16 + k_t;
+        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) = (each(v_t) - v17 * each(depth_t)) / v16 + each(k_t);
         (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v17 + k;
         v19 = depth / a;
         v20 = 1.0 - v19;
-        derivative_coupled_strips__smooth_step_t(&v18, &v18_t, v20 / coupled_strips__FADE, (-((depth_t - v19 * a_t) / a)) / coupled_strips__FADE);
+        lanes rates_3;
+        EACH_LANE each(rates_3) = (-((each(depth_t) - v19 * each(a_t)) / a)) / coupled_strips__FADE;
+        derivative_coupled_strips__smooth_step_t(&v18, &v18_t, v20 / coupled_strips__FADE, rates_3);
         v21 = weight * v18;
         derivative_coupled_strips__edge_weight_t(&v22, &v22_t, work, work_t, march);
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) = (weight_t * v18 + weight * v18_t) * v22 + v21 * v22_t;
+        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT))) = (each(weight_t) * v18 + weight * each(v18_t)) * v22 + v21 * each(v22_t);
         (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) = v21 * v22;
     }
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - a_t;
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_EDGE))) = 2.0 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) - each(a_t);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) - a;
     return INT64_C(0);
 }
 
 /* Derivative of ``spread_square``. */
-static inline int64_t derivative_coupled_strips__spread_square_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t march, double scale, double scale_t, double k, double k_t, double ratio, double ratio_t)
+static inline int64_t derivative_coupled_strips__spread_square_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t march, double scale, lanes scale_t, double k, lanes k_t, double ratio, lanes ratio_t)
 {
     double v1;
-    double over_width_t;
+    lanes over_width_t;
     double over_width;
     double v2;
-    double v2_t;
-    double twist_t;
+    lanes v2_t;
+    lanes twist_t;
     double twist;
     double v3;
-    double v3_t;
-    double long_t;
+    lanes v3_t;
+    lanes long_t;
     double long_0001;
     double v4;
     double v5;
     double v6;
-    double floor_t;
+    lanes floor_t;
     double floor;
     double v7;
     v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN));
-    over_width_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN))) * scale + v1 * scale_t;
+    EACH_LANE each(over_width_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ALONG))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPIN)))) * scale + v1 * each(scale_t);
     over_width = v1 * scale;
     v2 = fabs(k);
-    v2_t = derivative_rates__size_rate(k, k_t);
+    EACH_LANE each(v2_t) = derivative_rates__size_rate(k, each(k_t));
     if (coupled_strips__FLOOR_TWIST < v2)
     {
         v2 = coupled_strips__FLOOR_TWIST;
-        v2_t = 0.0;
+        v2_t = all_lanes(0.0);
     }
-    twist_t = v2_t;
+    EACH_LANE each(twist_t) = each(v2_t);
     twist = v2;
     v3 = ratio / coupled_strips__FLOOR_RATIO;
-    v3_t = ratio_t / coupled_strips__FLOOR_RATIO;
+    EACH_LANE each(v3_t) = each(ratio_t) / coupled_strips__FLOOR_RATIO;
     if (1.0 < v3)
     {
         v3 = 1.0;
-        v3_t = 0.0;
+        v3_t = all_lanes(0.0);
     }
-    long_t = v3_t;
+    EACH_LANE each(long_t) = each(v3_t);
     long_0001 = v3;
     v4 = coupled_strips__SPREAD_FLOOR * long_0001;
     v5 = v4 * twist;
     v6 = v5 * twist;
-    floor_t = ((coupled_strips__SPREAD_FLOOR * long_t * twist + v4 * twist_t) * twist + v5 * twist_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + v6 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    EACH_LANE each(floor_t) = ((coupled_strips__SPREAD_FLOOR * each(long_t) * twist + v4 * each(twist_t)) * twist + v5 * each(twist_t)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + v6 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)));
     floor = v6 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     v7 = over_width * over_width;
     (*result_0) = v7 / 6.0 + floor * floor;
-    (*result_1) = (over_width_t * over_width + over_width * over_width_t) / 6.0 + (floor_t * floor + floor * floor_t);
+    EACH_LANE each((*result_1)) = (each(over_width_t) * over_width + over_width * each(over_width_t)) / 6.0 + (each(floor_t) * floor + floor * each(floor_t));
     return 0;
 }
 
 /* Derivative of ``slip_depth``. */
-static inline int64_t derivative_coupled_strips__slip_depth_t(double* depth, double* depth_t, double* weight, double* weight_t, double square, double square_t, double v, double v_t, double k, double k_t, double a, double a_t)
+static inline int64_t derivative_coupled_strips__slip_depth_t(double* depth, lanes* depth_t, double* weight, lanes* weight_t, double square, lanes square_t, double v, lanes v_t, double k, lanes k_t, double a, lanes a_t)
 {
-    double rest_t;
+    lanes rest_t;
     double rest;
-    double cross_t;
+    lanes cross_t;
     double cross;
-    double spread_t;
+    lanes spread_t;
     double spread;
     double v1;
-    double root_t;
+    lanes root_t;
     double root;
     double v2;
     double v3;
@@ -641,39 +665,41 @@ static inline int64_t derivative_coupled_strips__slip_depth_t(double* depth, dou
     double v6;
     double v7;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v8;
     double v9;
-    rest_t = -(k_t * k + k * k_t);
+    EACH_LANE each(rest_t) = -(each(k_t) * k + k * each(k_t));
     rest = 1.0 - k * k;
-    cross_t = v_t * k + v * k_t;
+    EACH_LANE each(cross_t) = each(v_t) * k + v * each(k_t);
     cross = v * k;
-    spread_t = v_t * v + v * v_t + (rest_t * square + rest * square_t);
+    EACH_LANE each(spread_t) = each(v_t) * v + v * each(v_t) + (each(rest_t) * square + rest * each(square_t));
     spread = v * v + rest * square;
-    (*depth_t) = 2.0 * a_t;
+    EACH_LANE each((*depth_t)) = 2.0 * each(a_t);
     (*depth) = 2.0 * a;
-    (*weight_t) = 0.0;
+    (*weight_t) = all_lanes(0.0);
     (*weight) = 0.0;
     if ((spread > 0.0) || ((rest > 0.0) && (spread == 0.0)))
     {
         v1 = sqrt(spread);
-        root_t = derivative_rates__root_rate(v1, spread_t);
+        EACH_LANE each(root_t) = derivative_rates__root_rate(v1, each(spread_t));
         root = v1;
         if (cross <= 0.0)
         {
             v2 = square + v * v;
             v3 = root - cross + march__NOTHING;
             v4 = v2 / v3;
-            (*depth_t) = (square_t + (v_t * v + v * v_t) - v4 * (root_t - cross_t)) / v3;
+            EACH_LANE each((*depth_t)) = (each(square_t) + (each(v_t) * v + v * each(v_t)) - v4 * (each(root_t) - each(cross_t))) / v3;
             (*depth) = v4;
-            (*weight_t) = 0.0;
+            (*weight_t) = all_lanes(0.0);
             (*weight) = 1.0;
             if (rest < 0.0)
             {
                 v6 = v * v + march__NOTHING;
                 v7 = spread / v6;
-                derivative_coupled_strips__smooth_step_t(&v5, &v5_t, v7, (spread_t - v7 * (v_t * v + v * v_t)) / v6);
-                (*weight_t) = v5_t;
+                lanes rates_1;
+                EACH_LANE each(rates_1) = (each(spread_t) - v7 * (each(v_t) * v + v * each(v_t))) / v6;
+                derivative_coupled_strips__smooth_step_t(&v5, &v5_t, v7, rates_1);
+                EACH_LANE each((*weight_t)) = each(v5_t);
                 (*weight) = v5;
             }
         }
@@ -681,9 +707,9 @@ static inline int64_t derivative_coupled_strips__slip_depth_t(double* depth, dou
         {
             v8 = cross + root;
             v9 = v8 / rest;
-            (*depth_t) = (cross_t + root_t - v9 * rest_t) / rest;
+            EACH_LANE each((*depth_t)) = (each(cross_t) + each(root_t) - v9 * each(rest_t)) / rest;
             (*depth) = v9;
-            (*weight_t) = 0.0;
+            (*weight_t) = all_lanes(0.0);
             (*weight) = 1.0;
         }
     }
@@ -691,9 +717,9 @@ static inline int64_t derivative_coupled_strips__slip_depth_t(double* depth, dou
 }
 
 /* Derivative of ``later_share``. */
-static inline int64_t derivative_coupled_strips__later_share_t(double* share, double* share_t, double depth, double depth_t, double ratio, double ratio_t)
+static inline int64_t derivative_coupled_strips__later_share_t(double* share, lanes* share_t, double depth, lanes depth_t, double ratio, lanes ratio_t)
 {
-    double filled_t;
+    lanes filled_t;
     double filled;
     double v1;
     double v2;
@@ -702,14 +728,14 @@ static inline int64_t derivative_coupled_strips__later_share_t(double* share, do
     double v5;
     double v6;
     double v7;
-    filled_t = 0.0;
+    filled_t = all_lanes(0.0);
     filled = 1.0;
-    (*share_t) = 0.0;
+    (*share_t) = all_lanes(0.0);
     (*share) = 1.0;
     if (depth < 1.0)
     {
         v1 = 2.0 - depth;
-        filled_t = depth_t * v1 + depth * (-depth_t);
+        EACH_LANE each(filled_t) = each(depth_t) * v1 + depth * (-each(depth_t));
         filled = depth * v1;
     }
     if (depth > 0.0)
@@ -720,78 +746,80 @@ static inline int64_t derivative_coupled_strips__later_share_t(double* share, do
         v5 = v3 / v4;
         v6 = v5 * filled;
         v7 = filled / depth;
-        (*share_t) = -(((v2 * ratio_t - v5 * ratio_t) / v4 * filled + v5 * filled_t) * v7 + v6 * ((filled_t - v7 * depth_t) / depth));
+        EACH_LANE each((*share_t)) = -(((v2 * each(ratio_t) - v5 * each(ratio_t)) / v4 * filled + v5 * each(filled_t)) * v7 + v6 * ((each(filled_t) - v7 * each(depth_t)) / depth));
         (*share) = 1.0 - v6 * v7;
     }
     return 0;
 }
 
 /* Derivative of ``edge_weight``. */
-static inline int64_t derivative_coupled_strips__edge_weight_t(double* weight, double* weight_t, array_double_1d work, array_double_1d work_t, int64_t march)
+static inline int64_t derivative_coupled_strips__edge_weight_t(double* weight, lanes* weight_t, array_double_1d work, array_lanes_1d work_t, int64_t march)
 {
     double v1;
     double v2;
     double v3;
-    double t_t;
+    lanes t_t;
     double t;
     double v4;
-    double along_t;
+    lanes along_t;
     double along;
     double v5;
-    double across_t;
+    lanes across_t;
     double across;
     double v7;
     double v8;
     double v6;
-    double v6_t;
-    (*weight_t) = 0.0;
+    lanes v6_t;
+    (*weight_t) = all_lanes(0.0);
     (*weight) = 1.0;
     if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
     {
         v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
         v2 = 1.0 - v1;
         v3 = sqrt(v2);
-        t_t = derivative_rates__root_rate(v3, -(((*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - v1 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH))));
+        EACH_LANE each(t_t) = derivative_rates__root_rate(v3, -((each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) - v1 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH))));
         t = v3;
         v4 = 1.0 - t;
-        along_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * v4 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (-t_t);
+        EACH_LANE each(along_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) * v4 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (-each(t_t));
         along = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * v4;
         v5 = 1.0 - t;
-        across_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (-t_t) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) * t + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * t_t);
+        EACH_LANE each(across_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (-each(t_t)) + (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) * t + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * each(t_t));
         across = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * t;
         v7 = along * along + across * across;
         v8 = sqrt(v7);
-        derivative_coupled_strips__smooth_step_t(&v6, &v6_t, v8 - 1.0, derivative_rates__root_rate(v8, along_t * along + along * along_t + (across_t * across + across * across_t)));
-        (*weight_t) = -v6_t;
+        lanes rates_1;
+        EACH_LANE each(rates_1) = derivative_rates__root_rate(v8, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
+        derivative_coupled_strips__smooth_step_t(&v6, &v6_t, v8 - 1.0, rates_1);
+        EACH_LANE each((*weight_t)) = -each(v6_t);
         (*weight) = 1.0 - v6;
     }
     return 0;
 }
 
 /* Derivative of ``smooth_step``. */
-static inline int64_t derivative_coupled_strips__smooth_step_t(double* value, double* value_t, double z, double z_t)
+static inline int64_t derivative_coupled_strips__smooth_step_t(double* value, lanes* value_t, double z, lanes z_t)
 {
     double v1;
     double v2;
-    (*value_t) = 0.0;
+    (*value_t) = all_lanes(0.0);
     (*value) = 0.0;
     if (z >= 1.0)
     {
-        (*value_t) = 0.0;
+        (*value_t) = all_lanes(0.0);
         (*value) = 1.0;
     }
     else if (z > 0.0)
     {
         v1 = z * z;
         v2 = 3.0 - 2.0 * z;
-        (*value_t) = (z_t * z + z * z_t) * v2 + v1 * (-(2.0 * z_t));
+        EACH_LANE each((*value_t)) = (each(z_t) * z + z * each(z_t)) * v2 + v1 * (-(2.0 * each(z_t)));
         (*value) = v1 * v2;
     }
     return 0;
 }
 
 /* Derivative of ``solve_coupled_strips``. */
-static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
     derivative_stiffness__find_stiffnesses_t(work, work_t, tables, patch);
     derivative_coupled_strips__add_strips_t(work, work_t, tables, patch);
@@ -803,20 +831,20 @@ static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_do
 }
 
 /* Derivative of ``add_strips``. */
-static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
     double v1;
-    double ratio_t;
+    lanes ratio_t;
     double ratio;
     double plane;
-    double plane_t;
+    lanes plane_t;
     double spinning;
-    double spinning_t;
+    lanes spinning_t;
     double v2;
-    double v2_t;
-    double mean_t;
+    lanes v2_t;
+    lanes mean_t;
     double mean;
-    double stuck_t;
+    lanes stuck_t;
     double stuck;
     int64_t i;
     int64_t march;
@@ -824,17 +852,17 @@ static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d wo
     double v4;
     double v5;
     double v6;
-    double v6_t;
+    lanes v6_t;
     double v7;
     v1 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    ratio_t = ((*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    EACH_LANE each(ratio_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) - v1 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     ratio = v1;
     derivative_coupled_strips__flexibilities_t(&plane, &plane_t, &spinning, &spinning_t, work, work_t, patch);
     derivative_march__open_marches_t(work, work_t, ratio, ratio_t);
     derivative_coupled_strips__open_stick_zones_t(&v2, &v2_t, work, work_t, patch, ratio, ratio_t);
-    mean_t = v2_t;
+    EACH_LANE each(mean_t) = each(v2_t);
     mean = v2;
-    stuck_t = 0.0;
+    stuck_t = all_lanes(0.0);
     stuck = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
@@ -847,7 +875,7 @@ static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d wo
             v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
             v4 = 2.0 * v3;
             v5 = v4 * (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
-            stuck_t = stuck_t + ((2.0 * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) + v4 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT))) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)) + v5 * (*cspan_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)));
+            EACH_LANE each(stuck_t) = each(stuck_t) + ((2.0 * (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) - each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) + v4 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)))) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)) + v5 * each((*lanes_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH))));
             stuck = stuck + v5 * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
         }
     }
@@ -855,92 +883,92 @@ static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d wo
     derivative_coupled_strips__finish_marches_t(work, work_t, patch);
     derivative_tractions__patch_area_t(&v6, &v6_t, work, work_t, patch);
     v7 = stuck / v6;
-    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = (stuck_t - v7 * v6_t) / v6;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE))) = (each(stuck_t) - v7 * each(v6_t)) / v6;
     (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = v7;
     return INT64_C(0);
 }
 
 /* Derivative of ``open_stick_zones``. */
-static inline int64_t derivative_coupled_strips__open_stick_zones_t(double* v4, double* result_1, array_double_1d work, array_double_1d work_t, int64_t patch, double ratio, double ratio_t)
+static inline int64_t derivative_coupled_strips__open_stick_zones_t(double* v4, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double ratio, lanes ratio_t)
 {
-    double carried_t;
+    lanes carried_t;
     double carried;
-    double whole_t;
+    lanes whole_t;
     double whole;
     int64_t i;
     int64_t strip;
     int64_t march;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double weight_t;
+    lanes weight_t;
     double weight;
     double v3;
-    carried_t = 0.0;
+    carried_t = all_lanes(0.0);
     carried = 0.0;
-    whole_t = 0.0;
+    whole_t = all_lanes(0.0);
     whole = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         march = layout__WORK_ROLLING + layout__ROLLING_BEGUN + layout__ROLLING_MARCH_SIZE * i;
         derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) = v1_t;
+        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE))) = each(v1_t);
         (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) = v1;
         if ((*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) > 0.0)
         {
             derivative_coupled_strips__begin_march_t(work, work_t, march, strip, i);
-            derivative_coupled_strips__open_stick_zone_t(work, work_t, march, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_SHIFT)), (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)), ratio, ratio_t);
+            derivative_coupled_strips__open_stick_zone_t(work, work_t, march, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_SHIFT)), (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)), (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)), ratio, ratio_t);
             v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-            weight_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v2 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH));
+            EACH_LANE each(weight_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ALONG))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v2 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
             weight = v2 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-            whole_t = whole_t + weight_t;
+            EACH_LANE each(whole_t) = each(whole_t) + each(weight_t);
             whole = whole + weight;
-            carried_t = carried_t + (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_CARRIED)));
+            EACH_LANE each(carried_t) = each(carried_t) + (each(weight_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED)) + weight * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_CARRIED))));
             carried = carried + weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_CARRIED));
         }
     }
     v3 = whole + march__NOTHING;
     (*v4) = carried / v3;
-    (*result_1) = (carried_t - (*v4) * whole_t) / v3;
+    EACH_LANE each((*result_1)) = (each(carried_t) - (*v4) * each(whole_t)) / v3;
     return 0;
 }
 
 /* Derivative of ``flexibilities``. */
-static inline int64_t derivative_coupled_strips__flexibilities_t(double* v4, double* result_1, double* v7, double* result_3, array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_coupled_strips__flexibilities_t(double* v4, lanes* result_1, double* v7, lanes* result_3, array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    double first_t;
+    lanes first_t;
     double first;
-    double second_t;
+    lanes second_t;
     double second;
-    double third_t;
+    lanes third_t;
     double third;
     int64_t i;
     int64_t strip;
-    double area_t;
+    lanes area_t;
     double area;
     double v1;
     double v2;
     double v3;
     double v5;
     double v6;
-    first_t = 0.0;
+    first_t = all_lanes(0.0);
     first = 0.0;
-    second_t = 0.0;
+    second_t = all_lanes(0.0);
     second = 0.0;
-    third_t = 0.0;
+    third_t = all_lanes(0.0);
     third = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        area_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        EACH_LANE each(area_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
         area = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-        first_t = first_t + area_t;
+        EACH_LANE each(first_t) = each(first_t) + each(area_t);
         first = first + area;
-        second_t = second_t + (area_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + area * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
+        EACH_LANE each(second_t) = each(second_t) + (each(area_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + area * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))));
         second = second + area * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
         v1 = area * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-        third_t = third_t + ((area_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + area * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + v1 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
+        EACH_LANE each(third_t) = each(third_t) + ((each(area_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + area * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + v1 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))));
         third = third + v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
     }
     v2 = 0.5 * M_PI;
@@ -949,89 +977,95 @@ static inline int64_t derivative_coupled_strips__flexibilities_t(double* v4, dou
     v5 = 0.75 * M_PI;
     v6 = v5 * second;
     (*v7) = v6 / third;
-    (*result_1) = (v2 * first_t - (*v4) * second_t) / second;
-    (*result_3) = (v5 * second_t - (*v7) * third_t) / third;
+    EACH_LANE each((*result_1)) = (v2 * each(first_t) - (*v4) * each(second_t)) / second;
+    EACH_LANE each((*result_3)) = (v5 * each(second_t) - (*v7) * each(third_t)) / third;
     return 0;
 }
 
 /* Derivative of ``begin_march``. */
-static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d work, array_double_1d work_t, int64_t march, int64_t strip, int64_t index)
+static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d work, array_lanes_1d work_t, int64_t march, int64_t strip, int64_t index)
 {
     double along;
-    double along_t;
+    lanes along_t;
     double across;
-    double across_t;
+    lanes across_t;
     double turning;
-    double turning_t;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    lanes turning_t;
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
     (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP));
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SLIP))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)));
     (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL));
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_LATERAL))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)));
     (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL));
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN));
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPIN))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)));
     (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
-    derivative_stiffness__stiffnesses_at_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, index, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STATION)));
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) = along_t;
+    derivative_stiffness__stiffnesses_at_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, index, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)), (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STATION)));
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ALONG))) = each(along_t);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) = along;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS)) = across_t;
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ACROSS))) = each(across_t);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) = across;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TURNING)) = turning_t;
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TURNING))) = each(turning_t);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) = turning;
     return INT64_C(0);
 }
 
 /* Derivative of ``finish_marches``. */
-static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    double largest_t;
+    lanes largest_t;
     double largest;
     int64_t i;
     int64_t strip;
     double v1;
-    double v1_t;
-    double unit_t;
+    lanes v1_t;
+    lanes unit_t;
     double unit;
     double v2;
-    double square_t;
+    lanes square_t;
     double square;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
     double v6;
-    largest_t = 0.0;
+    largest_t = all_lanes(0.0);
     largest = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
-        unit_t = v1_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + v1 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        EACH_LANE each(unit_t) = each(v1_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + v1 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
         unit = v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
         v2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) * unit;
-        square_t = ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) * unit + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) * unit_t) * unit + v2 * unit_t;
+        EACH_LANE each(square_t) = (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i))) * unit + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) * each(unit_t)) * unit + v2 * each(unit_t);
         square = v2 * unit;
         v3 = largest;
-        v3_t = largest_t;
+        EACH_LANE each(v3_t) = each(largest_t);
         if (square > v3)
         {
             v3 = square;
-            v3_t = square_t;
+            EACH_LANE each(v3_t) = each(square_t);
         }
-        largest_t = v3_t;
+        EACH_LANE each(largest_t) = each(v3_t);
         largest = v3;
         if (unit > 0.0)
         {
             derivative_tractions__point_weight_t(&v4, &v4_t, work, work_t, strip);
-            unit_t = unit_t * v4 + unit * v4_t;
+            EACH_LANE each(unit_t) = each(unit_t) * v4 + unit * each(v4_t);
             unit = unit * v4;
             v5 = unit * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-            derivative_tractions__add_strip_t(work, work_t, patch, strip, unit * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)), unit_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + unit * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)), unit * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)), unit_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + unit * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)), v5 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)), (unit_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + unit * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + v5 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)));
+            lanes rates_1;
+            EACH_LANE each(rates_1) = each(unit_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + unit * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)));
+            lanes rates_2;
+            EACH_LANE each(rates_2) = each(unit_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + unit * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)));
+            lanes rates_3;
+            EACH_LANE each(rates_3) = (each(unit_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + unit * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)))) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + v5 * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)));
+            derivative_tractions__add_strip_t(work, work_t, patch, strip, unit * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)), rates_1, unit * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)), rates_2, v5 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)), rates_3);
         }
     }
     v6 = sqrt(largest);
-    (*cspan_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v6, largest_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR))) = derivative_rates__root_rate(v6, each(largest_t));
     (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = v6;
     return INT64_C(0);
 }
@@ -1043,7 +1077,7 @@ static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1
  */
 
 /* Derivative of ``solve_creep_force``. */
-static inline int64_t derivative_creep_force__solve_creep_force_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_creep_force__solve_creep_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
     derivative_cut__clear_creep_t(work, work_t, patch);
     if (((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_FRICTION)) > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) > 0.0))
@@ -1081,30 +1115,30 @@ static inline int64_t derivative_creep_force__solve_creep_force_t(array_double_1
 }
 
 /* Derivative of ``mirror_rolling``. */
-static inline int64_t derivative_creep_force__mirror_rolling_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_creep_force__mirror_rolling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
     int64_t i;
     int64_t strip;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) = -(*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) = -each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)));
     (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = -(*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-    (*cspan_at(&work_t, patch + layout__PATCH_SPIN)) = -(*cspan_at(&work_t, patch + layout__PATCH_SPIN));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) = -each((*lanes_at(&work_t, patch + layout__PATCH_SPIN)));
     (*cspan_at(&work, patch + layout__PATCH_SPIN)) = -(*cspan_at(&work, patch + layout__PATCH_SPIN));
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = -(*cspan_at(&work_t, patch + layout__PATCH_CREEP_X));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) = -each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X)));
     (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = -(*cspan_at(&work, patch + layout__PATCH_CREEP_X));
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = -(*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))) = -each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)));
     (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = -(*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X)) = -(*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))) = -each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X)));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) = -(*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) = -each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) = -(*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) = -each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN));
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) = -(*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) = -each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X));
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)) = -(*cspan_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT))) = -each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) = -(*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT));
     }
     return INT64_C(0);
@@ -1117,40 +1151,40 @@ static inline int64_t derivative_creep_force__mirror_rolling_t(array_double_1d w
  */
 
 /* Derivative of ``move_patch``. */
-static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch)
+static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
 {
-    double x_t;
+    lanes x_t;
     double x;
-    double y_t;
+    lanes y_t;
     double y;
-    double z_t;
+    lanes z_t;
     double z;
     int64_t rail;
     double rolling_x;
-    double rolling_x_t;
+    lanes rolling_x_t;
     double rolling_y;
-    double rolling_y_t;
+    lanes rolling_y_t;
     double rolling_z;
-    double rolling_z_t;
+    lanes rolling_z_t;
     double share;
-    double share_t;
+    lanes share_t;
     double v1;
-    double v1_t;
-    double along_t;
+    lanes v1_t;
+    lanes along_t;
     double along;
     double v2;
-    double lateral_t;
+    lanes lateral_t;
     double lateral;
     double v3;
-    double vertical_t;
+    lanes vertical_t;
     double vertical;
-    double normal_y_t;
+    lanes normal_y_t;
     double normal_y;
-    double normal_z_t;
+    lanes normal_z_t;
     double normal_z;
     double v4;
-    double v4_t;
-    double speed_t;
+    lanes v4_t;
+    lanes speed_t;
     double speed;
     double v5;
     double v6;
@@ -1159,236 +1193,236 @@ static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, ar
     double v9;
     double v10;
     double v11;
-    x_t = (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK));
+    EACH_LANE each(x_t) = each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK)));
     x = (*cspan_at(&work, patch + layout__PATCH_X_TRACK));
-    y_t = (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y));
+    EACH_LANE each(y_t) = each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)));
     y = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    z_t = (*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z));
+    EACH_LANE each(z_t) = each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z)));
     z = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
     rail = motion + layout__MOTION_RAIL;
-    derivative_creepage__rolling_velocity_t(&rolling_x, &rolling_x_t, &rolling_y, &rolling_y_t, &rolling_z, &rolling_z_t, &share, &share_t, work, work_t, motion, x, x_t, y, y_t, z, z_t, (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)), (*cspan_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)));
+    derivative_creepage__rolling_velocity_t(&rolling_x, &rolling_x_t, &rolling_y, &rolling_y_t, &rolling_z, &rolling_z_t, &share, &share_t, work, work_t, motion, x, x_t, y, y_t, z, z_t, (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)), (*lanes_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)));
     derivative_creepage__velocity_along_t(&v1, &v1_t, work, work_t, motion, y, y_t, z, z_t, rolling_x, rolling_x_t);
-    along_t = v1_t;
+    EACH_LANE each(along_t) = each(v1_t);
     along = v1;
     v2 = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z));
-    lateral_t = (*cspan_at(&work_t, motion + layout__MOTION_LATERAL)) + ((*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE)) * x + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * x_t) + ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Z)) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * x_t) - ((*cspan_at(&work_t, motion + layout__MOTION_TURN_X)) * z + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * z_t) - rolling_y_t - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_LATERAL)) + ((*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Z))));
+    EACH_LANE each(lateral_t) = each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) + (each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE))) * x + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * each(x_t)) + (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * each(x_t)) - (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_X))) * z + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * each(z_t)) - each(rolling_y_t) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) + (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) * v2 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * (each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z)))));
     lateral = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * x - (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * z - rolling_y - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v2;
     v3 = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y));
-    vertical_t = (*cspan_at(&work_t, motion + layout__MOTION_VERTICAL)) + ((*cspan_at(&work_t, motion + layout__MOTION_TURN_X)) * y + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y_t) - ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x_t) - rolling_z_t - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL)) - ((*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) * v3 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Y))));
+    EACH_LANE each(vertical_t) = each((*lanes_at(&work_t, motion + layout__MOTION_VERTICAL))) + (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_X))) * y + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * each(y_t)) - (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * each(x_t)) - each(rolling_z_t) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) - (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) * v3 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * (each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y)))));
     vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x - rolling_z - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v3;
-    normal_y_t = -(*cspan_at(&work_t, patch + layout__PATCH_ANGLE_SIN));
+    EACH_LANE each(normal_y_t) = -each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_SIN)));
     normal_y = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN));
-    normal_z_t = -(*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS));
+    EACH_LANE each(normal_z_t) = -each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_COS)));
     normal_z = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
     derivative_creepage__reference_speed_t(&v4, &v4_t, work, work_t, motion, rolling_x, rolling_x_t);
-    speed_t = v4_t;
+    EACH_LANE each(speed_t) = each(v4_t);
     speed = v4;
-    (*cspan_at(&work_t, patch + layout__PATCH_SPEED)) = speed_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_SPEED))) = each(speed_t);
     (*cspan_at(&work, patch + layout__PATCH_SPEED)) = speed;
-    (*cspan_at(&work_t, patch + layout__PATCH_RADIUS_SHARE)) = share_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_RADIUS_SHARE))) = each(share_t);
     (*cspan_at(&work, patch + layout__PATCH_RADIUS_SHARE)) = share;
-    (*cspan_at(&work_t, patch + layout__PATCH_BACKWARDS)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_BACKWARDS)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_BACKWARDS)) = (double)((*cspan_at(&work, motion + layout__MOTION_SPEED)) + rolling_x < 0.0);
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_SPIN)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_SPIN)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_SPIN)) = 0.0;
     if (speed > creepage__STANDSTILL)
     {
         v5 = along / speed;
-        (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) = (along_t - v5 * speed_t) / speed;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) = (each(along_t) - v5 * each(speed_t)) / speed;
         (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = v5;
         v6 = -(normal_z * lateral - normal_y * vertical);
         v7 = v6 / speed;
-        (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) = ((-(normal_z_t * lateral + normal_z * lateral_t - (normal_y_t * vertical + normal_y * vertical_t))) - v7 * speed_t) / speed;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) = ((-(each(normal_z_t) * lateral + normal_z * each(lateral_t) - (each(normal_y_t) * vertical + normal_y * each(vertical_t)))) - v7 * each(speed_t)) / speed;
         (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = v7;
         v8 = (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y));
         v9 = (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
         v10 = -(v8 * normal_y + v9 * normal_z);
         v11 = v10 / speed;
-        (*cspan_at(&work_t, patch + layout__PATCH_SPIN)) = ((-(((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) - ((*cspan_at(&work_t, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Y)))) * normal_y + v8 * normal_y_t + (((*cspan_at(&work_t, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE)) - ((*cspan_at(&work_t, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z)))) * normal_z + v9 * normal_z_t))) - v11 * speed_t) / speed;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) = ((-((each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))) - (each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE))) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y))))) * normal_y + v8 * each(normal_y_t) + ((each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))) + each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE))) - (each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE))) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z))))) * normal_z + v9 * each(normal_z_t)))) - v11 * each(speed_t)) / speed;
         (*cspan_at(&work, patch + layout__PATCH_SPIN)) = v11;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``move_strips``. */
-static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch)
+static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
 {
     double v1;
-    double inverse_t;
+    lanes inverse_t;
     double inverse;
     int64_t index;
     v1 = 1.0 / (*cspan_at(&work, patch + layout__PATCH_SPEED));
-    inverse_t = (-v1) * (*cspan_at(&work_t, patch + layout__PATCH_SPEED)) / (*cspan_at(&work, patch + layout__PATCH_SPEED));
+    EACH_LANE each(inverse_t) = (-v1) * each((*lanes_at(&work_t, patch + layout__PATCH_SPEED))) / (*cspan_at(&work, patch + layout__PATCH_SPEED));
     inverse = v1;
     for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
     {
-        derivative_creepage__move_strip_t(work, work_t, motion, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)), (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)), inverse, inverse_t);
+        derivative_creepage__move_strip_t(work, work_t, motion, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index, (*cspan_at(&work, patch + layout__PATCH_X_TRACK)), (*lanes_at(&work_t, patch + layout__PATCH_X_TRACK)), inverse, inverse_t);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``move_strip``. */
-static inline int64_t derivative_creepage__move_strip_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t strip, double x_track, double x_track_t, double inverse, double inverse_t)
+static inline int64_t derivative_creepage__move_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t strip, double x_track, lanes x_track_t, double inverse, lanes inverse_t)
 {
     int64_t rail;
-    double x_t;
+    lanes x_t;
     double x;
-    double y_t;
+    lanes y_t;
     double y;
-    double z_t;
+    lanes z_t;
     double z;
     double rolling_x;
-    double rolling_x_t;
+    lanes rolling_x_t;
     double rolling_y;
-    double rolling_y_t;
+    lanes rolling_y_t;
     double rolling_z;
-    double rolling_z_t;
+    lanes rolling_z_t;
     double share;
-    double share_t;
-    double turn_z_t;
+    lanes share_t;
+    lanes turn_z_t;
     double turn_z;
-    double along_t;
+    lanes along_t;
     double along;
-    double roll_t;
+    lanes roll_t;
     double roll;
     double v1;
-    double lateral_t;
+    lanes lateral_t;
     double lateral;
     double v2;
-    double vertical_t;
+    lanes vertical_t;
     double vertical;
     double v3;
     double v4;
     double v5;
     double v6;
     rail = motion + layout__MOTION_RAIL;
-    x_t = x_track_t + (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X));
+    EACH_LANE each(x_t) = each(x_track_t) + each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X)));
     x = x_track + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-    y_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y));
+    EACH_LANE each(y_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)));
     y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    z_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z));
+    EACH_LANE each(z_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z)));
     z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-    derivative_creepage__rolling_velocity_t(&rolling_x, &rolling_x_t, &rolling_y, &rolling_y_t, &rolling_z, &rolling_z_t, &share, &share_t, work, work_t, motion, x, x_t, y, y_t, z, z_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)));
-    turn_z_t = (*cspan_at(&work_t, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE));
+    derivative_creepage__rolling_velocity_t(&rolling_x, &rolling_x_t, &rolling_y, &rolling_y_t, &rolling_z, &rolling_z_t, &share, &share_t, work, work_t, motion, x, x_t, y, y_t, z, z_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)), (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)));
+    EACH_LANE each(turn_z_t) = each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))) + each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE)));
     turn_z = (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE));
-    along_t = (*cspan_at(&work_t, motion + layout__MOTION_SPEED)) - ((*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE)) * (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y))) - (turn_z_t * y + turn_z * y_t) + ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) * z + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * z_t) - rolling_x_t;
+    EACH_LANE each(along_t) = each((*lanes_at(&work_t, motion + layout__MOTION_SPEED))) - (each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE))) * (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)))) - (each(turn_z_t) * y + turn_z * each(y_t)) + (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))) * z + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * each(z_t)) - each(rolling_x_t);
     along = (*cspan_at(&work, motion + layout__MOTION_SPEED)) - (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - turn_z * y + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * z - rolling_x;
-    roll_t = (*cspan_at(&work_t, motion + layout__MOTION_TURN_X)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL));
+    EACH_LANE each(roll_t) = each((*lanes_at(&work_t, motion + layout__MOTION_TURN_X))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL)));
     roll = (*cspan_at(&work, motion + layout__MOTION_TURN_X)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL));
     v1 = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z));
-    lateral_t = (*cspan_at(&work_t, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_LATERAL)) + ((*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) * v1 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Z)))) + (turn_z_t * x + turn_z * x_t) - (roll_t * z + roll * z_t) - rolling_y_t;
+    EACH_LANE each(lateral_t) = each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) + (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) * v1 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * (each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))))) + (each(turn_z_t) * x + turn_z * each(x_t)) - (each(roll_t) * z + roll * each(z_t)) - each(rolling_y_t);
     lateral = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v1 + turn_z * x - roll * z - rolling_y;
     v2 = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y));
-    vertical_t = (*cspan_at(&work_t, motion + layout__MOTION_VERTICAL)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL)) - ((*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Y)))) + (roll_t * y + roll * y_t) - ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x_t) - rolling_z_t;
+    EACH_LANE each(vertical_t) = each((*lanes_at(&work_t, motion + layout__MOTION_VERTICAL))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) - (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) * v2 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * (each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))))) + (each(roll_t) * y + roll * each(y_t)) - (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))) * x + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * each(x_t)) - each(rolling_z_t);
     vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v2 + roll * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * x - rolling_z;
-    (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) = along_t * inverse + along * inverse_t;
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) = each(along_t) * inverse + along * each(inverse_t);
     (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = along * inverse;
     v3 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * lateral + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * vertical;
-    (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) = ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS)) * lateral + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * lateral_t + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) * vertical + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * vertical_t)) * inverse + v3 * inverse_t;
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) = (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS))) * lateral + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * each(lateral_t) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))) * vertical + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * each(vertical_t))) * inverse + v3 * each(inverse_t);
     (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = v3 * inverse;
     v4 = turn_z - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
     v5 = (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) - (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y));
     v6 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * v4 - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * v5;
-    (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) = ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS)) * v4 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * (turn_z_t - ((*cspan_at(&work_t, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z)))) - ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) * v5 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) - ((*cspan_at(&work_t, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Y)))))) * inverse + v6 * inverse_t;
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) = (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS))) * v4 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * (each(turn_z_t) - (each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE))) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z))))) - (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))) * v5 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))) - (each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE))) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y))))))) * inverse + v6 * each(inverse_t);
     (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = v6 * inverse;
-    (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share_t;
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE))) = each(share_t);
     (*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) = share;
     return INT64_C(0);
 }
 
 /* Derivative of ``rolling_velocity``. */
-static inline int64_t derivative_creepage__rolling_velocity_t(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, double* v5, double* result_7, array_double_1d work, array_double_1d work_t, int64_t motion, double x, double x_t, double y, double y_t, double z, double z_t, double radius, double radius_t)
+static inline int64_t derivative_creepage__rolling_velocity_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, double* result_4, lanes* result_5, double* v5, lanes* result_7, array_double_1d work, array_lanes_1d work_t, int64_t motion, double x, lanes x_t, double y, lanes y_t, double z, lanes z_t, double radius, lanes radius_t)
 {
-    double around_x_t;
+    lanes around_x_t;
     double around_x;
-    double around_y_t;
+    lanes around_y_t;
     double around_y;
-    double around_z_t;
+    lanes around_z_t;
     double around_z;
     double v1;
     double v2;
-    double distance_t;
+    lanes distance_t;
     double distance;
     double v3;
     double v4;
-    double rolling_t;
+    lanes rolling_t;
     double rolling;
-    around_x_t = (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Y)) * z + (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) * z_t - ((*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z)) * y + (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) * y_t);
+    EACH_LANE each(around_x_t) = each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y))) * z + (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) * each(z_t) - (each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z))) * y + (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) * each(y_t));
     around_x = (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) * z - (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) * y;
-    around_y_t = (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z)) * x + (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) * x_t - ((*cspan_at(&work_t, motion + layout__MOTION_AXLE_X)) * z + (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) * z_t);
+    EACH_LANE each(around_y_t) = each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z))) * x + (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) * each(x_t) - (each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_X))) * z + (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) * each(z_t));
     around_y = (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) * x - (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) * z;
-    around_z_t = (*cspan_at(&work_t, motion + layout__MOTION_AXLE_X)) * y + (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) * y_t - ((*cspan_at(&work_t, motion + layout__MOTION_AXLE_Y)) * x + (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) * x_t);
+    EACH_LANE each(around_z_t) = each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_X))) * y + (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) * each(y_t) - (each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y))) * x + (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) * each(x_t));
     around_z = (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) * y - (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) * x;
     v1 = around_x * around_x + around_y * around_y + around_z * around_z;
     v2 = sqrt(v1);
-    distance_t = derivative_rates__root_rate(v2, around_x_t * around_x + around_x * around_x_t + (around_y_t * around_y + around_y * around_y_t) + (around_z_t * around_z + around_z * around_z_t));
+    EACH_LANE each(distance_t) = derivative_rates__root_rate(v2, each(around_x_t) * around_x + around_x * each(around_x_t) + (each(around_y_t) * around_y + around_y * each(around_y_t)) + (each(around_z_t) * around_z + around_z * each(around_z_t)));
     distance = v2;
     v3 = (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * radius;
     v4 = v3 / distance;
-    rolling_t = ((*cspan_at(&work_t, motion + layout__MOTION_WHEEL_RATE)) * radius + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * radius_t - v4 * distance_t) / distance;
+    EACH_LANE each(rolling_t) = (each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE))) * radius + (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) * each(radius_t) - v4 * each(distance_t)) / distance;
     rolling = v4;
     (*v5) = radius / distance;
     (*result_0) = rolling * around_x;
-    (*result_1) = rolling_t * around_x + rolling * around_x_t;
+    EACH_LANE each((*result_1)) = each(rolling_t) * around_x + rolling * each(around_x_t);
     (*result_2) = rolling * around_y;
-    (*result_3) = rolling_t * around_y + rolling * around_y_t;
+    EACH_LANE each((*result_3)) = each(rolling_t) * around_y + rolling * each(around_y_t);
     (*result_4) = rolling * around_z;
-    (*result_5) = rolling_t * around_z + rolling * around_z_t;
-    (*result_7) = (radius_t - (*v5) * distance_t) / distance;
+    EACH_LANE each((*result_5)) = each(rolling_t) * around_z + rolling * each(around_z_t);
+    EACH_LANE each((*result_7)) = (each(radius_t) - (*v5) * each(distance_t)) / distance;
     return 0;
 }
 
 /* Derivative of ``velocity_along``. */
-static inline int64_t derivative_creepage__velocity_along_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, double y, double y_t, double z, double z_t, double rolling_x, double rolling_x_t)
+static inline int64_t derivative_creepage__velocity_along_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double y, lanes y_t, double z, lanes z_t, double rolling_x, lanes rolling_x_t)
 {
     double v1;
     v1 = y + (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
     (*result_0) = (*cspan_at(&work, motion + layout__MOTION_SPEED)) - (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * v1 + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * z - (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * y - rolling_x;
-    (*result_1) = (*cspan_at(&work_t, motion + layout__MOTION_SPEED)) - ((*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE)) * v1 + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * (y_t + (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y)))) + ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) * z + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * z_t) - ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Z)) * y + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * y_t) - rolling_x_t;
+    EACH_LANE each((*result_1)) = each((*lanes_at(&work_t, motion + layout__MOTION_SPEED))) - (each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE))) * v1 + (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) * (each(y_t) + each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y))))) + (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))) * z + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * each(z_t)) - (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))) * y + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * each(y_t)) - each(rolling_x_t);
     return 0;
 }
 
 /* Derivative of ``reference_speed``. */
-static inline int64_t derivative_creepage__reference_speed_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, double rolling_x, double rolling_x_t)
+static inline int64_t derivative_creepage__reference_speed_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double rolling_x, lanes rolling_x_t)
 {
     double v1;
     v1 = fabs((*cspan_at(&work, motion + layout__MOTION_SPEED))) + fabs(rolling_x);
     (*result_0) = 0.5 * v1;
-    (*result_1) = 0.5 * (derivative_rates__size_rate((*cspan_at(&work, motion + layout__MOTION_SPEED)), (*cspan_at(&work_t, motion + layout__MOTION_SPEED))) + derivative_rates__size_rate(rolling_x, rolling_x_t));
+    EACH_LANE each((*result_1)) = 0.5 * (derivative_rates__size_rate((*cspan_at(&work, motion + layout__MOTION_SPEED)), each((*lanes_at(&work_t, motion + layout__MOTION_SPEED)))) + derivative_rates__size_rate(rolling_x, each(rolling_x_t)));
     return 0;
 }
 
 /* Derivative of ``approach_rate``. */
-static inline int64_t derivative_creepage__approach_rate_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch)
+static inline int64_t derivative_creepage__approach_rate_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
 {
     int64_t rail;
-    double y_t;
+    lanes y_t;
     double y;
-    double z_t;
+    lanes z_t;
     double z;
     double v1;
-    double lateral_t;
+    lanes lateral_t;
     double lateral;
     double v2;
-    double vertical_t;
+    lanes vertical_t;
     double vertical;
     rail = motion + layout__MOTION_RAIL;
-    y_t = (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y));
+    EACH_LANE each(y_t) = each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)));
     y = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    z_t = (*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z));
+    EACH_LANE each(z_t) = each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z)));
     z = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
     v1 = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z));
-    lateral_t = (*cspan_at(&work_t, motion + layout__MOTION_LATERAL)) + ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Z)) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK))) - ((*cspan_at(&work_t, motion + layout__MOTION_TURN_X)) * z + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * z_t) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_LATERAL)) + ((*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) * v1 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Z))));
+    EACH_LANE each(lateral_t) = each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) + (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK)))) - (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_X))) * z + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * each(z_t)) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) + (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) * v1 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * (each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z)))));
     lateral = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * z - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v1;
     v2 = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y));
-    vertical_t = (*cspan_at(&work_t, motion + layout__MOTION_VERTICAL)) + ((*cspan_at(&work_t, motion + layout__MOTION_TURN_X)) * y + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y_t) - ((*cspan_at(&work_t, motion + layout__MOTION_TURN_Y)) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK))) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL)) - ((*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) * v2 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * ((*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Y))));
+    EACH_LANE each(vertical_t) = each((*lanes_at(&work_t, motion + layout__MOTION_VERTICAL))) + (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_X))) * y + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * each(y_t)) - (each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK)))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) - (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) * v2 + (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * (each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y)))));
     vertical = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, motion + layout__MOTION_TURN_X)) * y - (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) * (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) * v2;
     (*result_0) = (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) * lateral + (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) * vertical;
-    (*result_1) = (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_SIN)) * lateral + (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) * lateral_t + ((*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS)) * vertical + (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) * vertical_t);
+    EACH_LANE each((*result_1)) = each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_SIN))) * lateral + (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) * each(lateral_t) + (each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_COS))) * vertical + (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) * each(vertical_t));
     return 0;
 }
 
@@ -1399,12 +1433,12 @@ static inline int64_t derivative_creepage__approach_rate_t(double* result_0, dou
  */
 
 /* Derivative of ``cut_patch``. */
-static inline int64_t derivative_cut__cut_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_cut__cut_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
     derivative_cut__describe_ellipse_t(work, work_t, patch);
-    derivative_cut__divide_patch_t(work, work_t, patch, (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)), (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP)));
+    derivative_cut__divide_patch_t(work, work_t, patch, (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)), (*lanes_at(&work_t, totals + layout__PATCH_TOTALS_START)), (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)), (*lanes_at(&work_t, totals + layout__PATCH_TOTALS_STOP)));
     if ((*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) > 0.0)
     {
         if ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RULE))) == layout__RULE_ELLIPSE)
@@ -1422,44 +1456,44 @@ static inline int64_t derivative_cut__cut_patch_t(array_double_1d work, array_do
 }
 
 /* Derivative of ``clear_creep``. */
-static inline int64_t derivative_cut__clear_creep_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_cut__clear_creep_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
     int64_t i;
     int64_t strip;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_CREEP_X)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) = 0.0;
+        (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) = all_lanes(0.0);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) = 0.0;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) = 0.0;
+        (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) = all_lanes(0.0);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) = 0.0;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)) = 0.0;
+        (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)) = all_lanes(0.0);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) = 0.0;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``describe_ellipse``. */
-static inline int64_t derivative_cut__describe_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_cut__describe_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
     int64_t totals;
     double v1;
     double v2;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
-    double v4_t;
-    double ratio_t;
+    lanes v4_t;
+    lanes ratio_t;
     double ratio;
     double v5;
     double v6;
@@ -1468,70 +1502,70 @@ static inline int64_t derivative_cut__describe_ellipse_t(array_double_1d work, a
     double v9;
     double v10;
     totals = patch + layout__PATCH_TOTALS;
-    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) = 0.0;
     if (((*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) > 0.0) && ((*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) > 0.0))
     {
         v1 = 2.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
         v2 = v1 / (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
         v3 = v2;
-        v3_t = (2.0 * (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) - v2 * (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH))) / (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
+        EACH_LANE each(v3_t) = (2.0 * each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH))) - v2 * each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH)))) / (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
         if (cut__SHORTEST_PATCH > v3)
         {
             v3 = cut__SHORTEST_PATCH;
-            v3_t = 0.0;
+            v3_t = all_lanes(0.0);
         }
         v4 = v3;
-        v4_t = v3_t;
+        EACH_LANE each(v4_t) = each(v3_t);
         if (cut__LONGEST_PATCH < v4)
         {
             v4 = cut__LONGEST_PATCH;
-            v4_t = 0.0;
+            v4_t = all_lanes(0.0);
         }
-        ratio_t = v4_t;
+        EACH_LANE each(ratio_t) = each(v4_t);
         ratio = v4;
         v5 = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) / M_PI;
         v6 = v5 * ratio;
         v7 = sqrt(v6);
-        (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) = derivative_rates__root_rate(v7, (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI * ratio + v5 * ratio_t);
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) = derivative_rates__root_rate(v7, each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_AREA))) / M_PI * ratio + v5 * each(ratio_t));
         (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) = v7;
         v8 = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) / M_PI;
         v9 = v8 / ratio;
         v10 = sqrt(v9);
-        (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH)) = derivative_rates__root_rate(v10, ((*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) / M_PI - v9 * ratio_t) / ratio);
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) = derivative_rates__root_rate(v10, (each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_AREA))) / M_PI - v9 * each(ratio_t)) / ratio);
         (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) = v10;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``divide_patch``. */
-static inline int64_t derivative_cut__divide_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch, double start, double start_t, double stop, double stop_t)
+static inline int64_t derivative_cut__divide_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double start, lanes start_t, double stop, lanes stop_t)
 {
     double v1;
-    double middle_t;
+    lanes middle_t;
     double middle;
     double v2;
-    double half_t;
+    lanes half_t;
     double half;
     double before;
     double here;
-    double edge_t;
+    lanes edge_t;
     double edge;
     int64_t i;
     int64_t strip;
     double after;
     double v3;
     v1 = start + stop;
-    middle_t = 0.5 * (start_t + stop_t);
+    EACH_LANE each(middle_t) = 0.5 * (each(start_t) + each(stop_t));
     middle = 0.5 * v1;
     v2 = stop - start;
-    half_t = 0.5 * (stop_t - start_t);
+    EACH_LANE each(half_t) = 0.5 * (each(stop_t) - each(start_t));
     half = 0.5 * v2;
     before = cut__COSINE;
     here = 1.0;
-    edge_t = start_t;
+    EACH_LANE each(edge_t) = each(start_t);
     edge = start;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
@@ -1539,86 +1573,86 @@ static inline int64_t derivative_cut__divide_patch_t(array_double_1d work, array
         after = 2.0 * cut__COSINE * here - before;
         before = here;
         here = after;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_START)) = edge_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_START))) = each(edge_t);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_START)) = edge;
-        edge_t = middle_t - half_t * here;
+        EACH_LANE each(edge_t) = each(middle_t) - each(half_t) * here;
         edge = middle - half * here;
         if (i == layout__ROLLING_STRIP_LIMIT - INT64_C(1))
         {
-            edge_t = stop_t;
+            EACH_LANE each(edge_t) = each(stop_t);
             edge = stop;
         }
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STOP)) = edge_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STOP))) = each(edge_t);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP)) = edge;
         v3 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_START)) + edge;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STATION)) = 0.5 * ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_START)) + edge_t);
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STATION))) = 0.5 * (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_START))) + each(edge_t));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) = 0.5 * v3;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)) = edge_t - (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_START));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))) = each(edge_t) - each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_START)));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) = edge - (*cspan_at(&work, strip + layout__ROLLING_STRIP_START));
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = 0.0;
+        (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = all_lanes(0.0);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = 0.0;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = 0.0;
+        (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = all_lanes(0.0);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) = 0.0;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``cut_ellipse``. */
-static inline int64_t derivative_cut__cut_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_cut__cut_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
     int64_t totals;
-    double square_t;
+    lanes square_t;
     double square;
     double v1;
     double v2;
     double v3;
-    double third_t;
+    lanes third_t;
     double third;
     int64_t i;
     int64_t strip;
-    double low_t;
+    lanes low_t;
     double low;
-    double high_t;
+    lanes high_t;
     double high;
     double v4;
     double v5;
-    double share_t;
+    lanes share_t;
     double share;
     totals = patch + layout__PATCH_TOTALS;
-    square_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) + (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) * (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    EACH_LANE each(square_t) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH))) * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) + (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) * each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)));
     square = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
     v1 = 3.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP));
     v2 = v1 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP));
     v3 = 1.0 / v2;
-    third_t = (-v3) * (3.0 * (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP)) * (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)) + v1 * (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP))) / v2;
+    EACH_LANE each(third_t) = (-v3) * (3.0 * each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_STOP))) * (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)) + v1 * each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_STOP)))) / v2;
     third = v3;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        low_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_START));
+        EACH_LANE each(low_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_START)));
         low = (*cspan_at(&work, strip + layout__ROLLING_STRIP_START));
-        high_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STOP));
+        EACH_LANE each(high_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STOP)));
         high = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP));
         v4 = low * low + low * high + high * high;
         v5 = 1.0 - third * v4;
-        share_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)) * v5 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) * (-(third_t * v4 + third * (low_t * low + low * low_t + (low_t * high + low * high_t) + (high_t * high + high * high_t))));
+        EACH_LANE each(share_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))) * v5 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) * (-(each(third_t) * v4 + third * (each(low_t) * low + low * each(low_t) + (each(low_t) * high + low * each(high_t)) + (each(high_t) * high + high * each(high_t)))));
         share = (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) * v5;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = square_t * share + square * share_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) = each(square_t) * share + square * each(share_t);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = square * share;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = share_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) = each(share_t);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) = share;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``cut_strips``. */
-static inline int64_t derivative_cut__cut_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_cut__cut_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    double low_t;
+    lanes low_t;
     double low;
-    double low_square_t;
+    lanes low_square_t;
     double low_square;
-    double low_load_t;
+    lanes low_load_t;
     double low_load;
     int64_t at;
     int64_t k_end;
@@ -1627,11 +1661,11 @@ static inline int64_t derivative_cut__cut_strips_t(array_double_1d work, array_d
     bool inside;
     bool loaded;
     int64_t n1;
-    low_t = (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START));
+    EACH_LANE each(low_t) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)));
     low = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START));
-    low_square_t = 0.0;
+    low_square_t = all_lanes(0.0);
     low_square = 0.0;
-    low_load_t = 0.0;
+    low_load_t = all_lanes(0.0);
     low_load = 0.0;
     at = INT64_C(0);
     k_end = (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))) + INT64_C(1);
@@ -1642,131 +1676,131 @@ static inline int64_t derivative_cut__cut_strips_t(array_double_1d work, array_d
         loaded = ((*cspan_at(&work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) > 0.0) && ((*cspan_at(&work, node + layout__SOLVED_STRIP_LINE_LOAD)) > 0.0);
         if (inside && loaded && ((*cspan_at(&work, node + layout__SOLVED_STRIP_WIDTH)) > 0.0))
         {
-            n1 = derivative_cut__add_piece_t(work, work_t, patch, at, low, low_t, low_square, low_square_t, low_load, low_load_t, (*cspan_at(&work, node + layout__SOLVED_STRIP_STATION)), (*cspan_at(&work_t, node + layout__SOLVED_STRIP_STATION)), (*cspan_at(&work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, node + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, node + layout__SOLVED_STRIP_LINE_LOAD)));
+            n1 = derivative_cut__add_piece_t(work, work_t, patch, at, low, low_t, low_square, low_square_t, low_load, low_load_t, (*cspan_at(&work, node + layout__SOLVED_STRIP_STATION)), (*lanes_at(&work_t, node + layout__SOLVED_STRIP_STATION)), (*cspan_at(&work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, node + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, node + layout__SOLVED_STRIP_LINE_LOAD)));
             at = n1;
-            low_t = (*cspan_at(&work_t, node + layout__SOLVED_STRIP_STATION));
+            EACH_LANE each(low_t) = each((*lanes_at(&work_t, node + layout__SOLVED_STRIP_STATION)));
             low = (*cspan_at(&work, node + layout__SOLVED_STRIP_STATION));
-            low_square_t = (*cspan_at(&work_t, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            EACH_LANE each(low_square_t) = each((*lanes_at(&work_t, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
             low_square = (*cspan_at(&work, node + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
-            low_load_t = (*cspan_at(&work_t, node + layout__SOLVED_STRIP_LINE_LOAD));
+            EACH_LANE each(low_load_t) = each((*lanes_at(&work_t, node + layout__SOLVED_STRIP_LINE_LOAD)));
             low_load = (*cspan_at(&work, node + layout__SOLVED_STRIP_LINE_LOAD));
         }
     }
-    derivative_cut__add_piece_t(work, work_t, patch, at, low, low_t, low_square, low_square_t, low_load, low_load_t, (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)), (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)), 0.0, 0.0, 0.0, 0.0);
+    derivative_cut__add_piece_t(work, work_t, patch, at, low, low_t, low_square, low_square_t, low_load, low_load_t, (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)), (*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)), 0.0, all_lanes(0.0), 0.0, all_lanes(0.0));
     return INT64_C(0);
 }
 
 /* Derivative of ``add_piece``. */
-static inline int64_t derivative_cut__add_piece_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t at, double low, double low_t, double low_square, double low_square_t, double low_load, double low_load_t, double high, double high_t, double high_square, double high_square_t, double high_load, double high_load_t)
+static inline int64_t derivative_cut__add_piece_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t at, double low, lanes low_t, double low_square, lanes low_square_t, double low_load, lanes low_load_t, double high, lanes high_t, double high_square, lanes high_square_t, double high_load, lanes high_load_t)
 {
-    double width_t;
+    lanes width_t;
     double width;
     double v1;
     double v2;
-    double square_slope_t;
+    lanes square_slope_t;
     double square_slope;
     double v3;
     double v4;
-    double load_slope_t;
+    lanes load_slope_t;
     double load_slope;
-    double start_t;
+    lanes start_t;
     double start;
     int64_t strip;
-    double stop_t;
+    lanes stop_t;
     double stop;
     double v5;
-    double middle_t;
+    lanes middle_t;
     double middle;
     double v6;
     double v7;
     double v8;
     double v9;
-    width_t = high_t - low_t;
+    EACH_LANE each(width_t) = each(high_t) - each(low_t);
     width = high - low;
     v1 = high_square - low_square;
     v2 = v1 / width;
-    square_slope_t = (high_square_t - low_square_t - v2 * width_t) / width;
+    EACH_LANE each(square_slope_t) = (each(high_square_t) - each(low_square_t) - v2 * each(width_t)) / width;
     square_slope = v2;
     v3 = high_load - low_load;
     v4 = v3 / width;
-    load_slope_t = (high_load_t - low_load_t - v4 * width_t) / width;
+    EACH_LANE each(load_slope_t) = (each(high_load_t) - each(low_load_t) - v4 * each(width_t)) / width;
     load_slope = v4;
-    start_t = low_t;
+    EACH_LANE each(start_t) = each(low_t);
     start = low;
     while(start < high)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * at;
-        stop_t = high_t;
+        EACH_LANE each(stop_t) = each(high_t);
         stop = high;
         if (((*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP)) < high) && (at < layout__ROLLING_STRIP_LIMIT - INT64_C(1)))
         {
-            stop_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STOP));
+            EACH_LANE each(stop_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STOP)));
             stop = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP));
         }
         v5 = start + stop;
-        middle_t = 0.5 * (start_t + stop_t) - low_t;
+        EACH_LANE each(middle_t) = 0.5 * (each(start_t) + each(stop_t)) - each(low_t);
         middle = 0.5 * v5 - low;
         v6 = stop - start;
         v7 = low_square + square_slope * middle;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + ((stop_t - start_t) * v7 + v6 * (low_square_t + (square_slope_t * middle + square_slope * middle_t)));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) + ((each(stop_t) - each(start_t)) * v7 + v6 * (each(low_square_t) + (each(square_slope_t) * middle + square_slope * each(middle_t))));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) + v6 * v7;
         v8 = stop - start;
         v9 = low_load + load_slope * middle;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) + ((stop_t - start_t) * v9 + v8 * (low_load_t + (load_slope_t * middle + load_slope * middle_t)));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) + ((each(stop_t) - each(start_t)) * v9 + v8 * (each(low_load_t) + (each(load_slope_t) * middle + load_slope * each(middle_t))));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) + v8 * v9;
         if (stop < high)
         {
             at = at + INT64_C(1);
         }
-        start_t = stop_t;
+        EACH_LANE each(start_t) = each(stop_t);
         start = stop;
     }
     return at;
 }
 
 /* Derivative of ``finish_strips``. */
-static inline int64_t derivative_cut__finish_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_cut__finish_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    double carried_t;
+    lanes carried_t;
     double carried;
     int64_t i;
-    double scale_t;
+    lanes scale_t;
     double scale;
     double v1;
     int64_t strip;
     double v2;
     double v3;
     double v4;
-    carried_t = 0.0;
+    carried_t = all_lanes(0.0);
     carried = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
-        carried_t = carried_t + (*cspan_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
+        EACH_LANE each(carried_t) = each(carried_t) + each((*lanes_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD)));
         carried = carried + (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
     }
-    scale_t = 0.0;
+    scale_t = all_lanes(0.0);
     scale = 0.0;
     if (carried > 0.0)
     {
         v1 = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) / carried;
-        scale_t = ((*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) - v1 * carried_t) / carried;
+        EACH_LANE each(scale_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) - v1 * each(carried_t)) / carried;
         scale = v1;
     }
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STATION))) - each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID)));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_CENTROID));
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X)) = (*cspan_at(&work_t, patch + layout__PATCH_SLANT)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SLANT)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))) = each((*lanes_at(&work_t, patch + layout__PATCH_SLANT))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SLANT)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y)));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) = (*cspan_at(&work, patch + layout__PATCH_SLANT)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
         if ((*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) > 0.0)
         {
             v2 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) / (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
             v3 = sqrt(v2);
-            (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = derivative_rates__root_rate(v3, ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) - v2 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))) / (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)));
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) = derivative_rates__root_rate(v3, (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) - v2 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)))) / (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)));
             (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) = v3;
             v4 = scale / (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-            (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) * v4 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) * ((scale_t - v4 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))) / (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)));
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) * v4 + (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) * ((each(scale_t) - v4 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)))) / (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)));
             (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) * v4;
         }
     }
@@ -1774,18 +1808,18 @@ static inline int64_t derivative_cut__finish_strips_t(array_double_1d work, arra
 }
 
 /* Derivative of ``plane_slips``. */
-static inline int64_t derivative_cut__plane_slips_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_cut__plane_slips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
     int64_t i;
     int64_t strip;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) - ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y)));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) - (each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y))));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) - (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) + ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X)));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) + (each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work_t, patch + layout__PATCH_SPIN));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) = each((*lanes_at(&work_t, patch + layout__PATCH_SPIN)));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN));
     }
     return INT64_C(0);
@@ -1798,94 +1832,94 @@ static inline int64_t derivative_cut__plane_slips_t(array_double_1d work, array_
  */
 
 /* Derivative of ``solve_fastrip``. */
-static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
     double along;
-    double along_t;
+    lanes along_t;
     double across;
-    double across_t;
+    lanes across_t;
     double turning;
-    double turning_t;
-    double stuck_t;
+    lanes turning_t;
+    lanes stuck_t;
     double stuck;
     int64_t i;
     int64_t strip;
     double v1;
-    double v1_t;
-    double rate_t;
+    lanes v1_t;
+    lanes rate_t;
     double rate;
-    double slanted_t;
+    lanes slanted_t;
     double slanted;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
     double v5;
     double v6;
     double v7;
     double v8;
-    double v8_t;
+    lanes v8_t;
     double v9;
     derivative_fastsim__stiffnesses_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch);
     derivative_fastrip__set_stiffnesses_t(work, work_t, tables, patch, layout__WORK_ROLLING + layout__ROLLING_MARCH);
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)) = 0.0;
-    stuck_t = 0.0;
+    stuck_t = all_lanes(0.0);
     stuck = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
-        rate_t = v1_t;
+        EACH_LANE each(rate_t) = each(v1_t);
         rate = v1;
         if (rate > 0.0)
         {
-            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate_t;
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE))) = each(rate_t);
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_RATE)) = rate;
-            slanted_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X));
+            EACH_LANE each(slanted_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X)));
             slanted = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
             derivative_fastrip__longitudinal_t(&v2, &v2_t, work, work_t, tables, patch, strip);
-            derivative_fastrip__find_stick_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH, v2, v2_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)));
+            derivative_fastrip__find_stick_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH, v2, v2_t, (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)), (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)), (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)), (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)));
             derivative_fastsim__strip_push_t(&v3, &v3_t, work, work_t, patch, strip, along, along_t, turning, turning_t);
-            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) = v3_t;
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X))) = each(v3_t);
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X)) = v3;
             v4 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - slanted;
-            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) - slanted_t) * across + v4 * across_t + (slanted_t * turning + slanted * turning_t);
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y))) = (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) - each(slanted_t)) * across + v4 * each(across_t) + (each(slanted_t) * turning + slanted * each(turning_t));
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y)) = v4 * across + slanted * turning;
-            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning_t;
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * turning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each(turning_t);
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning;
             derivative_fastrip__add_tractions_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), patch, layout__WORK_ROLLING + layout__ROLLING_MARCH, strip);
             v5 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH));
             v6 = 2.0 * v5;
-            stuck_t = stuck_t + (2.0 * ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v6 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+            EACH_LANE each(stuck_t) = each(stuck_t) + (2.0 * (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH))) - each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v6 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
             stuck = stuck + v6 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
         }
     }
     v7 = sqrt((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)));
-    (*cspan_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v7, (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR))) = derivative_rates__root_rate(v7, each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST))));
     (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = v7;
     derivative_tractions__patch_area_t(&v8, &v8_t, work, work_t, patch);
     v9 = stuck / v8;
-    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = (stuck_t - v9 * v8_t) / v8;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE))) = (each(stuck_t) - v9 * each(v8_t)) / v8;
     (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = v9;
     return INT64_C(0);
 }
 
 /* Derivative of ``set_stiffnesses``. */
-static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch, int64_t march)
+static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t march)
 {
     double v1;
-    double ratio_t;
+    lanes ratio_t;
     double ratio;
     double first;
-    double first_t;
+    lanes first_t;
     double second;
-    double second_t;
+    lanes second_t;
     double third;
-    double third_t;
+    lanes third_t;
     double modulus;
     double v2;
     double v3;
@@ -1899,77 +1933,77 @@ static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work
     double v11;
     double v12;
     v1 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    ratio_t = ((*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    EACH_LANE each(ratio_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) - v1 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     ratio = v1;
     derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), ratio, ratio_t);
     modulus = (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS));
     v2 = 2.0 * first;
     v3 = v2 * modulus;
     v4 = M_PI * M_PI;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) = 2.0 * first_t * modulus / v4;
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ALONG))) = 2.0 * each(first_t) * modulus / v4;
     (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) = v3 / v4;
     v5 = 2.0 * second;
     v6 = v5 * modulus;
     v7 = M_PI * M_PI;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS)) = 2.0 * second_t * modulus / v7;
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ACROSS))) = 2.0 * each(second_t) * modulus / v7;
     (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) = v6 / v7;
     v8 = 1.5 * third;
     v9 = v8 * modulus;
     v10 = sqrt(ratio);
     v11 = M_PI * v10;
     v12 = v9 / v11;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TURNING)) = (1.5 * third_t * modulus - v12 * (M_PI * derivative_rates__root_rate(v10, ratio_t))) / v11;
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TURNING))) = (1.5 * each(third_t) * modulus - v12 * (M_PI * derivative_rates__root_rate(v10, each(ratio_t)))) / v11;
     (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) = v12;
     return INT64_C(0);
 }
 
 /* Derivative of ``longitudinal``. */
-static inline int64_t derivative_fastrip__longitudinal_t(double* push, double* push_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch, int64_t strip)
+static inline int64_t derivative_fastrip__longitudinal_t(double* push, lanes* push_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t strip)
 {
     double v1;
     double v2;
     double v3;
-    (*push_t) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP));
+    EACH_LANE each((*push_t)) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)));
     (*push) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP));
     if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED)) == 1.0)
     {
         v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
         v2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * v1;
         v3 = 1.0 - (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO));
-        (*push_t) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * v1 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) - (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)))) / v3;
+        EACH_LANE each((*push_t)) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING))) * v1 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_TURNING)) * (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) - each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))))) / v3;
         (*push) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_ALONG)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + v2 / v3;
     }
     return 0;
 }
 
 /* Derivative of ``find_stick``. */
-static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_double_1d work_t, int64_t march, double push, double push_t, double lateral, double lateral_t, double spin, double spin_t)
+static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double push, lanes push_t, double lateral, lanes lateral_t, double spin, lanes spin_t)
 {
     double v1;
     double v2;
-    double u_t;
+    lanes u_t;
     double u;
     double v3;
     double v4;
     double v5;
-    double v_t;
+    lanes v_t;
     double v;
     double v6;
     double v7;
     double v8;
-    double k_t;
+    lanes k_t;
     double k;
-    double rest_t;
+    lanes rest_t;
     double rest;
-    double cross_t;
+    lanes cross_t;
     double cross;
     double v9;
-    double spread_t;
+    lanes spread_t;
     double spread;
-    double depth_t;
+    lanes depth_t;
     double depth;
     double v10;
-    double root_t;
+    lanes root_t;
     double root;
     double v11;
     double v12;
@@ -1985,44 +2019,44 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
     double v22;
     v1 = -push;
     v2 = v1 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    u_t = ((-push_t) - v2 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    EACH_LANE each(u_t) = ((-each(push_t)) - v2 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     u = v2;
     v3 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS));
     v4 = v3 * lateral;
     v5 = v4 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    v_t = ((-(*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS))) * lateral + v3 * lateral_t - v5 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    EACH_LANE each(v_t) = ((-each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ACROSS)))) * lateral + v3 * each(lateral_t) - v5 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     v = v5;
     v6 = -(*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING));
     v7 = v6 * spin;
     v8 = v7 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    k_t = ((-(*cspan_at(&work_t, march + layout__ROLLING_MARCH_TURNING))) * spin + v6 * spin_t - v8 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    EACH_LANE each(k_t) = ((-each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TURNING)))) * spin + v6 * each(spin_t) - v8 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     k = v8;
-    rest_t = -(k_t * k + k * k_t);
+    EACH_LANE each(rest_t) = -(each(k_t) * k + k * each(k_t));
     rest = 1.0 - k * k;
-    cross_t = v_t * k + v * k_t;
+    EACH_LANE each(cross_t) = each(v_t) * k + v * each(k_t);
     cross = v * k;
     v9 = rest * u;
-    spread_t = v_t * v + v * v_t + ((rest_t * u + rest * u_t) * u + v9 * u_t);
+    EACH_LANE each(spread_t) = each(v_t) * v + v * each(v_t) + ((each(rest_t) * u + rest * each(u_t)) * u + v9 * each(u_t));
     spread = v * v + v9 * u;
-    depth_t = 2.0 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    EACH_LANE each(depth_t) = 2.0 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)));
     depth = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     if (rest > 0.0)
     {
         v10 = sqrt(spread);
-        root_t = derivative_rates__root_rate(v10, spread_t);
+        EACH_LANE each(root_t) = derivative_rates__root_rate(v10, each(spread_t));
         root = v10;
-        depth_t = root_t + cross_t;
+        EACH_LANE each(depth_t) = each(root_t) + each(cross_t);
         depth = root + cross;
         if (cross < 0.0)
         {
             v11 = u * u + v * v;
             v12 = root - cross;
             v13 = v11 / v12;
-            depth_t = (u_t * u + u * u_t + (v_t * v + v * v_t) - v13 * (root_t - cross_t)) / v12 * rest + v13 * rest_t;
+            EACH_LANE each(depth_t) = (each(u_t) * u + u * each(u_t) + (each(v_t) * v + v * each(v_t)) - v13 * (each(root_t) - each(cross_t))) / v12 * rest + v13 * each(rest_t);
             depth = v13 * rest;
         }
         v14 = depth / rest;
-        depth_t = (depth_t - v14 * rest_t) / rest;
+        EACH_LANE each(depth_t) = (each(depth_t) - v14 * each(rest_t)) / rest;
         depth = v14;
     }
     else if ((cross < 0.0) && (spread > 0.0))
@@ -2031,172 +2065,186 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
         v16 = sqrt(spread);
         v17 = v16 - cross;
         v18 = v15 / v17;
-        depth_t = (u_t * u + u * u_t + (v_t * v + v * v_t) - v18 * (derivative_rates__root_rate(v16, spread_t) - cross_t)) / v17;
+        EACH_LANE each(depth_t) = (each(u_t) * u + u * each(u_t) + (each(v_t) * v + v * each(v_t)) - v18 * (derivative_rates__root_rate(v16, each(spread_t)) - each(cross_t))) / v17;
         depth = v18;
     }
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) = k_t;
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) = each(k_t);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) = k;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)));
     (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
+    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = all_lanes(0.0);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = 0.0;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
+    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = all_lanes(0.0);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = 0.0;
     if (depth < (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)))
     {
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) = depth_t;
+        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) = each(depth_t);
         (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) = depth;
         v19 = depth + 1e-300;
         v20 = u / v19;
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) = (u_t - v20 * depth_t) / v19;
+        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) = (each(u_t) - v20 * each(depth_t)) / v19;
         (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) = v20;
         v21 = depth + 1e-300;
         v22 = v / v21;
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) = (v_t - v22 * depth_t) / v21 + k_t;
+        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) = (each(v_t) - v22 * each(depth_t)) / v21 + each(k_t);
         (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) = v22 + k;
     }
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_EDGE))) = 2.0 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) - each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)));
     (*cspan_at(&work, march + layout__ROLLING_MARCH_EDGE)) = 2.0 * (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     return INT64_C(0);
 }
 
 /* Derivative of ``add_tractions``. */
-static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t march, int64_t strip)
+static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t march, int64_t strip)
 {
-    double a_t;
+    lanes a_t;
     double a;
     int64_t q;
-    double x_t;
+    lanes x_t;
     double x;
     double v1;
-    double bound_t;
+    lanes bound_t;
     double bound;
     double p_x;
-    double p_x_t;
+    lanes p_x_t;
     double p_y;
-    double p_y_t;
-    double square_t;
+    lanes p_y_t;
+    lanes square_t;
     double square;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     double v4;
-    double v4_t;
-    double weight_t;
+    lanes v4_t;
+    lanes weight_t;
     double weight;
-    a_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    EACH_LANE each(a_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)));
     a = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) = a_t;
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_X))) = each(a_t);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = a;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
+    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) = all_lanes(0.0);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = 0.0;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
+    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) = all_lanes(0.0);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = 0.0;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) = 0.0;
+    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) = all_lanes(0.0);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = 0.0;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
+    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) = all_lanes(0.0);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = 0.0;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
+    (*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = all_lanes(0.0);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = 0.0;
     for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
     {
-        x_t = a_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
+        EACH_LANE each(x_t) = each(a_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
         x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
         v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a;
-        bound_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * a + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * a_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
+        EACH_LANE each(bound_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE))) * a + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * each(a_t)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
         bound = v1 * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
         derivative_fastrip__next_traction_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, march, x, x_t, bound, bound_t);
-        square_t = p_x_t * p_x + p_x * p_x_t + (p_y_t * p_y + p_y * p_y_t);
+        EACH_LANE each(square_t) = each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t));
         square = p_x * p_x + p_y * p_y;
         v2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST));
-        v2_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LARGEST));
+        EACH_LANE each(v2_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_LARGEST)));
         if (square > v2)
         {
             v2 = square;
-            v2_t = square_t;
+            EACH_LANE each(v2_t) = each(square_t);
         }
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LARGEST)) = v2_t;
+        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_LARGEST))) = each(v2_t);
         (*cspan_at(&work, march + layout__ROLLING_MARCH_LARGEST)) = v2;
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x_t;
+        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_X))) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_X))) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * each(p_x_t);
         (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_x;
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y_t;
+        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y))) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y))) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * each(p_y_t);
         (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * p_y;
         v3 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x;
-        (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) + ((*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * x_t * p_y + v3 * p_y_t);
+        EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT))) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT))) + ((*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * each(x_t) * p_y + v3 * each(p_y_t));
         (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) + v3 * p_y;
     }
     derivative_tractions__point_weight_t(&v4, &v4_t, work, work_t, strip);
-    weight_t = v4_t;
+    EACH_LANE each(weight_t) = each(v4_t);
     weight = v4;
-    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)), weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)), weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)), weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)), weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)), weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)));
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each(weight_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)) + weight * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_X)));
+    lanes rates_2;
+    EACH_LANE each(rates_2) = each(weight_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)) + weight * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_Y)));
+    lanes rates_3;
+    EACH_LANE each(rates_3) = each(weight_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)) + weight * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)));
+    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_X)), rates_1, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_Y)), rates_2, weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_SUM_MOMENT)), rates_3);
     return INT64_C(0);
 }
 
 /* Derivative of ``next_traction``. */
-static inline int64_t derivative_fastrip__next_traction_t(double* p_x, double* p_x_t, double* p_y, double* p_y_t, array_double_1d work, array_double_1d work_t, int64_t march, double x, double x_t, double bound, double bound_t)
+static inline int64_t derivative_fastrip__next_traction_t(double* p_x, lanes* p_x_t, double* p_y, lanes* p_y_t, array_double_1d work, array_lanes_1d work_t, int64_t march, double x, lanes x_t, double bound, lanes bound_t)
 {
-    double step_t;
+    lanes step_t;
     double step;
     double v1;
-    double across_t;
+    lanes across_t;
     double across;
-    double reach_t;
+    lanes reach_t;
     double reach;
     double v2;
     double v3;
-    double inner_t;
+    lanes inner_t;
     double inner;
     double v4;
-    double root_t;
+    lanes root_t;
     double root;
     double v5;
     double v6;
     double v7;
     double v8;
-    double size_t;
+    lanes size_t;
     double size;
     double v9;
     double v10;
-    step_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) - x_t;
+    EACH_LANE each(step_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_X))) - each(x_t);
     step = (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) - x;
     v1 = x + 0.5 * step;
-    across_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_Y)) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_TURN)) * v1 + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN)) * (x_t + 0.5 * step_t));
+    EACH_LANE each(across_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_PUSH_Y))) + (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_PUSH_TURN))) * v1 + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN)) * (each(x_t) + 0.5 * each(step_t)));
     across = (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_Y)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_TURN)) * v1;
-    derivative_tractions__cut_to_t(p_x, p_x_t, p_y, p_y_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X)), (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) - (step_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X)) + step * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_PUSH_X))), (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) - step * across, (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) - (step_t * across + step * across_t), bound, bound_t);
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_X)) = x_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X))) - (each(step_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X)) + step * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_PUSH_X))));
+    lanes rates_2;
+    EACH_LANE each(rates_2) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y))) - (each(step_t) * across + step * each(across_t));
+    derivative_tractions__cut_to_t(p_x, p_x_t, p_y, p_y_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) - step * (*cspan_at(&work, march + layout__ROLLING_MARCH_PUSH_X)), rates_1, (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) - step * across, rates_2, bound, bound_t);
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_X))) = each(x_t);
     (*cspan_at(&work, march + layout__ROLLING_MARCH_X)) = x;
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X)) = (*p_x_t);
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_FIRST_X))) = each((*p_x_t));
     (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_X)) = (*p_x);
-    (*cspan_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y)) = (*p_y_t);
+    EACH_LANE each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_FIRST_Y))) = each((*p_y_t));
     (*cspan_at(&work, march + layout__ROLLING_MARCH_FIRST_Y)) = (*p_y);
-    reach_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH));
+    EACH_LANE each(reach_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) - each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)));
     reach = (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
     v2 = x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
     v3 = x - (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH));
-    inner_t = reach_t * reach + reach * reach_t - ((x_t - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) * v3 + v2 * (x_t - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))));
+    EACH_LANE each(inner_t) = each(reach_t) * reach + reach * each(reach_t) - ((each(x_t) - each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)))) * v3 + v2 * (each(x_t) - each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)))));
     inner = reach * reach - v2 * v3;
     if (inner > 0.0)
     {
         v4 = sqrt(inner);
-        root_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * v4 + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * derivative_rates__root_rate(v4, inner_t);
+        EACH_LANE each(root_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE))) * v4 + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * derivative_rates__root_rate(v4, each(inner_t));
         root = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * v4;
         v5 = bound - root;
         v6 = bound - root;
-        derivative_tractions__cut_to_t(p_x, p_x_t, p_y, p_y_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * v5, (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (bound_t - root_t), (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root, (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (bound_t - root_t) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) * root + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root_t), bound, bound_t);
+        lanes rates_3;
+        EACH_LANE each(rates_3) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (each(bound_t) - each(root_t));
+        lanes rates_4;
+        EACH_LANE each(rates_4) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (each(bound_t) - each(root_t)) + (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) * root + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * each(root_t));
+        derivative_tractions__cut_to_t(p_x, p_x_t, p_y, p_y_t, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * v5, rates_3, (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root, rates_4, bound, bound_t);
     }
     else
     {
         v7 = (*p_x) * (*p_x) + (*p_y) * (*p_y);
         v8 = sqrt(v7);
-        size_t = derivative_rates__root_rate(v8, (*p_x_t) * (*p_x) + (*p_x) * (*p_x_t) + ((*p_y_t) * (*p_y) + (*p_y) * (*p_y_t)));
+        EACH_LANE each(size_t) = derivative_rates__root_rate(v8, each((*p_x_t)) * (*p_x) + (*p_x) * each((*p_x_t)) + (each((*p_y_t)) * (*p_y) + (*p_y) * each((*p_y_t))));
         size = v8;
         if (size > 0.0)
         {
             v9 = bound / size;
-            (*p_x_t) = (*p_x_t) * v9 + (*p_x) * ((bound_t - v9 * size_t) / size);
+            EACH_LANE each((*p_x_t)) = each((*p_x_t)) * v9 + (*p_x) * ((each(bound_t) - v9 * each(size_t)) / size);
             (*p_x) = (*p_x) * v9;
             v10 = bound / size;
-            (*p_y_t) = (*p_y_t) * v10 + (*p_y) * ((bound_t - v10 * size_t) / size);
+            EACH_LANE each((*p_y_t)) = each((*p_y_t)) * v10 + (*p_y) * ((each(bound_t) - v10 * each(size_t)) / size);
             (*p_y) = (*p_y) * v10;
         }
     }
@@ -2210,78 +2258,78 @@ static inline int64_t derivative_fastrip__next_traction_t(double* p_x, double* p
  */
 
 /* Derivative of ``solve_fastsim``. */
-static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
     double along;
-    double along_t;
+    lanes along_t;
     double across;
-    double across_t;
+    lanes across_t;
     double turning;
-    double turning_t;
-    double stuck_t;
+    lanes turning_t;
+    lanes stuck_t;
     double stuck;
     int64_t i;
     int64_t strip;
     double v1;
-    double v1_t;
-    double rate_t;
+    lanes v1_t;
+    lanes rate_t;
     double rate;
     double v2;
-    double v2_t;
-    double push_t;
+    lanes v2_t;
+    lanes push_t;
     double push;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
-    double v4_t;
-    double area_t;
+    lanes v4_t;
+    lanes area_t;
     double area;
     double v5;
     derivative_fastsim__stiffnesses_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch);
-    stuck_t = 0.0;
+    stuck_t = all_lanes(0.0);
     stuck = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
-        rate_t = v1_t;
+        EACH_LANE each(rate_t) = each(v1_t);
         rate = v1;
         if (rate > 0.0)
         {
             derivative_fastsim__strip_push_t(&v2, &v2_t, work, work_t, patch, strip, along, along_t, turning, turning_t);
-            push_t = v2_t;
+            EACH_LANE each(push_t) = each(v2_t);
             push = v2;
             derivative_fastsim__march_strip_t(&v3, &v3_t, tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), patch, strip, rate, rate_t, push, push_t, across, across_t, turning, turning_t);
-            stuck_t = stuck_t + v3_t;
+            EACH_LANE each(stuck_t) = each(stuck_t) + each(v3_t);
             stuck = stuck + v3;
         }
     }
     derivative_tractions__patch_area_t(&v4, &v4_t, work, work_t, patch);
-    area_t = v4_t;
+    EACH_LANE each(area_t) = each(v4_t);
     area = v4;
     if (area > 0.0)
     {
         v5 = stuck / area;
-        (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = (stuck_t - v5 * area_t) / area;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE))) = (each(stuck_t) - v5 * each(area_t)) / area;
         (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = v5;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``stiffnesses``. */
-static inline int64_t derivative_fastsim__stiffnesses_t(double* v5, double* result_1, double* v9, double* result_3, double* v15, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_fastsim__stiffnesses_t(double* v5, lanes* result_1, double* v9, lanes* result_3, double* v15, lanes* result_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    double a_t;
+    lanes a_t;
     double a;
     double v1;
-    double ratio_t;
+    lanes ratio_t;
     double ratio;
     double first;
-    double first_t;
+    lanes first_t;
     double second;
-    double second_t;
+    lanes second_t;
     double third;
-    double third_t;
+    lanes third_t;
     double modulus;
     double v2;
     double v3;
@@ -2294,10 +2342,10 @@ static inline int64_t derivative_fastsim__stiffnesses_t(double* v5, double* resu
     double v12;
     double v13;
     double v14;
-    a_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH));
+    EACH_LANE each(a_t) = each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH)));
     a = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
     v1 = a / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    ratio_t = (a_t - v1 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    EACH_LANE each(ratio_t) = (each(a_t) - v1 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     ratio = v1;
     derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), ratio, ratio_t);
     modulus = (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS));
@@ -2315,165 +2363,173 @@ static inline int64_t derivative_fastsim__stiffnesses_t(double* v5, double* resu
     v13 = sqrt(ratio);
     v14 = v12 * v13;
     (*v15) = v11 / v14;
-    (*result_1) = (3.0 * first_t * modulus - (*v5) * (8.0 * a_t)) / v4;
-    (*result_3) = (3.0 * second_t * modulus - (*v9) * (8.0 * a_t)) / v8;
-    (*result_5) = (4.0 * third_t * modulus - (*v15) * (M_PI * a_t * v13 + v12 * derivative_rates__root_rate(v13, ratio_t))) / v14;
+    EACH_LANE each((*result_1)) = (3.0 * each(first_t) * modulus - (*v5) * (8.0 * each(a_t))) / v4;
+    EACH_LANE each((*result_3)) = (3.0 * each(second_t) * modulus - (*v9) * (8.0 * each(a_t))) / v8;
+    EACH_LANE each((*result_5)) = (4.0 * each(third_t) * modulus - (*v15) * (M_PI * each(a_t) * v13 + v12 * derivative_rates__root_rate(v13, each(ratio_t)))) / v14;
     return 0;
 }
 
 /* Derivative of ``strip_push``. */
-static inline int64_t derivative_fastsim__strip_push_t(double* push, double* push_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip, double along, double along_t, double turning, double turning_t)
+static inline int64_t derivative_fastsim__strip_push_t(double* push, lanes* push_t, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double along, lanes along_t, double turning, lanes turning_t)
 {
     double v1;
-    (*push_t) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) * along + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * along_t;
+    EACH_LANE each((*push_t)) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) * along + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * each(along_t);
     (*push) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * along;
     if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED)) == 1.0)
     {
         v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-        (*push_t) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) * along + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * along_t + (((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) - (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) * turning + v1 * turning_t);
+        EACH_LANE each((*push_t)) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) * along + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * each(along_t) + ((each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) - each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)))) * turning + v1 * each(turning_t));
         (*push) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * along + v1 * turning;
     }
     return 0;
 }
 
 /* Derivative of ``march_strip``. */
-static inline int64_t derivative_fastsim__march_strip_t(double* v12, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, double rate_t, double push, double push_t, double across, double across_t, double turning, double turning_t)
+static inline int64_t derivative_fastsim__march_strip_t(double* v12, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, lanes rate_t, double push, lanes push_t, double across, lanes across_t, double turning, lanes turning_t)
 {
-    double a_t;
+    lanes a_t;
     double a;
-    double slanted_t;
+    lanes slanted_t;
     double slanted;
     double v1;
-    double lateral_t;
+    lanes lateral_t;
     double lateral;
-    double turn_t;
+    lanes turn_t;
     double turn;
-    double before_t;
+    lanes before_t;
     double before;
-    double p_x_t;
+    lanes p_x_t;
     double p_x;
-    double p_y_t;
+    lanes p_y_t;
     double p_y;
-    double force_x_t;
+    lanes force_x_t;
     double force_x;
-    double force_y_t;
+    lanes force_y_t;
     double force_y;
-    double moment_t;
+    lanes moment_t;
     double moment;
-    double stuck_t;
+    lanes stuck_t;
     double stuck;
-    double total_t;
+    lanes total_t;
     double total;
-    double largest_t;
+    lanes largest_t;
     double largest;
     int64_t q;
-    double x_t;
+    lanes x_t;
     double x;
-    double weight_t;
+    lanes weight_t;
     double weight;
-    double step_t;
+    lanes step_t;
     double step;
-    double free_x_t;
+    lanes free_x_t;
     double free_x;
     double v2;
     double v3;
-    double free_y_t;
+    lanes free_y_t;
     double free_y;
     double v4;
-    double square_t;
+    lanes square_t;
     double square;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
     double v7;
     double v8;
-    double v8_t;
+    lanes v8_t;
     double v9;
     double v10;
     double v11;
-    a_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    EACH_LANE each(a_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
     a = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    slanted_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X));
+    EACH_LANE each(slanted_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X)));
     slanted = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
     v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - slanted;
-    lateral_t = ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) - slanted_t) * across + v1 * across_t + (slanted_t * turning + slanted * turning_t);
+    EACH_LANE each(lateral_t) = (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) - each(slanted_t)) * across + v1 * each(across_t) + (each(slanted_t) * turning + slanted * each(turning_t));
     lateral = v1 * across + slanted * turning;
-    turn_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning_t;
+    EACH_LANE each(turn_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * turning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each(turning_t);
     turn = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * turning;
-    before_t = a_t;
+    EACH_LANE each(before_t) = each(a_t);
     before = a;
-    p_x_t = 0.0;
+    p_x_t = all_lanes(0.0);
     p_x = 0.0;
-    p_y_t = 0.0;
+    p_y_t = all_lanes(0.0);
     p_y = 0.0;
-    force_x_t = 0.0;
+    force_x_t = all_lanes(0.0);
     force_x = 0.0;
-    force_y_t = 0.0;
+    force_y_t = all_lanes(0.0);
     force_y = 0.0;
-    moment_t = 0.0;
+    moment_t = all_lanes(0.0);
     moment = 0.0;
-    stuck_t = 0.0;
+    stuck_t = all_lanes(0.0);
     stuck = 0.0;
-    total_t = 0.0;
+    total_t = all_lanes(0.0);
     total = 0.0;
-    largest_t = (*cspan_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) * (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) + (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) * (*cspan_at(&work_t, patch + layout__PATCH_MAX_SHEAR));
+    EACH_LANE each(largest_t) = each((*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR))) * (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) + (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) * each((*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR)));
     largest = (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) * (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR));
     for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
     {
-        x_t = a_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
+        EACH_LANE each(x_t) = each(a_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
         x = a * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
-        weight_t = 0.0;
+        weight_t = all_lanes(0.0);
         weight = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        step_t = before_t - x_t;
+        EACH_LANE each(step_t) = each(before_t) - each(x_t);
         step = before - x;
-        free_x_t = p_x_t - (step_t * push + step * push_t);
+        EACH_LANE each(free_x_t) = each(p_x_t) - (each(step_t) * push + step * each(push_t));
         free_x = p_x - step * push;
         v2 = x + 0.5 * step;
         v3 = lateral + turn * v2;
-        free_y_t = p_y_t - (step_t * v3 + step * (lateral_t + (turn_t * v2 + turn * (x_t + 0.5 * step_t))));
+        EACH_LANE each(free_y_t) = each(p_y_t) - (each(step_t) * v3 + step * (each(lateral_t) + (each(turn_t) * v2 + turn * (each(x_t) + 0.5 * each(step_t)))));
         free_y = p_y - step * v3;
         v4 = rate * a;
-        derivative_tractions__cut_to_t(&p_x, &p_x_t, &p_y, &p_y_t, free_x, free_x_t, free_y, free_y_t, v4 * weight, (rate_t * a + rate * a_t) * weight + v4 * weight_t);
+        lanes rates_1;
+        EACH_LANE each(rates_1) = (each(rate_t) * a + rate * each(a_t)) * weight + v4 * each(weight_t);
+        derivative_tractions__cut_to_t(&p_x, &p_x_t, &p_y, &p_y_t, free_x, free_x_t, free_y, free_y_t, v4 * weight, rates_1);
         if ((p_x == free_x) && (p_y == free_y))
         {
-            stuck_t = stuck_t + weight_t;
+            EACH_LANE each(stuck_t) = each(stuck_t) + each(weight_t);
             stuck = stuck + weight;
         }
-        total_t = total_t + weight_t;
+        EACH_LANE each(total_t) = each(total_t) + each(weight_t);
         total = total + weight;
-        square_t = p_x_t * p_x + p_x * p_x_t + (p_y_t * p_y + p_y * p_y_t);
+        EACH_LANE each(square_t) = each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t));
         square = p_x * p_x + p_y * p_y;
         v5 = largest;
-        v5_t = largest_t;
+        EACH_LANE each(v5_t) = each(largest_t);
         if (square > v5)
         {
             v5 = square;
-            v5_t = square_t;
+            EACH_LANE each(v5_t) = each(square_t);
         }
-        largest_t = v5_t;
+        EACH_LANE each(largest_t) = each(v5_t);
         largest = v5;
-        force_x_t = force_x_t + (weight_t * p_x + weight * p_x_t);
+        EACH_LANE each(force_x_t) = each(force_x_t) + (each(weight_t) * p_x + weight * each(p_x_t));
         force_x = force_x + weight * p_x;
-        force_y_t = force_y_t + (weight_t * p_y + weight * p_y_t);
+        EACH_LANE each(force_y_t) = each(force_y_t) + (each(weight_t) * p_y + weight * each(p_y_t));
         force_y = force_y + weight * p_y;
         v6 = weight * x;
-        moment_t = moment_t + ((weight_t * x + weight * x_t) * p_y + v6 * p_y_t);
+        EACH_LANE each(moment_t) = each(moment_t) + ((each(weight_t) * x + weight * each(x_t)) * p_y + v6 * each(p_y_t));
         moment = moment + v6 * p_y;
-        before_t = x_t;
+        EACH_LANE each(before_t) = each(x_t);
         before = x;
     }
     v7 = sqrt(largest);
-    (*cspan_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v7, largest_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR))) = derivative_rates__root_rate(v7, each(largest_t));
     (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = v7;
     derivative_tractions__point_weight_t(&v8, &v8_t, work, work_t, strip);
-    weight_t = v8_t;
+    EACH_LANE each(weight_t) = each(v8_t);
     weight = v8;
-    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * force_x, weight_t * force_x + weight * force_x_t, weight * force_y, weight_t * force_y + weight * force_y_t, weight * moment, weight_t * moment + weight * moment_t);
+    lanes rates_2;
+    EACH_LANE each(rates_2) = each(weight_t) * force_x + weight * each(force_x_t);
+    lanes rates_3;
+    EACH_LANE each(rates_3) = each(weight_t) * force_y + weight * each(force_y_t);
+    lanes rates_4;
+    EACH_LANE each(rates_4) = each(weight_t) * moment + weight * each(moment_t);
+    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * force_x, rates_2, weight * force_y, rates_3, weight * moment, rates_4);
     v9 = 2.0 * a;
     v10 = v9 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
     v11 = v10 * stuck;
     (*v12) = v11 / total;
-    (*result_1) = ((2.0 * a_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v9 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))) * stuck + v10 * stuck_t - (*v12) * total_t) / total;
+    EACH_LANE each((*result_1)) = ((2.0 * each(a_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v9 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)))) * stuck + v10 * each(stuck_t) - (*v12) * each(total_t)) / total;
     return 0;
 }
 
@@ -2484,26 +2540,26 @@ static inline int64_t derivative_fastsim__march_strip_t(double* v12, double* res
  */
 
 /* Derivative of ``patch_friction``. */
-static inline int64_t derivative_friction__patch_friction_t(double* found, double* found_t, array_double_1d tables, double friction, double friction_t, double angle, double angle_t, double sliding, double sliding_t)
+static inline int64_t derivative_friction__patch_friction_t(double* found, lanes* found_t, array_double_1d tables, double friction, lanes friction_t, double angle, lanes angle_t, double sliding, lanes sliding_t)
 {
     double v1;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     double fall;
     double v4;
     double v6;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v7;
-    (*found_t) = friction_t;
+    EACH_LANE each((*found_t)) = each(friction_t);
     (*found) = friction;
     if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO)) != 1.0)
     {
         v1 = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO)) - 1.0;
         derivative_friction__flange_share_t(&v2, &v2_t, tables, angle, angle_t);
         v3 = 1.0 + v1 * v2;
-        (*found_t) = (*found_t) * v3 + (*found) * (v1 * v2_t);
+        EACH_LANE each((*found_t)) = each((*found_t)) * v3 + (*found) * (v1 * each(v2_t));
         (*found) = (*found) * v3;
     }
     if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE)) > 0.0)
@@ -2511,73 +2567,75 @@ static inline int64_t derivative_friction__patch_friction_t(double* found, doubl
         fall = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL));
         v4 = 1.0 - fall;
         v6 = -(*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE));
-        derivative_powers__exp_rule_t(&v5, &v5_t, v6 * sliding, v6 * sliding_t);
+        lanes rates_1;
+        EACH_LANE each(rates_1) = v6 * each(sliding_t);
+        derivative_powers__exp_rule_t(&v5, &v5_t, v6 * sliding, rates_1);
         v7 = v4 * v5 + fall;
-        (*found_t) = (*found_t) * v7 + (*found) * (v4 * v5_t);
+        EACH_LANE each((*found_t)) = each((*found_t)) * v7 + (*found) * (v4 * each(v5_t));
         (*found) = (*found) * v7;
     }
     return 0;
 }
 
 /* Derivative of ``flange_share``. */
-static inline int64_t derivative_friction__flange_share_t(double* result_0, double* result_1, array_double_1d tables, double angle, double angle_t)
+static inline int64_t derivative_friction__flange_share_t(double* result_0, lanes* result_1, array_double_1d tables, double angle, lanes angle_t)
 {
     double v1;
     double v2;
-    double share_t;
+    lanes share_t;
     double share;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
     double v6;
     v1 = angle - (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_ANGLE));
     v2 = 0.5 * v1;
-    share_t = 0.5 * angle_t / friction__FLANGE_RANGE;
+    EACH_LANE each(share_t) = 0.5 * each(angle_t) / friction__FLANGE_RANGE;
     share = 0.5 + v2 / friction__FLANGE_RANGE;
     v3 = share;
-    v3_t = share_t;
+    EACH_LANE each(v3_t) = each(share_t);
     if (0.0 > v3)
     {
         v3 = 0.0;
-        v3_t = 0.0;
+        v3_t = all_lanes(0.0);
     }
     v4 = v3;
-    v4_t = v3_t;
+    EACH_LANE each(v4_t) = each(v3_t);
     if (1.0 < v4)
     {
         v4 = 1.0;
-        v4_t = 0.0;
+        v4_t = all_lanes(0.0);
     }
-    share_t = v4_t;
+    EACH_LANE each(share_t) = each(v4_t);
     share = v4;
     v5 = share * share;
     v6 = 3.0 - 2.0 * share;
     (*result_0) = v5 * v6;
-    (*result_1) = (share_t * share + share * share_t) * v6 + v5 * (-(2.0 * share_t));
+    EACH_LANE each((*result_1)) = (each(share_t) * share + share * each(share_t)) * v6 + v5 * (-(2.0 * each(share_t)));
     return 0;
 }
 
 /* Derivative of ``slope_factor``. */
-static inline int64_t derivative_friction__slope_factor_t(double* factor, double* factor_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_friction__slope_factor_t(double* factor, lanes* factor_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
     double initial;
-    double limit_t;
+    lanes limit_t;
     double limit;
-    double across_t;
+    lanes across_t;
     double across;
     double v1;
     double v2;
-    double creepage_t;
+    lanes creepage_t;
     double creepage;
     double v3;
     double c11;
-    double c11_t;
+    lanes c11_t;
     double c22;
-    double c22_t;
+    lanes c22_t;
     double c23;
-    double c23_t;
+    lanes c23_t;
     double v4;
     double v5;
     double v6;
@@ -2586,30 +2644,32 @@ static inline int64_t derivative_friction__slope_factor_t(double* factor, double
     double v9;
     double v10;
     double v11;
-    double epsilon_t;
+    lanes epsilon_t;
     double epsilon;
     double v12;
     double v13;
     double v14;
-    (*factor_t) = 0.0;
+    (*factor_t) = all_lanes(0.0);
     (*factor) = 1.0;
     if (((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION)) != 1.0) || ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) > 0.0))
     {
         initial = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION));
-        limit_t = (*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+        EACH_LANE each(limit_t) = each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
         limit = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-        (*factor_t) = 0.0;
+        (*factor_t) = all_lanes(0.0);
         (*factor) = initial;
         if (((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) > 0.0) && (limit > 0.0))
         {
-            across_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) + ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)));
+            EACH_LANE each(across_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) + (each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))));
             across = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
             v1 = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + across * across;
             v2 = sqrt(v1);
-            creepage_t = derivative_rates__root_rate(v2, (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) + (across_t * across + across * across_t));
+            EACH_LANE each(creepage_t) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) + (each(across_t) * across + across * each(across_t)));
             creepage = v2;
             v3 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-            derivative_tractions__kalker_coefficients_t(&c11, &c11_t, &c22, &c22_t, &c23, &c23_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), v3, ((*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) - v3 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
+            lanes rates_1;
+            EACH_LANE each(rates_1) = (each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) - v3 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+            derivative_tractions__kalker_coefficients_t(&c11, &c11_t, &c22, &c22_t, &c23, &c23_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), v3, rates_1);
             v4 = (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) * friction__PI;
             v5 = v4 * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
             v6 = v5 * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
@@ -2618,14 +2678,14 @@ static inline int64_t derivative_friction__slope_factor_t(double* factor, double
             v9 = v8 * creepage;
             v10 = 4.0 * limit;
             v11 = v9 / v10;
-            epsilon_t = (((v4 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + v5 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) * initial * c11 + v7 * c11_t) * creepage + v8 * creepage_t - v11 * (4.0 * limit_t)) / v10;
+            EACH_LANE each(epsilon_t) = (((v4 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + v5 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) * initial * c11 + v7 * each(c11_t)) * creepage + v8 * each(creepage_t) - v11 * (4.0 * each(limit_t))) / v10;
             epsilon = v11;
-            (*factor_t) = 0.0;
+            (*factor_t) = all_lanes(0.0);
             (*factor) = initial * (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_FLOOR));
             v12 = initial - (*factor);
             v13 = 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) * epsilon;
             v14 = v12 / v13;
-            (*factor_t) = (*factor_t) + ((-(*factor_t)) - v14 * ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) * epsilon_t)) / v13;
+            EACH_LANE each((*factor_t)) = each((*factor_t)) + ((-each((*factor_t))) - v14 * ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_SLOPE_REDUCTION_RATE)) * each(epsilon_t))) / v13;
             (*factor) = (*factor) + v14;
         }
     }
@@ -2633,117 +2693,117 @@ static inline int64_t derivative_friction__slope_factor_t(double* factor, double
 }
 
 /* Derivative of ``multiply_creepages``. */
-static inline int64_t derivative_friction__multiply_creepages_t(array_double_1d work, array_double_1d work_t, int64_t patch, double factor, double factor_t)
+static inline int64_t derivative_friction__multiply_creepages_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
 {
     int64_t index;
     int64_t strip;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) * factor + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * factor_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) * factor + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * each(factor_t);
     (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * factor;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) * factor + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * factor_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) * factor + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * each(factor_t);
     (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * factor;
-    (*cspan_at(&work_t, patch + layout__PATCH_SPIN)) = (*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * factor + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * factor_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) = each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) * factor + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * each(factor_t);
     (*cspan_at(&work, patch + layout__PATCH_SPIN)) = (*cspan_at(&work, patch + layout__PATCH_SPIN)) * factor;
     for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * factor_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * each(factor_t);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * factor;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) * factor_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) * each(factor_t);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) * factor;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * factor_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each(factor_t);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * factor;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``keep_dissipating``. */
-static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_friction__keep_dissipating_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
     double v1;
-    double v1_t;
-    double gain_t;
+    lanes v1_t;
+    lanes gain_t;
     double gain;
     double v2;
-    double v2_t;
-    double reach_t;
+    lanes v2_t;
+    lanes reach_t;
     double reach;
     double v3;
-    double most_t;
+    lanes most_t;
     double most;
     double v4;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
     double v7;
-    double v7_t;
-    double moment_t;
+    lanes v7_t;
+    lanes moment_t;
     double moment;
     derivative_friction__creep_gain_t(&v1, &v1_t, work, work_t, patch);
-    gain_t = v1_t;
+    EACH_LANE each(gain_t) = each(v1_t);
     gain = v1;
     if ((gain > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_SPIN)) != 0.0))
     {
         v2 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-        v2_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH));
+        EACH_LANE each(v2_t) = each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH)));
         if ((*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) > v2)
         {
             v2 = (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-            v2_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH));
+            EACH_LANE each(v2_t) = each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)));
         }
-        reach_t = v2_t;
+        EACH_LANE each(reach_t) = each(v2_t);
         reach = v2;
         v3 = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-        most_t = ((*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) * reach + v3 * reach_t;
+        EACH_LANE each(most_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)))) * reach + v3 * each(reach_t);
         most = v3 * reach;
         v4 = gain / (*cspan_at(&work, patch + layout__PATCH_SPIN));
         v5 = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) - v4;
-        v5_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) - (gain_t - v4 * (*cspan_at(&work_t, patch + layout__PATCH_SPIN))) / (*cspan_at(&work, patch + layout__PATCH_SPIN));
+        EACH_LANE each(v5_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))) - (each(gain_t) - v4 * each((*lanes_at(&work_t, patch + layout__PATCH_SPIN)))) / (*cspan_at(&work, patch + layout__PATCH_SPIN));
         if (most < v5)
         {
             v5 = most;
-            v5_t = most_t;
+            EACH_LANE each(v5_t) = each(most_t);
         }
         v6 = -most;
         v7 = v5;
-        v7_t = v5_t;
+        EACH_LANE each(v7_t) = each(v5_t);
         if (v6 > v7)
         {
             v7 = v6;
-            v7_t = -most_t;
+            EACH_LANE each(v7_t) = -each(most_t);
         }
-        moment_t = v7_t;
+        EACH_LANE each(moment_t) = each(v7_t);
         moment = v7;
-        (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = moment_t;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))) = each(moment_t);
         (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = moment;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``creep_gain``. */
-static inline int64_t derivative_friction__creep_gain_t(double* gain, double* gain_t, array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_friction__creep_gain_t(double* gain, lanes* gain_t, array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
     int64_t i;
     int64_t strip;
-    double plane_t;
+    lanes plane_t;
     double plane;
-    double lateral_t;
+    lanes lateral_t;
     double lateral;
     double v1;
     double v2;
     double v3;
-    (*gain_t) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) + ((*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y))) + ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)));
+    EACH_LANE each((*gain_t)) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) + (each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)))) + (each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))));
     (*gain) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        plane_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) - ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y)));
+        EACH_LANE each(plane_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) - (each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y))));
         plane = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) - (*cspan_at(&work, patch + layout__PATCH_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y));
-        lateral_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) - ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X))) - (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y));
+        EACH_LANE each(lateral_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) - (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X)))) - each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)));
         lateral = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) - (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
         v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) - plane;
         v2 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) - (*cspan_at(&work, patch + layout__PATCH_SPIN));
         v3 = v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + lateral * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + v2 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT));
-        (*gain_t) = (*gain_t) + ((((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) - plane_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + v1 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + (lateral_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + lateral * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) + (((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) - (*cspan_at(&work_t, patch + layout__PATCH_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) + v2 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v3 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+        EACH_LANE each((*gain_t)) = each((*gain_t)) + (((each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) - each(plane_t)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + v1 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) + (each(lateral_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + lateral * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)))) + ((each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) - each((*lanes_at(&work_t, patch + layout__PATCH_SPIN)))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) + v2 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT))))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v3 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
         (*gain) = (*gain) + v3 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
     }
     return 0;
@@ -2756,75 +2816,75 @@ static inline int64_t derivative_friction__creep_gain_t(double* gain, double* ga
  */
 
 /* Derivative of ``open_marches``. */
-static inline int64_t derivative_march__open_marches_t(array_double_1d work, array_double_1d work_t, double ratio, double ratio_t)
+static inline int64_t derivative_march__open_marches_t(array_double_1d work, array_lanes_1d work_t, double ratio, lanes ratio_t)
 {
     int64_t i_1;
     int64_t q;
     double v1;
     double v2;
-    double square_t;
+    lanes square_t;
     double square;
     double v3;
     double v4;
     for (i_1 = INT64_C(0); i_1 < layout__ROLLING_MARCHES_SIZE; i_1 += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + i_1)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + i_1)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + i_1)) = 0.0;
     }
     for (q = INT64_C(0); q < layout__POINT_LIMIT; q += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)) = -1.0;
     }
     v1 = ratio / march__SHARE_RATIO;
     v2 = ratio / march__SHARE_RATIO;
-    square_t = ratio_t / march__SHARE_RATIO * v2 + v1 * (ratio_t / march__SHARE_RATIO);
+    EACH_LANE each(square_t) = each(ratio_t) / march__SHARE_RATIO * v2 + v1 * (each(ratio_t) / march__SHARE_RATIO);
     square = v1 * v2;
     v3 = 1.0 + square * square;
     v4 = march__SHARE / v3;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) = (-v4) * (square_t * square + square * square_t) / v3;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE))) = (-v4) * (each(square_t) * square + square * each(square_t)) / v3;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) = v4;
     return INT64_C(0);
 }
 
 /* Derivative of ``set_pushes``. */
-static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array_double_1d work_t, int64_t march, int64_t number, double plane, double plane_t, double spinning, double spinning_t, double ratio, double ratio_t)
+static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array_lanes_1d work_t, int64_t march, int64_t number, double plane, lanes plane_t, double spinning, lanes spinning_t, double ratio, lanes ratio_t)
 {
-    double i1_t;
+    lanes i1_t;
     double i1;
-    double i2_t;
+    lanes i2_t;
     double i2;
-    double i3_t;
+    lanes i3_t;
     double i3;
     double v1;
     double v2;
-    double s_t;
+    lanes s_t;
     double s;
-    double x_t;
+    lanes x_t;
     double x;
-    double y_t;
+    lanes y_t;
     double y;
-    double z_t;
+    lanes z_t;
     double z;
     double v3;
     double v4;
     double v5;
-    double centre_t;
+    lanes centre_t;
     double centre;
     double v6;
     double v7;
     double v8;
-    double fills_t;
+    lanes fills_t;
     double fills;
     double v9;
     double v10;
-    double scale_t;
+    lanes scale_t;
     double scale;
     double v11;
     double v12;
     double v13;
     double v14;
-    double near_t;
+    lanes near_t;
     double near;
     double v15;
     double v16;
@@ -2835,119 +2895,119 @@ static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array
     double v21;
     double v22;
     double v23;
-    double lag_t;
+    lanes lag_t;
     double lag;
     double v24;
     double v25;
     double v26;
     double v27;
     double v28;
-    double along_t;
+    lanes along_t;
     double along;
     double v29;
-    double across_t;
+    lanes across_t;
     double across;
     double v30;
     double v31;
-    double turning_t;
+    lanes turning_t;
     double turning;
-    i1_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ALONG)) * plane + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * plane_t;
+    EACH_LANE each(i1_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ALONG))) * plane + (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * each(plane_t);
     i1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ALONG)) * plane;
-    i2_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_ACROSS)) * plane + (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) * plane_t;
+    EACH_LANE each(i2_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_ACROSS))) * plane + (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) * each(plane_t);
     i2 = (*cspan_at(&work, march + layout__ROLLING_MARCH_ACROSS)) * plane;
-    i3_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TURNING)) * spinning + (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) * spinning_t;
+    EACH_LANE each(i3_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TURNING))) * spinning + (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) * each(spinning_t);
     i3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_TURNING)) * spinning;
     v1 = 3.0 * M_PI / 32.0;
     v2 = v1 * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    s_t = v1 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) + v2 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN));
+    EACH_LANE each(s_t) = v1 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) + v2 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPIN)));
     s = v2 * (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN));
-    x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP));
+    EACH_LANE each(x_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SLIP))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SLIP)));
     x = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP));
-    y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL));
+    EACH_LANE each(y_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_LATERAL))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)));
     y = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL));
-    z_t = s_t * s + s * s_t;
+    EACH_LANE each(z_t) = each(s_t) * s + s * each(s_t);
     z = s * s;
     v3 = x * i1 + y * i2 + z * i3 + march__NOTHING * i1;
     v4 = x + y + z + march__NOTHING;
     v5 = v3 / v4;
-    centre_t = (x_t * i1 + x * i1_t + (y_t * i2 + y * i2_t) + (z_t * i3 + z * i3_t) + march__NOTHING * i1_t - v5 * (x_t + y_t + z_t)) / v4;
+    EACH_LANE each(centre_t) = (each(x_t) * i1 + x * each(i1_t) + (each(y_t) * i2 + y * each(i2_t)) + (each(z_t) * i3 + z * each(i3_t)) + march__NOTHING * each(i1_t) - v5 * (each(x_t) + each(y_t) + each(z_t))) / v4;
     centre = v5;
     v6 = x * i1;
     v7 = y * i2;
     v8 = z * i3;
-    fills_t = (x_t * i1 + x * i1_t) * i1 + v6 * i1_t + ((y_t * i2 + y * i2_t) * i2 + v7 * i2_t) + ((z_t * i3 + z * i3_t) * i3 + v8 * i3_t);
+    EACH_LANE each(fills_t) = (each(x_t) * i1 + x * each(i1_t)) * i1 + v6 * each(i1_t) + ((each(y_t) * i2 + y * each(i2_t)) * i2 + v7 * each(i2_t)) + ((each(z_t) * i3 + z * each(i3_t)) * i3 + v8 * each(i3_t));
     fills = v6 * i1 + v7 * i2 + v8 * i3;
     v9 = (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     v10 = 4.0 / v9;
-    scale_t = (-v10) * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / v9;
+    EACH_LANE each(scale_t) = (-v10) * (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE)) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE)))) / v9;
     scale = v10;
     v11 = scale * fills;
     v12 = march__FILLS * march__FILLS;
     v13 = 1.0 + v11 / v12;
     v14 = 1.0 / v13;
-    near_t = (-v14) * ((scale_t * fills + scale * fills_t) / v12) / v13;
+    EACH_LANE each(near_t) = (-v14) * ((each(scale_t) * fills + scale * each(fills_t)) / v12) / v13;
     near = v14;
     v15 = i1 - centre;
-    i1_t = centre_t + ((i1_t - centre_t) * near + v15 * near_t);
+    EACH_LANE each(i1_t) = each(centre_t) + ((each(i1_t) - each(centre_t)) * near + v15 * each(near_t));
     i1 = centre + v15 * near;
     v16 = i2 - centre;
-    i2_t = centre_t + ((i2_t - centre_t) * near + v16 * near_t);
+    EACH_LANE each(i2_t) = each(centre_t) + ((each(i2_t) - each(centre_t)) * near + v16 * each(near_t));
     i2 = centre + v16 * near;
     v17 = i3 - centre;
-    i3_t = centre_t + ((i3_t - centre_t) * near + v17 * near_t);
+    EACH_LANE each(i3_t) = each(centre_t) + ((each(i3_t) - each(centre_t)) * near + v17 * each(near_t));
     i3 = centre + v17 * near;
     v18 = x * i1;
     v19 = y * i2;
     v20 = z * i3;
-    fills_t = (x_t * i1 + x * i1_t) * i1 + v18 * i1_t + ((y_t * i2 + y * i2_t) * i2 + v19 * i2_t) + ((z_t * i3 + z * i3_t) * i3 + v20 * i3_t);
+    EACH_LANE each(fills_t) = (each(x_t) * i1 + x * each(i1_t)) * i1 + v18 * each(i1_t) + ((each(y_t) * i2 + y * each(i2_t)) * i2 + v19 * each(i2_t)) + ((each(z_t) * i3 + z * each(i3_t)) * i3 + v20 * each(i3_t));
     fills = v18 * i1 + v19 * i2 + v20 * i3;
     v21 = march__LONG_LAG * ratio;
     v22 = ratio + march__LAG_RATIO;
     v23 = v21 / v22;
-    lag_t = (march__LONG_LAG * ratio_t - v23 * ratio_t) / v22;
+    EACH_LANE each(lag_t) = (march__LONG_LAG * each(ratio_t) - v23 * each(ratio_t)) / v22;
     lag = march__LAG + v23;
     v24 = scale * fills;
     v25 = march__LAG_FILLS * march__LAG_FILLS;
     v26 = 1.0 + v24 / v25;
     v27 = lag / v26;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number)) = (lag_t - v27 * ((scale_t * fills + scale * fills_t) / v25)) / v26;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number))) = (each(lag_t) - v27 * ((each(scale_t) * fills + scale * each(fills_t)) / v25)) / v26;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + number)) = v27;
     v28 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SLIP)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    along_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_SLIP)) - v28 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    EACH_LANE each(along_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SLIP))) - v28 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     along = v28;
     v29 = (*cspan_at(&work, march + layout__ROLLING_MARCH_LATERAL)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    across_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_LATERAL)) - v29 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    EACH_LANE each(across_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_LATERAL))) - v29 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     across = v29;
     v30 = (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     v31 = v30 / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
-    turning_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - v31 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_RATE))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
+    EACH_LANE each(turning_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_SPIN))) * (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH)) + (*cspan_at(&work, march + layout__ROLLING_MARCH_SPIN)) * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) - v31 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_RATE)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_RATE));
     turning = v31;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number)) = along_t * i1 + along * i1_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number))) = each(along_t) * i1 + along * each(i1_t);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + number)) = along * i1;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + number)) = across_t * i2 + across * i2_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + number))) = each(across_t) * i2 + across * each(i2_t);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + number)) = across * i2;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + number)) = turning_t * i3 + turning * i3_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + number))) = each(turning_t) * i3 + turning * each(i3_t);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + number)) = turning * i3;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + number)) = along_t * centre + along * centre_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + number))) = each(along_t) * centre + along * each(centre_t);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + number)) = along * centre;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + number)) = across_t * centre + across * centre_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + number))) = each(across_t) * centre + across * each(centre_t);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + number)) = across * centre;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + number)) = turning_t * centre + turning * centre_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + number))) = each(turning_t) * centre + turning * each(centre_t);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + number)) = turning * centre;
     return INT64_C(0);
 }
 
 /* Derivative of ``set_stick``. */
-static inline int64_t derivative_march__set_stick_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t number)
+static inline int64_t derivative_march__set_stick_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t march, int64_t number)
 {
-    double weight_t;
+    lanes weight_t;
     double weight;
     double v1;
     double v2;
     double v3;
-    double depth_t;
+    lanes depth_t;
     double depth;
-    double edge_t;
+    lanes edge_t;
     double edge;
     double total;
     double moment;
@@ -2956,30 +3016,30 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
     double v5;
     double v6;
     double v7;
-    double inner_t;
+    lanes inner_t;
     double inner;
     double v8;
     double v9;
-    double across_t;
+    lanes across_t;
     double across;
     double v10;
     double v11;
     double v12;
     double v13;
-    weight_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT));
+    EACH_LANE each(weight_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)));
     weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number)) = -weight_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number))) = -each(weight_t);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number)) = 1.0 - weight;
     v1 = 1.0 - weight;
     v2 = 1.0 - weight;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + number)) = (-weight_t) * v2 + v1 * (-weight_t);
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + number))) = (-each(weight_t)) * v2 + v1 * (-each(weight_t));
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + number)) = v1 * v2;
     if (weight > 0.0)
     {
         v3 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-        depth_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - v3 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+        EACH_LANE each(depth_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) - v3 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
         depth = v3;
-        edge_t = 2.0 * depth_t;
+        EACH_LANE each(edge_t) = 2.0 * each(depth_t);
         edge = 2.0 * depth - 1.0;
         total = 0.0;
         moment = 0.0;
@@ -2990,33 +3050,33 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
             moment = moment + (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q)) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
             q = q + INT64_C(1);
         }
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number)) = weight_t;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number))) = each(weight_t);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number)) = weight;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X));
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number))) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)));
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y));
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number))) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)));
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number)) = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number)) = edge_t;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number))) = each(edge_t);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number)) = edge;
         v4 = 0.5 * (double)(layout__POINT_LIMIT + INT64_C(1));
         v5 = 1.0 - depth;
         v6 = v4 * v5;
         v7 = 1.0 - depth;
-        inner_t = v4 * (-depth_t) * v7 + v6 * (-depth_t);
+        EACH_LANE each(inner_t) = v4 * (-each(depth_t)) * v7 + v6 * (-each(depth_t));
         inner = v6 * v7;
         v8 = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST));
         v9 = weight * v8;
-        across_t = (weight_t * v8 + weight * ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) - (*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)))) * inner + v9 * inner_t;
+        EACH_LANE each(across_t) = (each(weight_t) * v8 + weight * (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) - each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))))) * inner + v9 * each(inner_t);
         across = v9 * inner;
         v10 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X));
         v11 = total - inner;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) * v11 + v10 * (-inner_t);
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number))) = (each(weight_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) + weight * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)))) * v11 + v10 * (-each(inner_t));
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = v10 * v11;
         v12 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * total - across_t;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number))) = (each(weight_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + weight * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)))) * total - each(across_t);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = v12 * total - across;
         v13 = weight * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y));
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = (weight_t * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + weight * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * moment - (across_t * depth + across * depth_t);
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number))) = (each(weight_t) * (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) + weight * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)))) * moment - (each(across_t) * depth + across * each(depth_t));
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = v13 * moment - across * depth;
         if ((*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) > 1.0)
         {
@@ -3024,9 +3084,9 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
         }
         if (q < layout__POINT_LIMIT)
         {
-            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + number)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q));
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + number))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)));
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q));
-            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)) = 0.0;
+            (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)) = all_lanes(0.0);
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_AT_POINT + q)) = (double)(number);
         }
     }
@@ -3034,73 +3094,73 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
 }
 
 /* Derivative of ``add_beyond``. */
-static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t march, int64_t number, int64_t last)
+static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t march, int64_t number, int64_t last)
 {
     double v1;
-    double depth_t;
+    lanes depth_t;
     double depth;
     int64_t q;
     double bound;
-    double away_t;
+    lanes away_t;
     double away;
     double v2;
     double v3;
-    double inner_t;
+    lanes inner_t;
     double inner;
     double v4;
-    double root_t;
+    lanes root_t;
     double root;
     double v5;
-    double p_x_t;
+    lanes p_x_t;
     double p_x;
     double v6;
-    double p_y_t;
+    lanes p_y_t;
     double p_y;
     double cut_x;
-    double cut_x_t;
+    lanes cut_x_t;
     double cut_y;
-    double cut_y_t;
-    double weight_t;
+    lanes cut_y_t;
+    lanes weight_t;
     double weight;
     double v7;
     double v8;
     double v9;
     double v10;
     v1 = (*cspan_at(&work, march + layout__ROLLING_MARCH_DEPTH)) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
-    depth_t = ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_DEPTH)) - v1 * (*cspan_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+    EACH_LANE each(depth_t) = (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_DEPTH))) - v1 * each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)))) / (*cspan_at(&work, march + layout__ROLLING_MARCH_HALF_LENGTH));
     depth = v1;
     for (q = INT64_C(0); q < last; q += INT64_C(1))
     {
         bound = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SINES + q));
-        away_t = -depth_t;
+        EACH_LANE each(away_t) = -each(depth_t);
         away = (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) - depth;
         v2 = 1.0 - depth;
         v3 = 1.0 - depth;
-        inner_t = (-depth_t) * v3 + v2 * (-depth_t) - (away_t * away + away * away_t);
+        EACH_LANE each(inner_t) = (-each(depth_t)) * v3 + v2 * (-each(depth_t)) - (each(away_t) * away + away * each(away_t));
         inner = v2 * v3 - away * away;
         if (inner > 0.0)
         {
             v4 = sqrt(inner);
-            root_t = derivative_rates__root_rate(v4, inner_t);
+            EACH_LANE each(root_t) = derivative_rates__root_rate(v4, each(inner_t));
             root = v4;
             v5 = bound - root;
-            p_x_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_X)) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (-root_t);
+            EACH_LANE each(p_x_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_X))) * v5 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * (-each(root_t));
             p_x = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_X)) * v5;
             v6 = bound - root;
-            p_y_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (-root_t) + ((*cspan_at(&work_t, march + layout__ROLLING_MARCH_TWIST)) * root + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root_t);
+            EACH_LANE each(p_y_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_STICK_Y))) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * (-each(root_t)) + (each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_TWIST))) * root + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * each(root_t));
             p_y = (*cspan_at(&work, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + (*cspan_at(&work, march + layout__ROLLING_MARCH_TWIST)) * root;
-            derivative_tractions__cut_to_t(&cut_x, &cut_x_t, &cut_y, &cut_y_t, p_x, p_x_t, p_y, p_y_t, bound, 0.0);
-            weight_t = (*cspan_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT)) * bound;
+            derivative_tractions__cut_to_t(&cut_x, &cut_x_t, &cut_y, &cut_y_t, p_x, p_x_t, p_y, p_y_t, bound, all_lanes(0.0));
+            EACH_LANE each(weight_t) = each((*lanes_at(&work_t, march + layout__ROLLING_MARCH_WEIGHT))) * bound;
             weight = (*cspan_at(&work, march + layout__ROLLING_MARCH_WEIGHT)) * bound;
             v7 = cut_x - p_x;
-            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) + (weight_t * v7 + weight * (cut_x_t - p_x_t));
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number))) + (each(weight_t) * v7 + weight * (each(cut_x_t) - each(p_x_t)));
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) + weight * v7;
             v8 = cut_y - p_y;
-            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) + (weight_t * v8 + weight * (cut_y_t - p_y_t));
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number))) + (each(weight_t) * v8 + weight * (each(cut_y_t) - each(p_y_t)));
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) + weight * v8;
             v9 = weight * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q));
             v10 = cut_y - p_y;
-            (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) + (weight_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) * v10 + v9 * (cut_y_t - p_y_t));
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number))) + (each(weight_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_COSINES + q)) * v10 + v9 * (each(cut_y_t) - each(p_y_t)));
             (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) + v9 * v10;
         }
     }
@@ -3108,7 +3168,7 @@ static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, arr
 }
 
 /* Derivative of ``march_strips``. */
-static inline int64_t derivative_march__march_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table)
+static inline int64_t derivative_march__march_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table)
 {
     double before;
     bool slipping;
@@ -3127,18 +3187,18 @@ static inline int64_t derivative_march__march_strips_t(array_double_1d tables, a
         strip = first;
         while(strip >= INT64_C(0))
         {
-            derivative_march__reach_edge_t(work, work_t, strip, before, 0.0, x, 0.0, bound, 0.0);
+            derivative_march__reach_edge_t(work, work_t, strip, before, all_lanes(0.0), x, all_lanes(0.0), bound, all_lanes(0.0));
             strip = (int64_t)((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip)));
         }
-        derivative_march__march_first_t(work, work_t, x, 0.0, bound, 0.0, before - x, 0.0);
+        derivative_march__march_first_t(work, work_t, x, all_lanes(0.0), bound, all_lanes(0.0), before - x, all_lanes(0.0));
         if (slipping)
         {
-            derivative_march__march_second_t(work, work_t, x, 0.0, bound, 0.0, before - x, 0.0);
+            derivative_march__march_second_t(work, work_t, x, all_lanes(0.0), bound, all_lanes(0.0), before - x, all_lanes(0.0));
         }
         strip = first;
         while(strip >= INT64_C(0))
         {
-            derivative_march__leave_edge_t(work, work_t, strip, x, 0.0, bound, 0.0);
+            derivative_march__leave_edge_t(work, work_t, strip, x, all_lanes(0.0), bound, all_lanes(0.0));
             slipping = 1;
             strip = (int64_t)((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip)));
         }
@@ -3148,447 +3208,455 @@ static inline int64_t derivative_march__march_strips_t(array_double_1d tables, a
 }
 
 /* Derivative of ``march_first``. */
-static inline int64_t derivative_march__march_first_t(array_double_1d work, array_double_1d work_t, double x, double x_t, double bound, double bound_t, double step, double step_t)
+static inline int64_t derivative_march__march_first_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t)
 {
-    double limit_t;
+    lanes limit_t;
     double limit;
     int64_t i;
-    double at_t;
+    lanes at_t;
     double at;
-    double along_t;
+    lanes along_t;
     double along;
     double v1;
-    double across_t;
+    lanes across_t;
     double across;
     double v2;
-    double v2_t;
-    double square_t;
+    lanes v2_t;
+    lanes square_t;
     double square;
     double v3;
     double v4;
-    double cut_t;
+    lanes cut_t;
     double cut;
-    limit_t = bound_t * bound + bound * bound_t;
+    EACH_LANE each(limit_t) = each(bound_t) * bound + bound * each(bound_t);
     limit = bound * bound;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
-        at_t = x_t + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step_t);
+        EACH_LANE each(at_t) = each(x_t) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i))) * step + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * each(step_t));
         at = x + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step;
-        along_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) - (step_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i)) + step * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i)));
+        EACH_LANE each(along_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))) - (each(step_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i)) + step * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i))));
         along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) - step * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_X + i));
         v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at;
-        across_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) - (step_t * v1 + step * ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i)) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) * at_t)));
+        EACH_LANE each(across_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))) - (each(step_t) * v1 + step * (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_Y + i))) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i))) * at + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_PUSH_TURN + i)) * each(at_t))));
         across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) - step * v1;
         v2 = along * along + across * across;
-        v2_t = along_t * along + along * along_t + (across_t * across + across * across_t);
+        EACH_LANE each(v2_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
         if (limit > v2)
         {
             v2 = limit;
-            v2_t = limit_t;
+            EACH_LANE each(v2_t) = each(limit_t);
         }
-        square_t = v2_t;
+        EACH_LANE each(square_t) = each(v2_t);
         square = v2;
         v3 = sqrt(square);
         v4 = bound / v3;
-        cut_t = (bound_t - v4 * derivative_rates__root_rate(v3, square_t)) / v3;
+        EACH_LANE each(cut_t) = (each(bound_t) - v4 * derivative_rates__root_rate(v3, each(square_t))) / v3;
         cut = v4;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) = cut_t * along + cut * along_t;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))) = each(cut_t) * along + cut * each(along_t);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) = cut * along;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) = cut_t * across + cut * across_t;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))) = each(cut_t) * across + cut * each(across_t);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) = cut * across;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``march_second``. */
-static inline int64_t derivative_march__march_second_t(array_double_1d work, array_double_1d work_t, double x, double x_t, double bound, double bound_t, double step, double step_t)
+static inline int64_t derivative_march__march_second_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t)
 {
-    double share_t;
+    lanes share_t;
     double share;
-    double limit_t;
+    lanes limit_t;
     double limit;
     double v1;
-    double soft_t;
+    lanes soft_t;
     double soft;
     int64_t i;
-    double at_t;
+    lanes at_t;
     double at;
-    double second_x_t;
+    lanes second_x_t;
     double second_x;
     double v2;
-    double second_y_t;
+    lanes second_y_t;
     double second_y;
     double v3;
-    double v3_t;
-    double square_t;
+    lanes v3_t;
+    lanes square_t;
     double square;
     double v4;
     double v5;
-    double cut_t;
+    lanes cut_t;
     double cut;
     double v6;
-    double along_t;
+    lanes along_t;
     double along;
     double v7;
-    double across_t;
+    lanes across_t;
     double across;
     double v8;
     double v9;
     double v10;
     double v11;
-    double scale_t;
+    lanes scale_t;
     double scale;
     double v12;
     double v13;
     double v14;
-    double v14_t;
-    double largest_t;
+    lanes v14_t;
+    lanes largest_t;
     double largest;
     double v15;
-    share_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE));
+    EACH_LANE each(share_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)));
     share = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE));
-    limit_t = bound_t * bound + bound * bound_t;
+    EACH_LANE each(limit_t) = each(bound_t) * bound + bound * each(bound_t);
     limit = bound * bound;
     v1 = march__SOFT * march__SOFT;
-    soft_t = v1 * limit_t;
+    EACH_LANE each(soft_t) = v1 * each(limit_t);
     soft = v1 * limit;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
-        at_t = x_t + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step_t);
+        EACH_LANE each(at_t) = each(x_t) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i))) * step + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * each(step_t));
         at = x + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step;
-        second_x_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) - (step_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i)) + step * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i)));
+        EACH_LANE each(second_x_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))) - (each(step_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i)) + step * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i))));
         second_x = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) - step * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i));
         v2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at;
-        second_y_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) - (step_t * v2 + step * ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * at_t)));
+        EACH_LANE each(second_y_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))) - (each(step_t) * v2 + step * (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i))) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i))) * at + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * each(at_t))));
         second_y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) - step * v2;
         v3 = second_x * second_x + second_y * second_y;
-        v3_t = second_x_t * second_x + second_x * second_x_t + (second_y_t * second_y + second_y * second_y_t);
+        EACH_LANE each(v3_t) = each(second_x_t) * second_x + second_x * each(second_x_t) + (each(second_y_t) * second_y + second_y * each(second_y_t));
         if (limit > v3)
         {
             v3 = limit;
-            v3_t = limit_t;
+            EACH_LANE each(v3_t) = each(limit_t);
         }
-        square_t = v3_t;
+        EACH_LANE each(square_t) = each(v3_t);
         square = v3;
         v4 = sqrt(square);
         v5 = bound / v4;
-        cut_t = (bound_t - v5 * derivative_rates__root_rate(v4, square_t)) / v4;
+        EACH_LANE each(cut_t) = (each(bound_t) - v5 * derivative_rates__root_rate(v4, each(square_t))) / v4;
         cut = v5;
-        second_x_t = second_x_t * cut + second_x * cut_t;
+        EACH_LANE each(second_x_t) = each(second_x_t) * cut + second_x * each(cut_t);
         second_x = second_x * cut;
-        second_y_t = second_y_t * cut + second_y * cut_t;
+        EACH_LANE each(second_y_t) = each(second_y_t) * cut + second_y * each(cut_t);
         second_y = second_y * cut;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = second_x_t;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))) = each(second_x_t);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = second_x;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = second_y_t;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))) = each(second_y_t);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = second_y;
         v6 = second_x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i));
-        along_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + (share_t * v6 + share * (second_x_t - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))));
+        EACH_LANE each(along_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))) + (each(share_t) * v6 + share * (each(second_x_t) - each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)))));
         along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + share * v6;
         v7 = second_y - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i));
-        across_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + (share_t * v7 + share * (second_y_t - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))));
+        EACH_LANE each(across_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))) + (each(share_t) * v7 + share * (each(second_y_t) - each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)))));
         across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + share * v7;
-        square_t = along_t * along + along * along_t + (across_t * across + across * across_t);
+        EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
         square = along * along + across * across;
         v8 = 1.0 - march__SOFT * march__SOFT;
         v9 = v8 * square + soft;
         v10 = sqrt(v9);
         v11 = bound / v10;
-        scale_t = (bound_t - v11 * derivative_rates__root_rate(v10, v8 * square_t + soft_t)) / v10;
+        EACH_LANE each(scale_t) = (each(bound_t) - v11 * derivative_rates__root_rate(v10, v8 * each(square_t) + each(soft_t))) / v10;
         scale = v11;
         v12 = square * scale;
         v13 = v12 * scale;
         v14 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * v13;
-        v14_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * v13 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * ((square_t * scale + square * scale_t) * scale + v12 * scale_t);
+        EACH_LANE each(v14_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i))) * v13 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) * ((each(square_t) * scale + square * each(scale_t)) * scale + v12 * each(scale_t));
         if ((*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) > v14)
         {
             v14 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
-            v14_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
+            EACH_LANE each(v14_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)));
         }
-        largest_t = v14_t;
+        EACH_LANE each(largest_t) = each(v14_t);
         largest = v14;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = largest_t;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i))) = each(largest_t);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = largest;
         v15 = bound * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
-        scale_t = scale_t * v15 + scale * (bound_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) + bound * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)));
+        EACH_LANE each(scale_t) = each(scale_t) * v15 + scale * (each(bound_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) + bound * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i))));
         scale = scale * v15;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + (scale_t * along + scale * along_t);
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i))) + (each(scale_t) * along + scale * each(along_t));
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + scale * along;
-        across_t = across_t * scale + across * scale_t;
+        EACH_LANE each(across_t) = each(across_t) * scale + across * each(scale_t);
         across = across * scale;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + across_t;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i))) + each(across_t);
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + across;
-        (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + (x_t * across + x * across_t);
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i))) + (each(x_t) * across + x * each(across_t));
         (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + x * across;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``reach_edge``. */
-static inline int64_t derivative_march__reach_edge_t(array_double_1d work, array_double_1d work_t, int64_t i, double before, double before_t, double x, double x_t, double bound, double bound_t)
+static inline int64_t derivative_march__reach_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double before, lanes before_t, double x, lanes x_t, double bound, lanes bound_t)
 {
-    double edge_t;
+    lanes edge_t;
     double edge;
-    double weight_t;
+    lanes weight_t;
     double weight;
     double v1;
-    double v1_t;
-    double edge_bound_t;
+    lanes v1_t;
+    lanes edge_bound_t;
     double edge_bound;
     double v2;
-    double start_x_t;
+    lanes start_x_t;
     double start_x;
     double v3;
-    double start_y_t;
+    lanes start_y_t;
     double start_y;
     double to_x;
-    double to_x_t;
+    lanes to_x_t;
     double to_y;
-    double to_y_t;
+    lanes to_y_t;
     double v4;
     double v5;
     double v6;
     double v7;
     double v8;
-    double near_t;
+    lanes near_t;
     double near;
     double v9;
     double v10;
     double v11;
     double v12;
-    edge_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i));
+    EACH_LANE each(edge_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i)));
     edge = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i));
-    weight_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
+    EACH_LANE each(weight_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i)));
     weight = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
-    derivative_march__sqrt_of_t(&v1, &v1_t, 1.0 - edge * edge, -(edge_t * edge + edge * edge_t));
-    edge_bound_t = v1_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = -(each(edge_t) * edge + edge * each(edge_t));
+    derivative_march__sqrt_of_t(&v1, &v1_t, 1.0 - edge * edge, rates_1);
+    EACH_LANE each(edge_bound_t) = each(v1_t);
     edge_bound = v1;
     v2 = weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i));
-    start_x_t = (weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i))) * edge_bound + v2 * edge_bound_t;
+    EACH_LANE each(start_x_t) = (each(weight_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) + weight * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)))) * edge_bound + v2 * each(edge_bound_t);
     start_x = v2 * edge_bound;
     v3 = weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i));
-    start_y_t = (weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i))) * edge_bound + v3 * edge_bound_t;
+    EACH_LANE each(start_y_t) = (each(weight_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + weight * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)))) * edge_bound + v3 * each(edge_bound_t);
     start_y = v3 * edge_bound;
     if (weight < 1.0)
     {
-        derivative_march__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, i, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)), (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)), (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)), edge, edge_t, before - edge, before_t - edge_t);
+        lanes rates_2;
+        EACH_LANE each(rates_2) = each(before_t) - each(edge_t);
+        derivative_march__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, i, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)), (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)), (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)), edge, edge_t, before - edge, rates_2);
         derivative_tractions__cut_to_t(&to_x, &to_x_t, &to_y, &to_y_t, to_x, to_x_t, to_y, to_y_t, edge_bound, edge_bound_t);
         v4 = 1.0 - weight;
-        start_x_t = start_x_t + ((-weight_t) * to_x + v4 * to_x_t);
+        EACH_LANE each(start_x_t) = each(start_x_t) + ((-each(weight_t)) * to_x + v4 * each(to_x_t));
         start_x = start_x + v4 * to_x;
         v5 = 1.0 - weight;
-        start_y_t = start_y_t + ((-weight_t) * to_y + v5 * to_y_t);
+        EACH_LANE each(start_y_t) = each(start_y_t) + ((-each(weight_t)) * to_y + v5 * each(to_y_t));
         start_y = start_y + v5 * to_y;
     }
     derivative_march__note_largest_t(work, work_t, i, start_x, start_x_t, start_y, start_y_t);
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)) = start_x_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i))) = each(start_x_t);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)) = start_x;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)) = start_y_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i))) = each(start_y_t);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)) = start_y;
     v6 = edge - x;
     v7 = before - x;
     v8 = v6 / v7;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i)) = (edge_t - x_t - v8 * (before_t - x_t)) / v7;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i))) = (each(edge_t) - each(x_t) - v8 * (each(before_t) - each(x_t))) / v7;
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i)) = v8;
-    near_t = -(*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i));
+    EACH_LANE each(near_t) = -each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i)));
     near = 1.0 - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i));
     v9 = 1.0 - weight;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = near_t * v9 + near * (-weight_t);
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i))) = each(near_t) * v9 + near * (-each(weight_t));
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = near * v9;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = 0.0;
     v10 = near * bound;
     v11 = v10 * bound;
-    weight_t = weight_t * v11 + weight * ((near_t * bound + near * bound_t) * bound + v10 * bound_t);
+    EACH_LANE each(weight_t) = each(weight_t) * v11 + weight * ((each(near_t) * bound + near * each(bound_t)) * bound + v10 * each(bound_t));
     weight = weight * v11;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + (weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i))) + (each(weight_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) + weight * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i))));
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i));
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + (weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i))) + (each(weight_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + weight * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i))));
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i));
     v12 = weight * x;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + ((weight_t * x + weight * x_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + v12 * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i))) + ((each(weight_t) * x + weight * each(x_t)) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + v12 * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i))));
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + v12 * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i));
     return INT64_C(0);
 }
 
 /* Derivative of ``leave_edge``. */
-static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array_double_1d work_t, int64_t i, double x, double x_t, double bound, double bound_t)
+static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double x, lanes x_t, double bound, lanes bound_t)
 {
-    double weight_t;
+    lanes weight_t;
     double weight;
-    double near_t;
+    lanes near_t;
     double near;
-    double p_x_t;
+    lanes p_x_t;
     double p_x;
-    double p_y_t;
+    lanes p_y_t;
     double p_y;
     double slip_x;
-    double slip_x_t;
+    lanes slip_x_t;
     double slip_y;
-    double slip_y_t;
-    double step_t;
+    lanes slip_y_t;
+    lanes step_t;
     double step;
     double to_x;
-    double to_x_t;
+    lanes to_x_t;
     double to_y;
-    double to_y_t;
-    double kept_t;
+    lanes to_y_t;
+    lanes kept_t;
     double kept;
     double v1;
     double v2;
-    double share_t;
+    lanes share_t;
     double share;
     double v3;
     double v4;
     double v5;
-    weight_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
+    EACH_LANE each(weight_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i)));
     weight = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
-    near_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
+    EACH_LANE each(near_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)));
     near = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
-    p_x_t = 0.0;
+    p_x_t = all_lanes(0.0);
     p_x = 0.0;
-    p_y_t = 0.0;
+    p_y_t = all_lanes(0.0);
     p_y = 0.0;
     if (weight < 1.0)
     {
         derivative_march__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, i, bound, bound_t);
-        p_x_t = near_t * slip_x + near * slip_x_t;
+        EACH_LANE each(p_x_t) = each(near_t) * slip_x + near * each(slip_x_t);
         p_x = near * slip_x;
-        p_y_t = near_t * slip_y + near * slip_y_t;
+        EACH_LANE each(p_y_t) = each(near_t) * slip_y + near * each(slip_y_t);
         p_y = near * slip_y;
     }
-    step_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i)) - x_t;
+    EACH_LANE each(step_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i))) - each(x_t);
     step = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i)) - x;
-    derivative_march__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, i, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)), (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)), (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)), x, x_t, step, step_t);
+    derivative_march__stepped_t(&to_x, &to_x_t, &to_y, &to_y_t, work, work_t, i, (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)), (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i)), (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)), (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i)), x, x_t, step, step_t);
     derivative_tractions__cut_to_t(&to_x, &to_x_t, &to_y, &to_y_t, to_x, to_x_t, to_y, to_y_t, bound, bound_t);
     if (weight < march__FAINT)
     {
-        kept_t = weight_t / march__FAINT;
+        EACH_LANE each(kept_t) = each(weight_t) / march__FAINT;
         kept = weight / march__FAINT;
         v1 = to_x - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i));
-        to_x_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) + (kept_t * v1 + kept * (to_x_t - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))));
+        EACH_LANE each(to_x_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))) + (each(kept_t) * v1 + kept * (each(to_x_t) - each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)))));
         to_x = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) + kept * v1;
         v2 = to_y - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i));
-        to_y_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) + (kept_t * v2 + kept * (to_y_t - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))));
+        EACH_LANE each(to_y_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))) + (each(kept_t) * v2 + kept * (each(to_y_t) - each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)))));
         to_y = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) + kept * v2;
     }
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = to_x_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))) = each(to_x_t);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = to_x;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = to_y_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))) = each(to_y_t);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) = to_y;
     derivative_march__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, i, bound, bound_t);
-    share_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i));
+    EACH_LANE each(share_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i)));
     share = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i));
-    slip_x_t = slip_x_t * share + slip_x * share_t;
+    EACH_LANE each(slip_x_t) = each(slip_x_t) * share + slip_x * each(share_t);
     slip_x = slip_x * share;
-    slip_y_t = slip_y_t * share + slip_y * share_t;
+    EACH_LANE each(slip_y_t) = each(slip_y_t) * share + slip_y * each(share_t);
     slip_y = slip_y * share;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + (bound_t * slip_x + bound * slip_x_t);
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i))) + (each(bound_t) * slip_x + bound * each(slip_x_t));
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + bound * slip_x;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + (bound_t * slip_y + bound * slip_y_t);
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i))) + (each(bound_t) * slip_y + bound * each(slip_y_t));
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + bound * slip_y;
     v3 = bound * x;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + ((bound_t * x + bound * x_t) * slip_y + v3 * slip_y_t);
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i))) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i))) + ((each(bound_t) * x + bound * each(x_t)) * slip_y + v3 * each(slip_y_t));
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + v3 * slip_y;
     v4 = 1.0 - share;
     v5 = v4 * bound;
-    weight_t = weight_t * v5 + weight * ((-share_t) * bound + v4 * bound_t);
+    EACH_LANE each(weight_t) = each(weight_t) * v5 + weight * ((-each(share_t)) * bound + v4 * each(bound_t));
     weight = weight * v5;
-    derivative_march__note_largest_t(work, work_t, i, p_x + weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) + slip_x, p_x_t + (weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i))) + slip_x_t, p_y + weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + slip_y, p_y_t + (weight_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + weight * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i))) + slip_y_t);
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = 0.0;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each(p_x_t) + (each(weight_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) + weight * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)))) + each(slip_x_t);
+    lanes rates_2;
+    EACH_LANE each(rates_2) = each(p_y_t) + (each(weight_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + weight * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)))) + each(slip_y_t);
+    derivative_march__note_largest_t(work, work_t, i, p_x + weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i)) + slip_x, rates_1, p_y + weight * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i)) + slip_y, rates_2);
+    (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = 1.0;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = 1.0;
     return INT64_C(0);
 }
 
 /* Derivative of ``stepped``. */
-static inline int64_t derivative_march__stepped_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t i, double p_x, double p_x_t, double p_y, double p_y_t, double x, double x_t, double step, double step_t)
+static inline int64_t derivative_march__stepped_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t, double x, lanes x_t, double step, lanes step_t)
 {
     double v1;
-    double across_t;
+    lanes across_t;
     double across;
     v1 = x + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step;
-    across_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * v1 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * (x_t + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * step_t)));
+    EACH_LANE each(across_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i))) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i))) * v1 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * (each(x_t) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i))) * step + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LAG + i)) * each(step_t))));
     across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_TURN + i)) * v1;
     (*result_0) = p_x - step * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i));
-    (*result_1) = p_x_t - (step_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i)) + step * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i)));
+    EACH_LANE each((*result_1)) = each(p_x_t) - (each(step_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i)) + step * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_CENTRE_X + i))));
     (*result_2) = p_y - step * across;
-    (*result_3) = p_y_t - (step_t * across + step * across_t);
+    EACH_LANE each((*result_3)) = each(p_y_t) - (each(step_t) * across + step * each(across_t));
     return 0;
 }
 
 /* Derivative of ``slip_traction``. */
-static inline int64_t derivative_march__slip_traction_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t i, double bound, double bound_t)
+static inline int64_t derivative_march__slip_traction_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double bound, lanes bound_t)
 {
     double v1;
-    double along_t;
+    lanes along_t;
     double along;
     double v2;
-    double across_t;
+    lanes across_t;
     double across;
-    double square_t;
+    lanes square_t;
     double square;
     double v3;
     double v4;
     double v5;
     double v6;
     double v7;
-    double scale_t;
+    lanes scale_t;
     double scale;
     v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i));
-    along_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * v1 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))));
+    EACH_LANE each(along_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i))) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE))) * v1 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))) - each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)))));
     along = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_X + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * v1;
     v2 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) - (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i));
-    across_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * v2 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * ((*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) - (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))));
+    EACH_LANE each(across_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i))) + (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE))) * v2 + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * (each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))) - each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)))));
     across = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_FIRST_Y + i)) + (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SHARE)) * v2;
-    square_t = along_t * along + along * along_t + (across_t * across + across * across_t);
+    EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
     square = along * along + across * across;
     v3 = march__SOFT * march__SOFT;
     v4 = bound * bound - square;
     v5 = square + v3 * v4;
     v6 = sqrt(v5);
     v7 = bound / v6;
-    scale_t = (bound_t - v7 * derivative_rates__root_rate(v6, square_t + v3 * (bound_t * bound + bound * bound_t - square_t))) / v6;
+    EACH_LANE each(scale_t) = (each(bound_t) - v7 * derivative_rates__root_rate(v6, each(square_t) + v3 * (each(bound_t) * bound + bound * each(bound_t) - each(square_t)))) / v6;
     scale = v7;
     (*result_0) = along * scale;
-    (*result_1) = along_t * scale + along * scale_t;
+    EACH_LANE each((*result_1)) = each(along_t) * scale + along * each(scale_t);
     (*result_2) = across * scale;
-    (*result_3) = across_t * scale + across * scale_t;
+    EACH_LANE each((*result_3)) = each(across_t) * scale + across * each(scale_t);
     return 0;
 }
 
 /* Derivative of ``note_largest``. */
-static inline int64_t derivative_march__note_largest_t(array_double_1d work, array_double_1d work_t, int64_t i, double p_x, double p_x_t, double p_y, double p_y_t)
+static inline int64_t derivative_march__note_largest_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t)
 {
-    double square_t;
+    lanes square_t;
     double square;
     double v1;
-    double v1_t;
-    square_t = p_x_t * p_x + p_x * p_x_t + (p_y_t * p_y + p_y * p_y_t);
+    lanes v1_t;
+    EACH_LANE each(square_t) = each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t));
     square = p_x * p_x + p_y * p_y;
     v1 = (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
-    v1_t = (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i));
+    EACH_LANE each(v1_t) = each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)));
     if (square > v1)
     {
         v1 = square;
-        v1_t = square_t;
+        EACH_LANE each(v1_t) = each(square_t);
     }
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = v1_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i))) = each(v1_t);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_LARGEST + i)) = v1;
     return INT64_C(0);
 }
 
 /* Derivative of ``sqrt_of``. */
-static inline int64_t derivative_march__sqrt_of_t(double* root, double* root_t, double value, double value_t)
+static inline int64_t derivative_march__sqrt_of_t(double* root, lanes* root_t, double value, lanes value_t)
 {
     double v1;
-    (*root_t) = 0.0;
+    (*root_t) = all_lanes(0.0);
     (*root) = 0.0;
     if (value > 0.0)
     {
         v1 = sqrt(value);
-        (*root_t) = derivative_rates__root_rate(v1, value_t);
+        EACH_LANE each((*root_t)) = derivative_rates__root_rate(v1, each(value_t));
         (*root) = v1;
     }
     return 0;
@@ -3601,286 +3669,286 @@ static inline int64_t derivative_march__sqrt_of_t(double* root, double* root_t, 
  */
 
 /* Derivative of ``rolling_rate``. */
-static inline int64_t derivative_motion__rolling_rate_t(double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, array_double_1d tables)
+static inline int64_t derivative_motion__rolling_rate_t(double* rate, lanes* rate_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables)
 {
-    (*rate_t) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE));
+    EACH_LANE each((*rate_t)) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE)));
     (*rate) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE));
     if (((*rate) == 0.0) && ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_FREE_ROLLING)) != 0.0))
     {
-        (*rate_t) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED)) / (*cspan_at(&tables, layout__TABLES_HEIGHT));
+        EACH_LANE each((*rate_t)) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED))) / (*cspan_at(&tables, layout__TABLES_HEIGHT));
         (*rate) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) / (*cspan_at(&tables, layout__TABLES_HEIGHT));
     }
     return 0;
 }
 
 /* Derivative of ``open_motion``. */
-static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t motion)
+static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t motion)
 {
     double sin_yaw;
-    double sin_yaw_t;
+    lanes sin_yaw_t;
     double cos_yaw;
-    double cos_yaw_t;
+    lanes cos_yaw_t;
     double sin_roll;
-    double sin_roll_t;
+    lanes sin_roll_t;
     double cos_roll;
-    double cos_roll_t;
+    lanes cos_roll_t;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    derivative_circle__sine_cosine_rule_t(&sin_yaw, &sin_yaw_t, &cos_yaw, &cos_yaw_t, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    derivative_circle__sine_cosine_rule_t(&sin_roll, &sin_roll_t, &cos_roll, &cos_roll_t, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)), (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
-    (*cspan_at(&work_t, motion + layout__MOTION_SPEED)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED));
+    derivative_circle__sine_cosine_rule_t(&sin_yaw, &sin_yaw_t, &cos_yaw, &cos_yaw_t, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    derivative_circle__sine_cosine_rule_t(&sin_roll, &sin_roll_t, &cos_roll, &cos_roll_t, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)), (*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_SPEED))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED)));
     (*cspan_at(&work, motion + layout__MOTION_SPEED)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED));
-    (*cspan_at(&work_t, motion + layout__MOTION_LATERAL)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY)));
     (*cspan_at(&work, motion + layout__MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
     derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, tables);
-    (*cspan_at(&work_t, motion + layout__MOTION_WHEEL_RATE)) = v1_t;
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE))) = each(v1_t);
     (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) = v1;
-    (*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE));
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED))) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE)));
     (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE));
-    (*cspan_at(&work_t, motion + layout__MOTION_TURN_Z)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE)));
     (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
-    (*cspan_at(&work_t, motion + layout__MOTION_AHEAD_X)) = cos_yaw_t;
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_AHEAD_X))) = each(cos_yaw_t);
     (*cspan_at(&work, motion + layout__MOTION_AHEAD_X)) = cos_yaw;
-    (*cspan_at(&work_t, motion + layout__MOTION_AHEAD_Y)) = sin_yaw_t;
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_AHEAD_Y))) = each(sin_yaw_t);
     (*cspan_at(&work, motion + layout__MOTION_AHEAD_Y)) = sin_yaw;
     v2 = -sin_yaw;
-    (*cspan_at(&work_t, motion + layout__MOTION_AXLE_X)) = (-sin_yaw_t) * cos_roll + v2 * cos_roll_t;
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_X))) = (-each(sin_yaw_t)) * cos_roll + v2 * each(cos_roll_t);
     (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) = v2 * cos_roll;
-    (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Y)) = cos_yaw_t * cos_roll + cos_yaw * cos_roll_t;
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y))) = each(cos_yaw_t) * cos_roll + cos_yaw * each(cos_roll_t);
     (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) = cos_yaw * cos_roll;
-    (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z)) = sin_roll_t;
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z))) = each(sin_roll_t);
     (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) = sin_roll;
-    (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)));
     (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
-    (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z))) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)));
     (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_HEIGHT));
     return INT64_C(0);
 }
 
 /* Derivative of ``mirror_motion``. */
-static inline int64_t derivative_motion__mirror_motion_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t mirrored)
+static inline int64_t derivative_motion__mirror_motion_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t mirrored)
 {
-    (*cspan_at(&work_t, mirrored + layout__MOTION_SPEED)) = (*cspan_at(&work_t, motion + layout__MOTION_SPEED));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_SPEED))) = each((*lanes_at(&work_t, motion + layout__MOTION_SPEED)));
     (*cspan_at(&work, mirrored + layout__MOTION_SPEED)) = (*cspan_at(&work, motion + layout__MOTION_SPEED));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_LATERAL)) = -(*cspan_at(&work_t, motion + layout__MOTION_LATERAL));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_LATERAL))) = -each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL)));
     (*cspan_at(&work, mirrored + layout__MOTION_LATERAL)) = -(*cspan_at(&work, motion + layout__MOTION_LATERAL));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_WHEEL_RATE)) = (*cspan_at(&work_t, motion + layout__MOTION_WHEEL_RATE));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_WHEEL_RATE))) = each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE)));
     (*cspan_at(&work, mirrored + layout__MOTION_WHEEL_RATE)) = (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_TRACK_RATE)) = -(*cspan_at(&work_t, motion + layout__MOTION_TRACK_RATE));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_TRACK_RATE))) = -each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE)));
     (*cspan_at(&work, mirrored + layout__MOTION_TRACK_RATE)) = -(*cspan_at(&work, motion + layout__MOTION_TRACK_RATE));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_TURN_Z)) = -(*cspan_at(&work_t, motion + layout__MOTION_TURN_Z));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_TURN_Z))) = -each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z)));
     (*cspan_at(&work, mirrored + layout__MOTION_TURN_Z)) = -(*cspan_at(&work, motion + layout__MOTION_TURN_Z));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_AHEAD_X)) = (*cspan_at(&work_t, motion + layout__MOTION_AHEAD_X));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_AHEAD_X))) = each((*lanes_at(&work_t, motion + layout__MOTION_AHEAD_X)));
     (*cspan_at(&work, mirrored + layout__MOTION_AHEAD_X)) = (*cspan_at(&work, motion + layout__MOTION_AHEAD_X));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_AHEAD_Y)) = -(*cspan_at(&work_t, motion + layout__MOTION_AHEAD_Y));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_AHEAD_Y))) = -each((*lanes_at(&work_t, motion + layout__MOTION_AHEAD_Y)));
     (*cspan_at(&work, mirrored + layout__MOTION_AHEAD_Y)) = -(*cspan_at(&work, motion + layout__MOTION_AHEAD_Y));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_AXLE_X)) = -(*cspan_at(&work_t, motion + layout__MOTION_AXLE_X));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_AXLE_X))) = -each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_X)));
     (*cspan_at(&work, mirrored + layout__MOTION_AXLE_X)) = -(*cspan_at(&work, motion + layout__MOTION_AXLE_X));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_AXLE_Y)) = (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Y));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_AXLE_Y))) = each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y)));
     (*cspan_at(&work, mirrored + layout__MOTION_AXLE_Y)) = (*cspan_at(&work, motion + layout__MOTION_AXLE_Y));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_AXLE_Z)) = -(*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_AXLE_Z))) = -each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z)));
     (*cspan_at(&work, mirrored + layout__MOTION_AXLE_Z)) = -(*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_CENTRE_Y)) = -(*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_CENTRE_Y))) = -each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)));
     (*cspan_at(&work, mirrored + layout__MOTION_CENTRE_Y)) = -(*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    (*cspan_at(&work_t, mirrored + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__MOTION_CENTRE_Z))) = each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z)));
     (*cspan_at(&work, mirrored + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
     return INT64_C(0);
 }
 
 /* Derivative of ``open_left_rail``. */
-static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t rail)
+static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail)
 {
-    (*cspan_at(&work_t, rail + layout__RAIL_MOTION_LATERAL)) = -(*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) = -each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
-    (*cspan_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
-    (*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) = -(*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) = -each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
-    (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Y)) = -(*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))) = -each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL)));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL));
-    (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL)));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL));
     return INT64_C(0);
 }
 
 /* Derivative of ``open_right_rail``. */
-static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t rail)
+static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail)
 {
-    (*cspan_at(&work_t, rail + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
-    (*cspan_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
-    (*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
-    (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL)));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL));
-    (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL)));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL));
     return INT64_C(0);
 }
 
 /* Derivative of ``set_rates``. */
-static inline int64_t derivative_motion__set_rates_t(array_double_1d work, array_double_1d work_t, int64_t left, int64_t right, double vertical, double vertical_t, double roll_rate, double roll_rate_t)
+static inline int64_t derivative_motion__set_rates_t(array_double_1d work, array_lanes_1d work_t, int64_t left, int64_t right, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
 {
-    (*cspan_at(&work_t, right + layout__MOTION_VERTICAL)) = vertical_t;
+    EACH_LANE each((*lanes_at(&work_t, right + layout__MOTION_VERTICAL))) = each(vertical_t);
     (*cspan_at(&work, right + layout__MOTION_VERTICAL)) = vertical;
-    (*cspan_at(&work_t, right + layout__MOTION_TURN_X)) = roll_rate_t * (*cspan_at(&work, right + layout__MOTION_AHEAD_X)) + roll_rate * (*cspan_at(&work_t, right + layout__MOTION_AHEAD_X));
+    EACH_LANE each((*lanes_at(&work_t, right + layout__MOTION_TURN_X))) = each(roll_rate_t) * (*cspan_at(&work, right + layout__MOTION_AHEAD_X)) + roll_rate * each((*lanes_at(&work_t, right + layout__MOTION_AHEAD_X)));
     (*cspan_at(&work, right + layout__MOTION_TURN_X)) = roll_rate * (*cspan_at(&work, right + layout__MOTION_AHEAD_X));
-    (*cspan_at(&work_t, right + layout__MOTION_TURN_Y)) = roll_rate_t * (*cspan_at(&work, right + layout__MOTION_AHEAD_Y)) + roll_rate * (*cspan_at(&work_t, right + layout__MOTION_AHEAD_Y));
+    EACH_LANE each((*lanes_at(&work_t, right + layout__MOTION_TURN_Y))) = each(roll_rate_t) * (*cspan_at(&work, right + layout__MOTION_AHEAD_Y)) + roll_rate * each((*lanes_at(&work_t, right + layout__MOTION_AHEAD_Y)));
     (*cspan_at(&work, right + layout__MOTION_TURN_Y)) = roll_rate * (*cspan_at(&work, right + layout__MOTION_AHEAD_Y));
-    (*cspan_at(&work_t, left + layout__MOTION_VERTICAL)) = vertical_t;
+    EACH_LANE each((*lanes_at(&work_t, left + layout__MOTION_VERTICAL))) = each(vertical_t);
     (*cspan_at(&work, left + layout__MOTION_VERTICAL)) = vertical;
-    (*cspan_at(&work_t, left + layout__MOTION_TURN_X)) = -(*cspan_at(&work_t, right + layout__MOTION_TURN_X));
+    EACH_LANE each((*lanes_at(&work_t, left + layout__MOTION_TURN_X))) = -each((*lanes_at(&work_t, right + layout__MOTION_TURN_X)));
     (*cspan_at(&work, left + layout__MOTION_TURN_X)) = -(*cspan_at(&work, right + layout__MOTION_TURN_X));
-    (*cspan_at(&work_t, left + layout__MOTION_TURN_Y)) = (*cspan_at(&work_t, right + layout__MOTION_TURN_Y));
+    EACH_LANE each((*lanes_at(&work_t, left + layout__MOTION_TURN_Y))) = each((*lanes_at(&work_t, right + layout__MOTION_TURN_Y)));
     (*cspan_at(&work, left + layout__MOTION_TURN_Y)) = (*cspan_at(&work, right + layout__MOTION_TURN_Y));
     return INT64_C(0);
 }
 
 /* Derivative of ``constrain_touching``. */
-static inline int64_t derivative_motion__constrain_touching_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t point)
+static inline int64_t derivative_motion__constrain_touching_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t point)
 {
     int64_t constraint;
-    double x_t;
+    lanes x_t;
     double x;
-    double y_t;
+    lanes y_t;
     double y;
-    double z_t;
+    lanes z_t;
     double z;
     double sine;
-    double sine_t;
+    lanes sine_t;
     double cosine;
-    double cosine_t;
-    double normal_y_t;
+    lanes cosine_t;
+    lanes normal_y_t;
     double normal_y;
-    double normal_z_t;
+    lanes normal_z_t;
     double normal_z;
     double v1;
     constraint = motion + layout__MOTION_CONSTRAINT;
-    x_t = (*cspan_at(&work_t, point + layout__CONTACT_POINT_X_TRACK));
+    EACH_LANE each(x_t) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_X_TRACK)));
     x = (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK));
-    y_t = (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y));
+    EACH_LANE each(y_t) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Y_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)));
     y = (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    z_t = (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z));
+    EACH_LANE each(z_t) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Z_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z)));
     z = (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-    derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)), (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
-    normal_y_t = -sine_t;
+    derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)), (*lanes_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
+    EACH_LANE each(normal_y_t) = -each(sine_t);
     normal_y = -sine;
-    normal_z_t = -cosine_t;
+    EACH_LANE each(normal_z_t) = -each(cosine_t);
     normal_z = -cosine;
-    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_Y)) = normal_y_t;
+    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Y))) = each(normal_y_t);
     (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) = normal_y;
-    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_Z)) = normal_z_t;
+    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Z))) = each(normal_z_t);
     (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) = normal_z;
-    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_X)) = y_t * normal_z + y * normal_z_t - (z_t * normal_y + z * normal_y_t);
+    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_X))) = each(y_t) * normal_z + y * each(normal_z_t) - (each(z_t) * normal_y + z * each(normal_y_t));
     (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) = y * normal_z - z * normal_y;
     v1 = -x;
-    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Y)) = (-x_t) * normal_z + v1 * normal_z_t;
+    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Y))) = (-each(x_t)) * normal_z + v1 * each(normal_z_t);
     (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Y)) = v1 * normal_z;
-    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Z)) = x_t * normal_y + x * normal_y_t;
+    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Z))) = each(x_t) * normal_y + x * each(normal_y_t);
     (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) = x * normal_y;
     return INT64_C(0);
 }
 
 /* Derivative of ``constrain_loaded``. */
-static inline int64_t derivative_motion__constrain_loaded_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t forces)
+static inline int64_t derivative_motion__constrain_loaded_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t forces)
 {
     int64_t constraint;
     constraint = motion + layout__MOTION_CONSTRAINT;
-    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_Y)) = (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1)));
+    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Y))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1))));
     (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1)));
-    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_Z)) = (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2)));
+    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Z))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))));
     (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2)));
-    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_X)) = (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0)));
+    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_X))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0))));
     (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0)));
-    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Y)) = (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(1)));
+    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Y))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(1))));
     (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Y)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(1)));
-    (*cspan_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Z)) = (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(2)));
+    EACH_LANE each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Z))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(2))));
     (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(2)));
     return INT64_C(0);
 }
 
 /* Derivative of ``known_part``. */
-static inline int64_t derivative_motion__known_part_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion)
+static inline int64_t derivative_motion__known_part_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion)
 {
     int64_t constraint;
     int64_t rail;
     double v1;
     double v2;
-    double rail_moment_t;
+    lanes rail_moment_t;
     double rail_moment;
     double v3;
     constraint = motion + layout__MOTION_CONSTRAINT;
     rail = motion + layout__MOTION_RAIL;
     v1 = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y));
     v2 = (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z));
-    rail_moment_t = (*cspan_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_X)) + (((*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Y))) * (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) + v1 * (*cspan_at(&work_t, constraint + layout__CONSTRAINT_Z))) - (((*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_Z))) * (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) + v2 * (*cspan_at(&work_t, constraint + layout__CONSTRAINT_Y)));
+    EACH_LANE each(rail_moment_t) = each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_X))) + ((each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y)))) * (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) + v1 * each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Z)))) - ((each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z)))) * (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) + v2 * each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Y))));
     rail_moment = (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) + v1 * (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) - v2 * (*cspan_at(&work, constraint + layout__CONSTRAINT_Y));
     v3 = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL));
     (*result_0) = (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) * v3 + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) * (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) - (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) * (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - rail_moment * (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL));
-    (*result_1) = (*cspan_at(&work_t, constraint + layout__CONSTRAINT_Y)) * v3 + (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) * ((*cspan_at(&work_t, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) + ((*cspan_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Z)) * (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) * (*cspan_at(&work_t, motion + layout__MOTION_TURN_Z))) - ((*cspan_at(&work_t, constraint + layout__CONSTRAINT_Z)) * (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) * (*cspan_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) - (rail_moment_t * (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) + rail_moment * (*cspan_at(&work_t, rail + layout__RAIL_MOTION_ROLL)));
+    EACH_LANE each((*result_1)) = each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Y))) * v3 + (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) * (each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL)))) + (each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Z))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) * each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z)))) - (each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Z))) * (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) * each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL)))) - (each(rail_moment_t) * (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) + rail_moment * each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))));
     return 0;
 }
 
 /* Derivative of ``set_contact_rates``. */
-static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d work, array_double_1d work_t, int64_t left, int64_t right)
+static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d work, array_lanes_1d work_t, int64_t left, int64_t right)
 {
-    double x_t;
+    lanes x_t;
     double x;
-    double y_t;
+    lanes y_t;
     double y;
-    double left_roll_t;
+    lanes left_roll_t;
     double left_roll;
-    double right_roll_t;
+    lanes right_roll_t;
     double right_roll;
     double v1;
-    double v1_t;
-    double known_left_t;
+    lanes v1_t;
+    lanes known_left_t;
     double known_left;
     double v2;
-    double v2_t;
-    double known_right_t;
+    lanes v2_t;
+    lanes known_right_t;
     double known_right;
-    double determinant_t;
+    lanes determinant_t;
     double determinant;
-    double vertical_t;
+    lanes vertical_t;
     double vertical;
-    double roll_rate_t;
+    lanes roll_rate_t;
     double roll_rate;
     double v3;
     double v4;
     double v5;
     double v6;
-    x_t = (*cspan_at(&work_t, right + layout__MOTION_AHEAD_X));
+    EACH_LANE each(x_t) = each((*lanes_at(&work_t, right + layout__MOTION_AHEAD_X)));
     x = (*cspan_at(&work, right + layout__MOTION_AHEAD_X));
-    y_t = (*cspan_at(&work_t, right + layout__MOTION_AHEAD_Y));
+    EACH_LANE each(y_t) = each((*lanes_at(&work_t, right + layout__MOTION_AHEAD_Y)));
     y = (*cspan_at(&work, right + layout__MOTION_AHEAD_Y));
-    left_roll_t = y_t * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) + y * (*cspan_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - (x_t * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + x * (*cspan_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)));
+    EACH_LANE each(left_roll_t) = each(y_t) * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) + y * each((*lanes_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y))) - (each(x_t) * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + x * each((*lanes_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X))));
     left_roll = y * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) - x * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X));
-    right_roll_t = x_t * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + x * (*cspan_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + (y_t * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) + y * (*cspan_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)));
+    EACH_LANE each(right_roll_t) = each(x_t) * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + x * each((*lanes_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X))) + (each(y_t) * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y)) + y * each((*lanes_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y))));
     right_roll = x * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_X)) + y * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_MOMENT_Y));
     derivative_motion__known_part_t(&v1, &v1_t, work, work_t, left);
-    known_left_t = v1_t;
+    EACH_LANE each(known_left_t) = each(v1_t);
     known_left = v1;
     derivative_motion__known_part_t(&v2, &v2_t, work, work_t, right);
-    known_right_t = v2_t;
+    EACH_LANE each(known_right_t) = each(v2_t);
     known_right = v2;
-    determinant_t = (*cspan_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * right_roll + (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * right_roll_t - ((*cspan_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * left_roll + (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * left_roll_t);
+    EACH_LANE each(determinant_t) = each((*lanes_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z))) * right_roll + (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * each(right_roll_t) - (each((*lanes_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z))) * left_roll + (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * each(left_roll_t));
     determinant = (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * right_roll - (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) * left_roll;
-    vertical_t = 0.0;
+    vertical_t = all_lanes(0.0);
     vertical = 0.0;
-    roll_rate_t = 0.0;
+    roll_rate_t = all_lanes(0.0);
     roll_rate = 0.0;
     if (determinant != 0.0)
     {
         v3 = known_right * left_roll - known_left * right_roll;
         v4 = v3 / determinant;
-        vertical_t = (known_right_t * left_roll + known_right * left_roll_t - (known_left_t * right_roll + known_left * right_roll_t) - v4 * determinant_t) / determinant;
+        EACH_LANE each(vertical_t) = (each(known_right_t) * left_roll + known_right * each(left_roll_t) - (each(known_left_t) * right_roll + known_left * each(right_roll_t)) - v4 * each(determinant_t)) / determinant;
         vertical = v4;
         v5 = known_left * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) - known_right * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z));
         v6 = v5 / determinant;
-        roll_rate_t = (known_left_t * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) + known_left * (*cspan_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) - (known_right_t * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) + known_right * (*cspan_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z))) - v6 * determinant_t) / determinant;
+        EACH_LANE each(roll_rate_t) = (each(known_left_t) * (*cspan_at(&work, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) + known_left * each((*lanes_at(&work_t, right + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z))) - (each(known_right_t) * (*cspan_at(&work, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)) + known_right * each((*lanes_at(&work_t, left + layout__MOTION_CONSTRAINT + layout__CONSTRAINT_Z)))) - v6 * each(determinant_t)) / determinant;
         roll_rate = v6;
     }
     derivative_motion__set_rates_t(work, work_t, left, right, vertical, vertical_t, roll_rate, roll_rate_t);
@@ -3894,112 +3962,114 @@ static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d wor
  */
 
 /* Derivative of ``solve_polach``. */
-static inline int64_t derivative_polach__solve_polach_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_polach__solve_polach_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    double a_t;
+    lanes a_t;
     double a;
     double v1;
     double v2;
-    double slip_t;
+    lanes slip_t;
     double slip;
-    double across_t;
+    lanes across_t;
     double across;
     double v3;
     double v4;
-    double whole_t;
+    lanes whole_t;
     double whole;
     double v5;
     double first;
-    double first_t;
+    lanes first_t;
     double second;
-    double second_t;
+    lanes second_t;
     double third;
-    double third_t;
+    lanes third_t;
     double v7;
-    double v7_t;
+    lanes v7_t;
     double v6;
-    double v6_t;
+    lanes v6_t;
     double v8;
-    double push_t;
+    lanes push_t;
     double push;
     double v9;
     double v10;
     double v11;
-    double v11_t;
+    lanes v11_t;
     double v12;
-    double v12_t;
-    a_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH));
+    lanes v12_t;
+    EACH_LANE each(a_t) = each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH)));
     a = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
     v1 = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
     v2 = sqrt(v1);
-    slip_t = derivative_rates__root_rate(v2, (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) + ((*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))));
+    EACH_LANE each(slip_t) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) + (each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)))));
     slip = v2;
-    across_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) + ((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) * a + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * a_t);
+    EACH_LANE each(across_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) + (each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) * a + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * each(a_t));
     across = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_SPIN)) * a;
     if (fabs(across) < fabs((*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y))))
     {
-        across_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y));
+        EACH_LANE each(across_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)));
         across = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
     }
     v3 = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + across * across;
     v4 = sqrt(v3);
-    whole_t = derivative_rates__root_rate(v4, (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) + (across_t * across + across * across_t));
+    EACH_LANE each(whole_t) = derivative_rates__root_rate(v4, each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) + (each(across_t) * across + across * each(across_t)));
     whole = v4;
     if (whole > polach__SMALLEST)
     {
         v5 = a / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-        derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), v5, (a_t - v5 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)));
+        lanes rates_1;
+        EACH_LANE each(rates_1) = (each(a_t) - v5 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+        derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), v5, rates_1);
         if (slip > polach__SMALLEST)
         {
             derivative_polach__mean_coefficient_t(&v7, &v7_t, work, work_t, patch, first, first_t, second, second_t, slip, slip_t);
-            derivative_polach__creep_force_t(&v6, &v6_t, work, work_t, (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)), 0.0, patch, v7, v7_t, whole, whole_t);
+            derivative_polach__creep_force_t(&v6, &v6_t, work, work_t, (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)), all_lanes(0.0), patch, v7, v7_t, whole, whole_t);
             v8 = v6 / whole;
-            push_t = (v6_t - v8 * whole_t) / whole;
+            EACH_LANE each(push_t) = (each(v6_t) - v8 * each(whole_t)) / whole;
             push = v8;
             v9 = -push;
-            (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = (-push_t) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + v9 * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X));
+            EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) = (-each(push_t)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + v9 * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)));
             (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = v9 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
             v10 = -push;
-            (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) = (-push_t) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + v10 * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y));
+            EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) = (-each(push_t)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + v10 * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)));
             (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = v10 * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
         }
-        derivative_polach__spin_force_t(&v11, &v11_t, work, work_t, (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)), 0.0, patch, third, third_t, whole, whole_t);
-        (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) + v11_t;
+        derivative_polach__spin_force_t(&v11, &v11_t, work, work_t, (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)), all_lanes(0.0), patch, third, third_t, whole, whole_t);
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) + each(v11_t);
         (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + v11;
         derivative_polach__cut_force_t(work, work_t, patch);
         derivative_polach__largest_shear_t(&v12, &v12_t, work, work_t, patch);
-        (*cspan_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) = v12_t;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR))) = each(v12_t);
         (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = v12;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``mean_coefficient``. */
-static inline int64_t derivative_polach__mean_coefficient_t(double* v4, double* result_1, array_double_1d work, array_double_1d work_t, int64_t patch, double first, double first_t, double second, double second_t, double slip, double slip_t)
+static inline int64_t derivative_polach__mean_coefficient_t(double* v4, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double first, lanes first_t, double second, lanes second_t, double slip, lanes slip_t)
 {
     double v1;
-    double along_t;
+    lanes along_t;
     double along;
     double v2;
-    double across_t;
+    lanes across_t;
     double across;
     double v3;
     v1 = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) / slip;
-    along_t = first_t * v1 + first * (((*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) - v1 * slip_t) / slip);
+    EACH_LANE each(along_t) = each(first_t) * v1 + first * ((each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) - v1 * each(slip_t)) / slip);
     along = first * v1;
     v2 = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) / slip;
-    across_t = second_t * v2 + second * (((*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) - v2 * slip_t) / slip);
+    EACH_LANE each(across_t) = each(second_t) * v2 + second * ((each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) - v2 * each(slip_t)) / slip);
     across = second * v2;
     v3 = along * along + across * across;
     (*v4) = sqrt(v3);
-    (*result_1) = derivative_rates__root_rate((*v4), along_t * along + along * along_t + (across_t * across + across * across_t));
+    EACH_LANE each((*result_1)) = derivative_rates__root_rate((*v4), each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
     return 0;
 }
 
 /* Derivative of ``creep_force``. */
-static inline int64_t derivative_polach__creep_force_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, double shear_modulus, double shear_modulus_t, int64_t patch, double coefficient, double coefficient_t, double whole, double whole_t)
+static inline int64_t derivative_polach__creep_force_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t)
 {
-    double bound_t;
+    lanes bound_t;
     double bound;
     double v1;
     double v2;
@@ -4008,11 +4078,11 @@ static inline int64_t derivative_polach__creep_force_t(double* result_0, double*
     double v5;
     double v6;
     double v7;
-    double e_t;
+    lanes e_t;
     double e;
     double v8;
-    double v8_t;
-    double share_t;
+    lanes v8_t;
+    lanes share_t;
     double share;
     double v9;
     double v10;
@@ -4021,7 +4091,7 @@ static inline int64_t derivative_polach__creep_force_t(double* result_0, double*
     double v13;
     double v14;
     double v15;
-    bound_t = (*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    EACH_LANE each(bound_t) = each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
     bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     v1 = 0.25 * M_PI;
     v2 = v1 * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
@@ -4030,16 +4100,16 @@ static inline int64_t derivative_polach__creep_force_t(double* result_0, double*
     v5 = v4 * coefficient;
     v6 = v5 * whole;
     v7 = v6 / bound;
-    e_t = ((((v1 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + v2 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) * shear_modulus + v3 * shear_modulus_t) * coefficient + v4 * coefficient_t) * whole + v5 * whole_t - v7 * bound_t) / bound;
+    EACH_LANE each(e_t) = ((((v1 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + v2 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) * shear_modulus + v3 * each(shear_modulus_t)) * coefficient + v4 * each(coefficient_t)) * whole + v5 * each(whole_t) - v7 * each(bound_t)) / bound;
     e = v7;
     derivative_circle__atan_rule_t(&v8, &v8_t, e, e_t);
-    share_t = v8_t;
+    EACH_LANE each(share_t) = each(v8_t);
     share = v8;
     if (e < 1.0)
     {
         v9 = 1.0 + e * e;
         v10 = e / v9;
-        share_t = share_t + (e_t - v10 * (e_t * e + e * e_t)) / v9;
+        EACH_LANE each(share_t) = each(share_t) + (each(e_t) - v10 * (each(e_t) * e + e * each(e_t))) / v9;
         share = share + v10;
     }
     else
@@ -4047,31 +4117,31 @@ static inline int64_t derivative_polach__creep_force_t(double* result_0, double*
         v11 = 1.0 / e;
         v12 = e + v11;
         v13 = 1.0 / v12;
-        share_t = share_t + (-v13) * (e_t + (-v11) * e_t / e) / v12;
+        EACH_LANE each(share_t) = each(share_t) + (-v13) * (each(e_t) + (-v11) * each(e_t) / e) / v12;
         share = share + v13;
     }
     v14 = 2.0 / M_PI;
     v15 = v14 * bound;
     (*result_0) = v15 * share;
-    (*result_1) = v14 * bound_t * share + v15 * share_t;
+    EACH_LANE each((*result_1)) = v14 * each(bound_t) * share + v15 * each(share_t);
     return 0;
 }
 
 /* Derivative of ``spin_force``. */
-static inline int64_t derivative_polach__spin_force_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, double shear_modulus, double shear_modulus_t, int64_t patch, double coefficient, double coefficient_t, double whole, double whole_t)
+static inline int64_t derivative_polach__spin_force_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t)
 {
-    double a_t;
+    lanes a_t;
     double a;
-    double b_t;
+    lanes b_t;
     double b;
-    double bound_t;
+    lanes bound_t;
     double bound;
     double v2;
     double v3;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v4;
-    double wide_t;
+    lanes wide_t;
     double wide;
     double v5;
     double v6;
@@ -4083,27 +4153,29 @@ static inline int64_t derivative_polach__spin_force_t(double* result_0, double* 
     double v12;
     double v13;
     double v14;
-    double e_t;
+    lanes e_t;
     double e;
     double v15;
     double v16;
     double v17;
     double v18;
     double v19;
-    double v19_t;
+    lanes v19_t;
     double v20;
     double v21;
-    a_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH));
+    EACH_LANE each(a_t) = each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH)));
     a = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
-    b_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH));
+    EACH_LANE each(b_t) = each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)));
     b = (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    bound_t = (*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    EACH_LANE each(bound_t) = each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
     bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     v2 = -a;
     v3 = v2 / b;
-    derivative_powers__exp_rule_t(&v1, &v1_t, v3, ((-a_t) - v3 * b_t) / b);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = ((-each(a_t)) - v3 * each(b_t)) / b;
+    derivative_powers__exp_rule_t(&v1, &v1_t, v3, rates_1);
     v4 = 1.0 - v1;
-    wide_t = 6.3 * (-v1_t);
+    EACH_LANE each(wide_t) = 6.3 * (-each(v1_t));
     wide = 1.0 + 6.3 * v4;
     v5 = 8.0 / 3.0;
     v6 = v5 * shear_modulus;
@@ -4115,7 +4187,7 @@ static inline int64_t derivative_polach__spin_force_t(double* result_0, double* 
     v12 = v11 * whole;
     v13 = bound * wide;
     v14 = v12 / v13;
-    e_t = ((((v5 * shear_modulus_t * b + v6 * b_t) * v9 + v7 * derivative_rates__root_rate(v9, a_t * b + a * b_t)) * coefficient + v10 * coefficient_t) * whole + v11 * whole_t - v14 * (bound_t * wide + bound * wide_t)) / v13;
+    EACH_LANE each(e_t) = ((((v5 * each(shear_modulus_t) * b + v6 * each(b_t)) * v9 + v7 * derivative_rates__root_rate(v9, each(a_t) * b + a * each(b_t))) * coefficient + v10 * each(coefficient_t)) * whole + v11 * each(whole_t) - v14 * (each(bound_t) * wide + bound * each(wide_t))) / v13;
     e = v14;
     v15 = 9.0 / 16.0;
     v16 = v15 * a;
@@ -4125,18 +4197,18 @@ static inline int64_t derivative_polach__spin_force_t(double* result_0, double* 
     v20 = v18 * v19;
     v21 = (*cspan_at(&work, patch + layout__PATCH_SPIN)) / whole;
     (*result_0) = v20 * v21;
-    (*result_1) = (((v15 * a_t * bound + v16 * bound_t) * wide + v17 * wide_t) * v19 + v18 * v19_t) * v21 + v20 * (((*cspan_at(&work_t, patch + layout__PATCH_SPIN)) - v21 * whole_t) / whole);
+    EACH_LANE each((*result_1)) = (((v15 * each(a_t) * bound + v16 * each(bound_t)) * wide + v17 * each(wide_t)) * v19 + v18 * each(v19_t)) * v21 + v20 * ((each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))) - v21 * each(whole_t)) / whole);
     return 0;
 }
 
 /* Derivative of ``spin_share``. */
-static inline int64_t derivative_polach__spin_share_t(double* result_0, double* result_1, double e, double e_t)
+static inline int64_t derivative_polach__spin_share_t(double* result_0, lanes* result_1, double e, lanes e_t)
 {
     double v1;
     double v2;
-    double c_t;
+    lanes c_t;
     double c;
-    double root_t;
+    lanes root_t;
     double root;
     double v3;
     double v4;
@@ -4147,9 +4219,9 @@ static inline int64_t derivative_polach__spin_share_t(double* result_0, double* 
     double v9;
     v1 = 1.0 + e * e;
     v2 = 2.0 / v1;
-    c_t = (-v2) * (e_t * e + e * e_t) / v1;
+    EACH_LANE each(c_t) = (-v2) * (each(e_t) * e + e * each(e_t)) / v1;
     c = v2;
-    root_t = e_t * c + e * c_t;
+    EACH_LANE each(root_t) = each(e_t) * c + e * each(c_t);
     root = e * c;
     v3 = 0.5 * e;
     v4 = v3 * c;
@@ -4159,58 +4231,58 @@ static inline int64_t derivative_polach__spin_share_t(double* result_0, double* 
     v8 = root * root;
     v9 = v8 * root;
     (*result_0) = v5 * v7 - v9 / 3.0;
-    (*result_1) = ((0.5 * e_t * c + v3 * c_t) * c + v4 * c_t) * v7 + v5 * (-(v6 * c_t)) - ((root_t * root + root * root_t) * root + v8 * root_t) / 3.0;
+    EACH_LANE each((*result_1)) = ((0.5 * each(e_t) * c + v3 * each(c_t)) * c + v4 * each(c_t)) * v7 + v5 * (-(v6 * each(c_t))) - ((each(root_t) * root + root * each(root_t)) * root + v8 * each(root_t)) / 3.0;
     return 0;
 }
 
 /* Derivative of ``cut_force``. */
-static inline int64_t derivative_polach__cut_force_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_polach__cut_force_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    double bound_t;
+    lanes bound_t;
     double bound;
     double v1;
     double v2;
-    double force_t;
+    lanes force_t;
     double force;
     double v3;
     double v4;
-    bound_t = (*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    EACH_LANE each(bound_t) = each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
     bound = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     v1 = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
     v2 = sqrt(v1);
-    force_t = derivative_rates__root_rate(v2, (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) + ((*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y))));
+    EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) + (each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)))));
     force = v2;
     if (force > bound)
     {
         v3 = bound / force;
-        (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) * v3 + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * ((bound_t - v3 * force_t) / force);
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) * v3 + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * ((each(bound_t) - v3 * each(force_t)) / force);
         (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * v3;
         v4 = bound / force;
-        (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) * v4 + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * ((bound_t - v4 * force_t) / force);
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) * v4 + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * ((each(bound_t) - v4 * each(force_t)) / force);
         (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * v4;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``largest_shear``. */
-static inline int64_t derivative_polach__largest_shear_t(double* v6, double* result_1, array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_polach__largest_shear_t(double* v6, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
     double v1;
     double v2;
-    double force_t;
+    lanes force_t;
     double force;
     double v3;
     double v4;
     double v5;
     v1 = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
     v2 = sqrt(v1);
-    force_t = derivative_rates__root_rate(v2, (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) + ((*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y))));
+    EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) + (each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)))));
     force = v2;
     v3 = 1.5 * force;
     v4 = M_PI * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
     v5 = v4 * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     (*v6) = v3 / v5;
-    (*result_1) = (1.5 * force_t - (*v6) * (M_PI * (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + v4 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / v5;
+    EACH_LANE each((*result_1)) = (1.5 * each(force_t) - (*v6) * (M_PI * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) + v4 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH))))) / v5;
     return 0;
 }
 
@@ -4221,75 +4293,75 @@ static inline int64_t derivative_polach__largest_shear_t(double* v6, double* res
  */
 
 /* Derivative of ``find_stiffnesses``. */
-static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
     double v1;
-    double ratio_t;
+    lanes ratio_t;
     double ratio;
     double v2;
-    double v2_t;
-    double place_t;
+    lanes v2_t;
+    lanes place_t;
     double place;
     double half;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
     double v5;
-    double along_t;
+    lanes along_t;
     double along;
     double v6;
-    double v6_t;
-    double across_t;
+    lanes v6_t;
+    lanes across_t;
     double across;
     double v7;
-    double v7_t;
-    double turning_t;
+    lanes v7_t;
+    lanes turning_t;
     double turning;
     int64_t i;
     int64_t block;
     double v8;
     double v9;
     double v10;
-    double v10_t;
+    lanes v10_t;
     double v11;
-    double v11_t;
+    lanes v11_t;
     derivative_stiffness__join_strips_t(work, work_t, patch);
     derivative_stiffness__fill_equations_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))));
     derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X, INT64_C(2));
     derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y, INT64_C(1));
     derivative_stiffness__solve_blocks_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN, INT64_C(1));
     v1 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH)) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
-    ratio_t = ((*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * (*cspan_at(&work_t, patch + layout__PATCH_HALF_WIDTH))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
+    EACH_LANE each(ratio_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH))) - v1 * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_WIDTH)))) / (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH));
     ratio = v1;
     derivative_tractions__shape_place_t(&v2, &v2_t, ratio, ratio_t);
-    place_t = v2_t;
+    EACH_LANE each(place_t) = each(v2_t);
     place = v2;
     half = 0.5 * (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS));
     derivative_tractions__shape_value_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), INT64_C(3), place, place_t);
     v4 = v3 * half;
     v5 = 1.0 - (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_POISSON_RATIO));
-    along_t = v3_t * half / v5;
+    EACH_LANE each(along_t) = each(v3_t) * half / v5;
     along = v4 / v5;
     derivative_tractions__shape_value_t(&v6, &v6_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), INT64_C(4), place, place_t);
-    across_t = v6_t * half;
+    EACH_LANE each(across_t) = each(v6_t) * half;
     across = v6 * half;
     derivative_tractions__shape_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_ROLLING))), INT64_C(5), place, place_t);
-    turning_t = v7_t * half;
+    EACH_LANE each(turning_t) = each(v7_t) * half;
     turning = v7 * half;
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ALONG)) = along_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT)) + along * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT));
+        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ALONG))) = each(along_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT)) + along * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT)));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = along * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i + layout__BLOCK_COUNT));
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS)) = across_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT)) + across * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT));
+        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS))) = each(across_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT)) + across * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT)));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = across * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i + layout__BLOCK_COUNT));
         v8 = turning * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT));
         v9 = v8 / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)) = (turning_t * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT)) + turning * (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT)) - v9 * (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_TURNING))) = (each(turning_t) * (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT)) + turning * each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i + layout__BLOCK_COUNT))) - v9 * each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)))) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = v9;
     }
     derivative_stiffness__creepage_shift_t(&v10, &v10_t, work, work_t);
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = v10_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT))) = each(v10_t);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = v10;
     derivative_stiffness__mean_share_t(&v11, &v11_t, ratio, ratio_t);
     derivative_stiffness__spread_turning_t(work, work_t, v11, v11_t);
@@ -4297,7 +4369,7 @@ static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d w
 }
 
 /* Derivative of ``join_strips``. */
-static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
     int64_t i;
     int64_t block;
@@ -4308,9 +4380,9 @@ static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, 
     double v3;
     double v4;
     double v5;
-    double square_t;
+    lanes square_t;
     double square;
-    double least_t;
+    lanes least_t;
     double least;
     double v6;
     double v7;
@@ -4320,32 +4392,32 @@ static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, 
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
         low = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (INT64_C(2) * i);
         high = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (INT64_C(2) * i + INT64_C(1));
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_START)) = (*cspan_at(&work_t, low + layout__ROLLING_STRIP_START));
+        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_START))) = each((*lanes_at(&work_t, low + layout__ROLLING_STRIP_START)));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_START)) = (*cspan_at(&work, low + layout__ROLLING_STRIP_START));
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_STOP)) = (*cspan_at(&work_t, high + layout__ROLLING_STRIP_STOP));
+        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_STOP))) = each((*lanes_at(&work_t, high + layout__ROLLING_STRIP_STOP)));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) = (*cspan_at(&work, high + layout__ROLLING_STRIP_STOP));
         v1 = (*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH));
         v2 = (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH));
         v3 = v1 * (*cspan_at(&work, low + layout__ROLLING_STRIP_WIDTH)) + v2 * (*cspan_at(&work, high + layout__ROLLING_STRIP_WIDTH));
         v4 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
         v5 = v3 / v4;
-        square_t = (((*cspan_at(&work_t, low + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH)) + (*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, low + layout__ROLLING_STRIP_HALF_LENGTH))) * (*cspan_at(&work, low + layout__ROLLING_STRIP_WIDTH)) + v1 * (*cspan_at(&work_t, low + layout__ROLLING_STRIP_WIDTH)) + (((*cspan_at(&work_t, high + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH)) + (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, high + layout__ROLLING_STRIP_HALF_LENGTH))) * (*cspan_at(&work, high + layout__ROLLING_STRIP_WIDTH)) + v2 * (*cspan_at(&work_t, high + layout__ROLLING_STRIP_WIDTH))) - v5 * ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_START)))) / v4;
+        EACH_LANE each(square_t) = ((each((*lanes_at(&work_t, low + layout__ROLLING_STRIP_HALF_LENGTH))) * (*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH)) + (*cspan_at(&work, low + layout__ROLLING_STRIP_HALF_LENGTH)) * each((*lanes_at(&work_t, low + layout__ROLLING_STRIP_HALF_LENGTH)))) * (*cspan_at(&work, low + layout__ROLLING_STRIP_WIDTH)) + v1 * each((*lanes_at(&work_t, low + layout__ROLLING_STRIP_WIDTH))) + ((each((*lanes_at(&work_t, high + layout__ROLLING_STRIP_HALF_LENGTH))) * (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH)) + (*cspan_at(&work, high + layout__ROLLING_STRIP_HALF_LENGTH)) * each((*lanes_at(&work_t, high + layout__ROLLING_STRIP_HALF_LENGTH)))) * (*cspan_at(&work, high + layout__ROLLING_STRIP_WIDTH)) + v2 * each((*lanes_at(&work_t, high + layout__ROLLING_STRIP_WIDTH)))) - v5 * (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_STOP))) - each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_START))))) / v4;
         square = v5;
-        least_t = stiffness__SHORT * (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH));
+        EACH_LANE each(least_t) = stiffness__SHORT * each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH)));
         least = stiffness__SHORT * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH));
         v6 = square + least * least;
         v7 = sqrt(v6);
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) = derivative_rates__root_rate(v7, square_t + (least_t * least + least * least_t));
+        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) = derivative_rates__root_rate(v7, each(square_t) + (each(least_t) * least + least * each(least_t)));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) = v7;
         v8 = (*cspan_at(&work, low + layout__ROLLING_STRIP_SLIP)) + (*cspan_at(&work, high + layout__ROLLING_STRIP_SLIP));
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * ((*cspan_at(&work_t, low + layout__ROLLING_STRIP_SLIP)) + (*cspan_at(&work_t, high + layout__ROLLING_STRIP_SLIP)));
+        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_SLIP))) = 0.5 * (each((*lanes_at(&work_t, low + layout__ROLLING_STRIP_SLIP))) + each((*lanes_at(&work_t, high + layout__ROLLING_STRIP_SLIP))));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * v8;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``fill_equations``. */
-static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table)
+static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table)
 {
     int64_t i;
     int64_t block;
@@ -4356,21 +4428,21 @@ static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tab
     double v2;
     double v3;
     double x;
-    double x_t;
+    lanes x_t;
     double y;
-    double y_t;
+    lanes y_t;
     double spin;
-    double spin_t;
+    lanes spin_t;
     int64_t j;
     int64_t other;
     double v4;
     double v5;
     double v6;
     double v7;
-    double scale_t;
+    lanes scale_t;
     double scale;
     double v8;
-    double middle_t;
+    lanes middle_t;
     double middle;
     double v9;
     double v10;
@@ -4386,20 +4458,22 @@ static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tab
         v1 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
         v2 = 0.5 * v1;
         v3 = v2 / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
-        derivative_stiffness__reaches_t(&x, &x_t, &y, &y_t, &spin, &spin_t, tables, table, v3, (0.5 * ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_START))) - v3 * (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)));
-        (*cspan_at(&work_t, along + i)) = 2.0 * x_t;
+        lanes rates_1;
+        EACH_LANE each(rates_1) = (0.5 * (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_STOP))) - each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_START)))) - v3 * each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)))) / (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        derivative_stiffness__reaches_t(&x, &x_t, &y, &y_t, &spin, &spin_t, tables, table, v3, rates_1);
+        EACH_LANE each((*lanes_at(&work_t, along + i))) = 2.0 * each(x_t);
         (*cspan_at(&work, along + i)) = 2.0 * x;
-        (*cspan_at(&work_t, across + i)) = 2.0 * y_t;
+        EACH_LANE each((*lanes_at(&work_t, across + i))) = 2.0 * each(y_t);
         (*cspan_at(&work, across + i)) = 2.0 * y;
-        (*cspan_at(&work_t, turning + i)) = 2.0 * spin_t;
+        EACH_LANE each((*lanes_at(&work_t, turning + i))) = 2.0 * each(spin_t);
         (*cspan_at(&work, turning + i)) = 2.0 * spin;
-        (*cspan_at(&work_t, along + layout__BLOCK_COUNT)) = 0.0;
+        (*lanes_at(&work_t, along + layout__BLOCK_COUNT)) = all_lanes(0.0);
         (*cspan_at(&work, along + layout__BLOCK_COUNT)) = 1.0;
-        (*cspan_at(&work_t, across + layout__BLOCK_COUNT)) = 0.0;
+        (*lanes_at(&work_t, across + layout__BLOCK_COUNT)) = all_lanes(0.0);
         (*cspan_at(&work, across + layout__BLOCK_COUNT)) = 1.0;
-        (*cspan_at(&work_t, turning + layout__BLOCK_COUNT)) = (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH));
+        EACH_LANE each((*lanes_at(&work_t, turning + layout__BLOCK_COUNT))) = each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)));
         (*cspan_at(&work, turning + layout__BLOCK_COUNT)) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
-        (*cspan_at(&work_t, along + (layout__BLOCK_COUNT + INT64_C(1)))) = (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_SLIP));
+        EACH_LANE each((*lanes_at(&work_t, along + (layout__BLOCK_COUNT + INT64_C(1))))) = each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_SLIP)));
         (*cspan_at(&work, along + (layout__BLOCK_COUNT + INT64_C(1)))) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP));
         for (j = i + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
         {
@@ -4408,40 +4482,48 @@ static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tab
             v5 = 0.5 * v4;
             v6 = sqrt(v5);
             v7 = 1.0 / v6;
-            scale_t = (-v7) * derivative_rates__root_rate(v6, 0.5 * ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + ((*cspan_at(&work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH))))) / v6;
+            EACH_LANE each(scale_t) = (-v7) * derivative_rates__root_rate(v6, 0.5 * (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) + (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH))) * (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_HALF_LENGTH)) * each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_HALF_LENGTH)))))) / v6;
             scale = v7;
             v8 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP));
-            middle_t = 0.5 * ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_STOP)));
+            EACH_LANE each(middle_t) = 0.5 * (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_START))) + each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_STOP))));
             middle = 0.5 * v8;
             v9 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) - middle;
             v10 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP)) - middle;
-            derivative_stiffness__reach_beside_t(tables, work, work_t, table, i, j, v9 * scale, ((*cspan_at(&work_t, other + layout__ROLLING_BLOCK_START)) - middle_t) * scale + v9 * scale_t, v10 * scale, ((*cspan_at(&work_t, other + layout__ROLLING_BLOCK_STOP)) - middle_t) * scale + v10 * scale_t);
+            lanes rates_2;
+            EACH_LANE each(rates_2) = (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_START))) - each(middle_t)) * scale + v9 * each(scale_t);
+            lanes rates_3;
+            EACH_LANE each(rates_3) = (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_STOP))) - each(middle_t)) * scale + v10 * each(scale_t);
+            derivative_stiffness__reach_beside_t(tables, work, work_t, table, i, j, v9 * scale, rates_2, v10 * scale, rates_3);
             v11 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP));
-            middle_t = 0.5 * ((*cspan_at(&work_t, other + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work_t, other + layout__ROLLING_BLOCK_STOP)));
+            EACH_LANE each(middle_t) = 0.5 * (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_START))) + each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_STOP))));
             middle = 0.5 * v11;
             v12 = middle - (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP));
             v13 = middle - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
-            derivative_stiffness__reach_beside_t(tables, work, work_t, table, j, i, v12 * scale, (middle_t - (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_STOP))) * scale + v12 * scale_t, v13 * scale, (middle_t - (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_START))) * scale + v13 * scale_t);
+            lanes rates_4;
+            EACH_LANE each(rates_4) = (each(middle_t) - each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_STOP)))) * scale + v12 * each(scale_t);
+            lanes rates_5;
+            EACH_LANE each(rates_5) = (each(middle_t) - each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_START)))) * scale + v13 * each(scale_t);
+            derivative_stiffness__reach_beside_t(tables, work, work_t, table, j, i, v12 * scale, rates_4, v13 * scale, rates_5);
         }
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``reach_beside``. */
-static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t table, int64_t i, int64_t j, double near, double near_t, double far, double far_t)
+static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t i, int64_t j, double near, lanes near_t, double far, lanes far_t)
 {
     double near_x;
-    double near_x_t;
+    lanes near_x_t;
     double near_y;
-    double near_y_t;
+    lanes near_y_t;
     double near_spin;
-    double near_spin_t;
+    lanes near_spin_t;
     double far_x;
-    double far_x_t;
+    lanes far_x_t;
     double far_y;
-    double far_y_t;
+    lanes far_y_t;
     double far_spin;
-    double far_spin_t;
+    lanes far_spin_t;
     int64_t along;
     int64_t across;
     int64_t turning;
@@ -4450,28 +4532,28 @@ static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d table
     along = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
     across = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_Y + INT64_C(10) * i;
     turning = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + INT64_C(10) * i;
-    (*cspan_at(&work_t, along + j)) = far_x_t - near_x_t;
+    EACH_LANE each((*lanes_at(&work_t, along + j))) = each(far_x_t) - each(near_x_t);
     (*cspan_at(&work, along + j)) = far_x - near_x;
-    (*cspan_at(&work_t, across + j)) = far_y_t - near_y_t;
+    EACH_LANE each((*lanes_at(&work_t, across + j))) = each(far_y_t) - each(near_y_t);
     (*cspan_at(&work, across + j)) = far_y - near_y;
-    (*cspan_at(&work_t, turning + j)) = far_spin_t - near_spin_t;
+    EACH_LANE each((*lanes_at(&work_t, turning + j))) = each(far_spin_t) - each(near_spin_t);
     (*cspan_at(&work, turning + j)) = far_spin - near_spin;
     return INT64_C(0);
 }
 
 /* Derivative of ``reaches``. */
-static inline int64_t derivative_stiffness__reaches_t(double* v6, double* v6_t, double* v7, double* v7_t, double* v8, double* v8_t, array_double_1d tables, int64_t table, double distance, double distance_t)
+static inline int64_t derivative_stiffness__reaches_t(double* v6, lanes* v6_t, double* v7, lanes* v7_t, double* v8, lanes* v8_t, array_double_1d tables, int64_t table, double distance, lanes distance_t)
 {
     double v1;
     double v2;
     double v3;
     double v4;
     double v5;
-    double v5_t;
-    double place_t;
+    lanes v5_t;
+    lanes place_t;
     double place;
     int64_t cell;
-    double u_t;
+    lanes u_t;
     double u;
     int64_t at;
     v1 = fabs(distance) + stiffness__NEAREST;
@@ -4479,16 +4561,16 @@ static inline int64_t derivative_stiffness__reaches_t(double* v6, double* v6_t, 
     v3 = sqrt(v2);
     v4 = layout__REACH_PER_UNIT * v3;
     v5 = (double)(layout__REACH_CELLS);
-    v5_t = 0.0;
+    v5_t = all_lanes(0.0);
     if (v4 < v5)
     {
         v5 = v4;
-        v5_t = layout__REACH_PER_UNIT * derivative_rates__root_rate(v3, derivative_rates__root_rate(v2, derivative_rates__size_rate(distance, distance_t)));
+        EACH_LANE each(v5_t) = layout__REACH_PER_UNIT * derivative_rates__root_rate(v3, derivative_rates__root_rate(v2, derivative_rates__size_rate(distance, each(distance_t))));
     }
-    place_t = v5_t;
+    EACH_LANE each(place_t) = each(v5_t);
     place = v5;
     cell = (int64_t)(place);
-    u_t = place_t;
+    EACH_LANE each(u_t) = each(place_t);
     u = place - (double)(cell);
     at = layout__REACH_ROW * cell;
     derivative_stiffness__reach_cubic_t(v6, v6_t, tables, table, at, u, u_t);
@@ -4498,36 +4580,36 @@ static inline int64_t derivative_stiffness__reaches_t(double* v6, double* v6_t, 
 }
 
 /* Derivative of ``reach_cubic``. */
-static inline int64_t derivative_stiffness__reach_cubic_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t at, double u, double u_t)
+static inline int64_t derivative_stiffness__reach_cubic_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t at, double u, lanes u_t)
 {
-    double high_t;
+    lanes high_t;
     double high;
     double v1;
-    high_t = u_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + (at + INT64_C(3))));
+    EACH_LANE each(high_t) = each(u_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + (at + INT64_C(3))));
     high = (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + (at + INT64_C(2)))) + u * (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + (at + INT64_C(3))));
     v1 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + (at + INT64_C(1)))) + u * high;
     (*result_0) = (*cspan_at(&tables, table + layout__ROLLING_TABLE_REACHES + at)) + u * v1;
-    (*result_1) = u_t * v1 + u * (u_t * high + u * high_t);
+    EACH_LANE each((*result_1)) = each(u_t) * v1 + u * (each(u_t) * high + u * each(high_t));
     return 0;
 }
 
 /* Derivative of ``solve_blocks``. */
-static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_double_1d work_t, int64_t equations, int64_t sides)
+static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_lanes_1d work_t, int64_t equations, int64_t sides)
 {
     int64_t stop;
     int64_t k;
     int64_t pivot;
     double v1;
-    double inverse_t;
+    lanes inverse_t;
     double inverse;
     int64_t i;
     int64_t row;
-    double factor_t;
+    lanes factor_t;
     double factor;
     int64_t j;
     int64_t side;
     int64_t back;
-    double value_t;
+    lanes value_t;
     double value;
     int64_t known;
     double v2;
@@ -4536,16 +4618,16 @@ static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work,
     {
         pivot = equations + INT64_C(10) * k;
         v1 = 1.0 / (*cspan_at(&work, pivot + k));
-        inverse_t = (-v1) * (*cspan_at(&work_t, pivot + k)) / (*cspan_at(&work, pivot + k));
+        EACH_LANE each(inverse_t) = (-v1) * each((*lanes_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
         inverse = v1;
         for (i = k + INT64_C(1); i < layout__BLOCK_COUNT; i += INT64_C(1))
         {
             row = equations + INT64_C(10) * i;
-            factor_t = (*cspan_at(&work_t, row + k)) * inverse + (*cspan_at(&work, row + k)) * inverse_t;
+            EACH_LANE each(factor_t) = each((*lanes_at(&work_t, row + k))) * inverse + (*cspan_at(&work, row + k)) * each(inverse_t);
             factor = (*cspan_at(&work, row + k)) * inverse;
             for (j = k + INT64_C(1); j < stop; j += INT64_C(1))
             {
-                (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, row + j)) - (factor_t * (*cspan_at(&work, pivot + j)) + factor * (*cspan_at(&work_t, pivot + j)));
+                EACH_LANE each((*lanes_at(&work_t, row + j))) = each((*lanes_at(&work_t, row + j))) - (each(factor_t) * (*cspan_at(&work, pivot + j)) + factor * each((*lanes_at(&work_t, pivot + j))));
                 (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, pivot + j));
             }
         }
@@ -4556,16 +4638,16 @@ static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work,
         {
             k = layout__BLOCK_COUNT - INT64_C(1) - back;
             pivot = equations + INT64_C(10) * k;
-            value_t = (*cspan_at(&work_t, pivot + side));
+            EACH_LANE each(value_t) = each((*lanes_at(&work_t, pivot + side)));
             value = (*cspan_at(&work, pivot + side));
             for (j = k + INT64_C(1); j < layout__BLOCK_COUNT; j += INT64_C(1))
             {
                 known = equations + INT64_C(10) * j;
-                value_t = value_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, known + side)) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, known + side)));
+                EACH_LANE each(value_t) = each(value_t) - (each((*lanes_at(&work_t, pivot + j))) * (*cspan_at(&work, known + side)) + (*cspan_at(&work, pivot + j)) * each((*lanes_at(&work_t, known + side))));
                 value = value - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, known + side));
             }
             v2 = value / (*cspan_at(&work, pivot + k));
-            (*cspan_at(&work_t, pivot + side)) = (value_t - v2 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
+            EACH_LANE each((*lanes_at(&work_t, pivot + side))) = (each(value_t) - v2 * each((*lanes_at(&work_t, pivot + k)))) / (*cspan_at(&work, pivot + k));
             (*cspan_at(&work, pivot + side)) = v2;
         }
     }
@@ -4573,127 +4655,127 @@ static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work,
 }
 
 /* Derivative of ``creepage_shift``. */
-static inline int64_t derivative_stiffness__creepage_shift_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_stiffness__creepage_shift_t(double* v3, lanes* result_1, array_double_1d work, array_lanes_1d work_t)
 {
-    double missing_t;
+    lanes missing_t;
     double missing;
-    double stiff_t;
+    lanes stiff_t;
     double stiff;
     int64_t i;
     int64_t block;
     int64_t row;
     double v1;
-    double area_t;
+    lanes area_t;
     double area;
     double v2;
-    missing_t = 0.0;
+    missing_t = all_lanes(0.0);
     missing = 0.0;
-    stiff_t = 0.0;
+    stiff_t = all_lanes(0.0);
     stiff = 0.0;
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
         row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + INT64_C(10) * i;
         v1 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
-        area_t = (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * v1 + (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_START)));
+        EACH_LANE each(area_t) = each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) * v1 + (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_STOP))) - each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_START))));
         area = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * v1;
         v2 = (*cspan_at(&work, row + (layout__BLOCK_COUNT + INT64_C(1)))) - (*cspan_at(&work, row + layout__BLOCK_COUNT)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP));
-        missing_t = missing_t + (area_t * v2 + area * ((*cspan_at(&work_t, row + (layout__BLOCK_COUNT + INT64_C(1)))) - ((*cspan_at(&work_t, row + layout__BLOCK_COUNT)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP)) + (*cspan_at(&work, row + layout__BLOCK_COUNT)) * (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_SLIP)))));
+        EACH_LANE each(missing_t) = each(missing_t) + (each(area_t) * v2 + area * (each((*lanes_at(&work_t, row + (layout__BLOCK_COUNT + INT64_C(1))))) - (each((*lanes_at(&work_t, row + layout__BLOCK_COUNT))) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_SLIP)) + (*cspan_at(&work, row + layout__BLOCK_COUNT)) * each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_SLIP))))));
         missing = missing + area * v2;
-        stiff_t = stiff_t + (area_t * (*cspan_at(&work, row + layout__BLOCK_COUNT)) + area * (*cspan_at(&work_t, row + layout__BLOCK_COUNT)));
+        EACH_LANE each(stiff_t) = each(stiff_t) + (each(area_t) * (*cspan_at(&work, row + layout__BLOCK_COUNT)) + area * each((*lanes_at(&work_t, row + layout__BLOCK_COUNT))));
         stiff = stiff + area * (*cspan_at(&work, row + layout__BLOCK_COUNT));
     }
     (*v3) = missing / stiff;
-    (*result_1) = (missing_t - (*v3) * stiff_t) / stiff;
+    EACH_LANE each((*result_1)) = (each(missing_t) - (*v3) * each(stiff_t)) / stiff;
     return 0;
 }
 
 /* Derivative of ``mean_share``. */
-static inline int64_t derivative_stiffness__mean_share_t(double* share, double* share_t, double ratio, double ratio_t)
+static inline int64_t derivative_stiffness__mean_share_t(double* share, lanes* share_t, double ratio, lanes ratio_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
     double v3;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
-    double v5_t;
+    lanes v5_t;
     derivative_powers__log_rule_t(&v1, &v1_t, ratio, ratio_t);
     v2 = v1 - stiffness__OWN_UNTIL;
     v3 = stiffness__MEAN_FROM - stiffness__OWN_UNTIL;
     v4 = v2 / v3;
-    v4_t = v1_t / v3;
+    EACH_LANE each(v4_t) = each(v1_t) / v3;
     if (0.0 > v4)
     {
         v4 = 0.0;
-        v4_t = 0.0;
+        v4_t = all_lanes(0.0);
     }
     v5 = v4;
-    v5_t = v4_t;
+    EACH_LANE each(v5_t) = each(v4_t);
     if (1.0 < v5)
     {
         v5 = 1.0;
-        v5_t = 0.0;
+        v5_t = all_lanes(0.0);
     }
-    (*share_t) = v5_t;
+    EACH_LANE each((*share_t)) = each(v5_t);
     (*share) = v5;
     return 0;
 }
 
 /* Derivative of ``spread_turning``. */
-static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d work, array_double_1d work_t, double share, double share_t)
+static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d work, array_lanes_1d work_t, double share, lanes share_t)
 {
-    double total_t;
+    lanes total_t;
     double total;
-    double mean_t;
+    lanes mean_t;
     double mean;
-    double along_t;
+    lanes along_t;
     double along;
-    double across_t;
+    lanes across_t;
     double across;
     int64_t i;
     int64_t block;
     double v1;
     double v2;
-    double weight_t;
+    lanes weight_t;
     double weight;
     double v3;
     double v4;
     double v6;
     double v7;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v9;
     double v10;
     double v8;
-    double v8_t;
+    lanes v8_t;
     double v12;
     double v13;
     double v11;
-    double v11_t;
-    total_t = 0.0;
+    lanes v11_t;
+    total_t = all_lanes(0.0);
     total = 0.0;
-    mean_t = 0.0;
+    mean_t = all_lanes(0.0);
     mean = 0.0;
-    along_t = 0.0;
+    along_t = all_lanes(0.0);
     along = 0.0;
-    across_t = 0.0;
+    across_t = all_lanes(0.0);
     across = 0.0;
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
     {
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
         v1 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH));
         v2 = (*cspan_at(&work, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work, block + layout__ROLLING_BLOCK_START));
-        weight_t = ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) * v2 + v1 * ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_STOP)) - (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_START)));
+        EACH_LANE each(weight_t) = (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) * (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) + (*cspan_at(&work, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)))) * v2 + v1 * (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_STOP))) - each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_START))));
         weight = v1 * v2;
-        total_t = total_t + weight_t;
+        EACH_LANE each(total_t) = each(total_t) + each(weight_t);
         total = total + weight;
-        mean_t = mean_t + ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)) * weight + (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) * weight_t);
+        EACH_LANE each(mean_t) = each(mean_t) + (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_TURNING))) * weight + (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) * each(weight_t));
         mean = mean + (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) * weight;
-        along_t = along_t + ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ALONG)) * weight + (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) * weight_t);
+        EACH_LANE each(along_t) = each(along_t) + (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ALONG))) * weight + (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) * each(weight_t));
         along = along + (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) * weight;
-        across_t = across_t + ((*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS)) * weight + (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) * weight_t);
+        EACH_LANE each(across_t) = each(across_t) + (each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS))) * weight + (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) * each(weight_t));
         across = across + (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) * weight;
     }
     for (i = INT64_C(0); i < layout__BLOCK_COUNT; i += INT64_C(1))
@@ -4701,60 +4783,66 @@ static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d wor
         block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
         v3 = mean / total;
         v4 = v3 - (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING));
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)) = (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)) + (share_t * v4 + share * ((mean_t - v3 * total_t) / total - (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING))));
+        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_TURNING))) = each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_TURNING))) + (each(share_t) * v4 + share * ((each(mean_t) - v3 * each(total_t)) / total - each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)))));
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) + share * v4;
         v6 = stiffness__SOFTEST * mean;
         v7 = v6 / total;
-        derivative_stiffness__not_below_t(&v5, &v5_t, (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)), (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)), v7, (stiffness__SOFTEST * mean_t - v7 * total_t) / total);
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)) = v5_t;
+        lanes rates_1;
+        EACH_LANE each(rates_1) = (stiffness__SOFTEST * each(mean_t) - v7 * each(total_t)) / total;
+        derivative_stiffness__not_below_t(&v5, &v5_t, (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)), (*lanes_at(&work_t, block + layout__ROLLING_BLOCK_TURNING)), v7, rates_1);
+        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_TURNING))) = each(v5_t);
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_TURNING)) = v5;
         v9 = stiffness__SOFTEST * along;
         v10 = v9 / total;
-        derivative_stiffness__not_below_t(&v8, &v8_t, (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)), (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ALONG)), v10, (stiffness__SOFTEST * along_t - v10 * total_t) / total);
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ALONG)) = v8_t;
+        lanes rates_2;
+        EACH_LANE each(rates_2) = (stiffness__SOFTEST * each(along_t) - v10 * each(total_t)) / total;
+        derivative_stiffness__not_below_t(&v8, &v8_t, (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)), (*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ALONG)), v10, rates_2);
+        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ALONG))) = each(v8_t);
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_ALONG)) = v8;
         v12 = stiffness__SOFTEST * across;
         v13 = v12 / total;
-        derivative_stiffness__not_below_t(&v11, &v11_t, (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)), (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS)), v13, (stiffness__SOFTEST * across_t - v13 * total_t) / total);
-        (*cspan_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS)) = v11_t;
+        lanes rates_3;
+        EACH_LANE each(rates_3) = (stiffness__SOFTEST * each(across_t) - v13 * each(total_t)) / total;
+        derivative_stiffness__not_below_t(&v11, &v11_t, (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)), (*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS)), v13, rates_3);
+        EACH_LANE each((*lanes_at(&work_t, block + layout__ROLLING_BLOCK_ACROSS))) = each(v11_t);
         (*cspan_at(&work, block + layout__ROLLING_BLOCK_ACROSS)) = v11;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``not_below``. */
-static inline int64_t derivative_stiffness__not_below_t(double* result_0, double* result_1, double value, double value_t, double least, double least_t)
+static inline int64_t derivative_stiffness__not_below_t(double* result_0, lanes* result_1, double value, lanes value_t, double least, lanes least_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     v1 = value;
-    v1_t = value_t;
+    EACH_LANE each(v1_t) = each(value_t);
     if (least > v1)
     {
         v1 = least;
-        v1_t = least_t;
+        EACH_LANE each(v1_t) = each(least_t);
     }
-    value_t = v1_t;
+    EACH_LANE each(value_t) = each(v1_t);
     value = v1;
     (*result_0) = value;
-    (*result_1) = value_t;
+    EACH_LANE each((*result_1)) = each(value_t);
     return 0;
 }
 
 /* Derivative of ``stiffnesses_at``. */
-static inline int64_t derivative_stiffness__stiffnesses_at_t(double* along, double* along_t, double* across, double* across_t, double* turning, double* turning_t, array_double_1d work, array_double_1d work_t, int64_t index, double station, double station_t)
+static inline int64_t derivative_stiffness__stiffnesses_at_t(double* along, lanes* along_t, double* across, lanes* across_t, double* turning, lanes* turning_t, array_double_1d work, array_lanes_1d work_t, int64_t index, double station, lanes station_t)
 {
     int64_t own;
     int64_t towards;
     int64_t other;
     double v1;
-    double middle_t;
+    lanes middle_t;
     double middle;
     double v2;
     double v3;
     double v4;
     double v5;
-    double share_t;
+    lanes share_t;
     double share;
     double v6;
     double v7;
@@ -4765,32 +4853,32 @@ static inline int64_t derivative_stiffness__stiffnesses_at_t(double* along, doub
     {
         towards = py_floor_div_int64_t(index, INT64_C(2)) + INT64_C(1);
     }
-    (*along_t) = (*cspan_at(&work_t, own + layout__ROLLING_BLOCK_ALONG));
+    EACH_LANE each((*along_t)) = each((*lanes_at(&work_t, own + layout__ROLLING_BLOCK_ALONG)));
     (*along) = (*cspan_at(&work, own + layout__ROLLING_BLOCK_ALONG));
-    (*across_t) = (*cspan_at(&work_t, own + layout__ROLLING_BLOCK_ACROSS));
+    EACH_LANE each((*across_t)) = each((*lanes_at(&work_t, own + layout__ROLLING_BLOCK_ACROSS)));
     (*across) = (*cspan_at(&work, own + layout__ROLLING_BLOCK_ACROSS));
-    (*turning_t) = (*cspan_at(&work_t, own + layout__ROLLING_BLOCK_TURNING));
+    EACH_LANE each((*turning_t)) = each((*lanes_at(&work_t, own + layout__ROLLING_BLOCK_TURNING)));
     (*turning) = (*cspan_at(&work, own + layout__ROLLING_BLOCK_TURNING));
     if ((towards >= INT64_C(0)) && (towards < layout__BLOCK_COUNT))
     {
         other = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * towards;
         v1 = (*cspan_at(&work, own + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, own + layout__ROLLING_BLOCK_STOP));
-        middle_t = 0.5 * ((*cspan_at(&work_t, own + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work_t, own + layout__ROLLING_BLOCK_STOP)));
+        EACH_LANE each(middle_t) = 0.5 * (each((*lanes_at(&work_t, own + layout__ROLLING_BLOCK_START))) + each((*lanes_at(&work_t, own + layout__ROLLING_BLOCK_STOP))));
         middle = 0.5 * v1;
         v2 = station - middle;
         v3 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work, other + layout__ROLLING_BLOCK_STOP));
         v4 = 0.5 * v3 - middle;
         v5 = v2 / v4;
-        share_t = (station_t - middle_t - v5 * (0.5 * ((*cspan_at(&work_t, other + layout__ROLLING_BLOCK_START)) + (*cspan_at(&work_t, other + layout__ROLLING_BLOCK_STOP))) - middle_t)) / v4;
+        EACH_LANE each(share_t) = (each(station_t) - each(middle_t) - v5 * (0.5 * (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_START))) + each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_STOP)))) - each(middle_t))) / v4;
         share = v5;
         v6 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_ALONG)) - (*along);
-        (*along_t) = (*along_t) + (share_t * v6 + share * ((*cspan_at(&work_t, other + layout__ROLLING_BLOCK_ALONG)) - (*along_t)));
+        EACH_LANE each((*along_t)) = each((*along_t)) + (each(share_t) * v6 + share * (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_ALONG))) - each((*along_t))));
         (*along) = (*along) + share * v6;
         v7 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_ACROSS)) - (*across);
-        (*across_t) = (*across_t) + (share_t * v7 + share * ((*cspan_at(&work_t, other + layout__ROLLING_BLOCK_ACROSS)) - (*across_t)));
+        EACH_LANE each((*across_t)) = each((*across_t)) + (each(share_t) * v7 + share * (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_ACROSS))) - each((*across_t))));
         (*across) = (*across) + share * v7;
         v8 = (*cspan_at(&work, other + layout__ROLLING_BLOCK_TURNING)) - (*turning);
-        (*turning_t) = (*turning_t) + (share_t * v8 + share * ((*cspan_at(&work_t, other + layout__ROLLING_BLOCK_TURNING)) - (*turning_t)));
+        EACH_LANE each((*turning_t)) = each((*turning_t)) + (each(share_t) * v8 + share * (each((*lanes_at(&work_t, other + layout__ROLLING_BLOCK_TURNING))) - each((*turning_t))));
         (*turning) = (*turning) + share * v8;
     }
     return 0;
@@ -4803,53 +4891,53 @@ static inline int64_t derivative_stiffness__stiffnesses_at_t(double* along, doub
  */
 
 /* Derivative of ``shape_place``. */
-static inline int64_t derivative_tractions__shape_place_t(double* result_0, double* result_1, double axis_ratio, double axis_ratio_t)
+static inline int64_t derivative_tractions__shape_place_t(double* result_0, lanes* result_1, double axis_ratio, lanes axis_ratio_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
     derivative_powers__log_rule_t(&v1, &v1_t, axis_ratio, axis_ratio_t);
     v2 = v1 - layout__SHAPE_START;
     (*result_0) = v2 * layout__SHAPE_PER_UNIT;
-    (*result_1) = v1_t * layout__SHAPE_PER_UNIT;
+    EACH_LANE each((*result_1)) = each(v1_t) * layout__SHAPE_PER_UNIT;
     return 0;
 }
 
 /* Derivative of ``shape_value``. */
-static inline int64_t derivative_tractions__shape_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double place, double place_t)
+static inline int64_t derivative_tractions__shape_value_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t column, double place, lanes place_t)
 {
     int64_t cell;
     double u;
-    double u_t;
+    lanes u_t;
     int64_t at;
-    double high_t;
+    lanes high_t;
     double high;
     double v1;
-    derivative_tables__table_cell_t(&cell, &u, &u_t, place, place_t, (double)(layout__SHAPE_CELLS), 0.0);
+    derivative_tables__table_cell_t(&cell, &u, &u_t, place, place_t, (double)(layout__SHAPE_CELLS), all_lanes(0.0));
     at = layout__SHAPE_ROW * cell + INT64_C(4) * column;
-    high_t = u_t * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + (at + INT64_C(3))));
+    EACH_LANE each(high_t) = each(u_t) * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + (at + INT64_C(3))));
     high = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + (at + INT64_C(2)))) + u * (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + (at + INT64_C(3))));
     v1 = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + (at + INT64_C(1)))) + u * high;
     (*result_0) = (*cspan_at(&tables, table + layout__ROLLING_TABLE_SHAPES + at)) + u * v1;
-    (*result_1) = u_t * v1 + u * (u_t * high + u * high_t);
+    EACH_LANE each((*result_1)) = each(u_t) * v1 + u * (each(u_t) * high + u * each(high_t));
     return 0;
 }
 
 /* Derivative of ``kalker_coefficients``. */
-static inline int64_t derivative_tractions__kalker_coefficients_t(double* v3, double* result_1, double* v5, double* result_3, double* v7, double* result_5, array_double_1d tables, int64_t table, double axis_ratio, double axis_ratio_t)
+static inline int64_t derivative_tractions__kalker_coefficients_t(double* v3, lanes* result_1, double* v5, lanes* result_3, double* v7, lanes* result_5, array_double_1d tables, int64_t table, double axis_ratio, lanes axis_ratio_t)
 {
     double v1;
-    double v1_t;
-    double place_t;
+    lanes v1_t;
+    lanes place_t;
     double place;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v6;
-    double v6_t;
+    lanes v6_t;
     derivative_tractions__shape_place_t(&v1, &v1_t, axis_ratio, axis_ratio_t);
-    place_t = v1_t;
+    EACH_LANE each(place_t) = each(v1_t);
     place = v1;
     derivative_tractions__shape_value_t(&v2, &v2_t, tables, table, INT64_C(0), place, place_t);
     (*v3) = 1.0 / v2;
@@ -4857,25 +4945,25 @@ static inline int64_t derivative_tractions__kalker_coefficients_t(double* v3, do
     (*v5) = 1.0 / v4;
     derivative_tractions__shape_value_t(&v6, &v6_t, tables, table, INT64_C(2), place, place_t);
     (*v7) = 1.0 / v6;
-    (*result_1) = (-(*v3)) * v2_t / v2;
-    (*result_3) = (-(*v5)) * v4_t / v4;
-    (*result_5) = (-(*v7)) * v6_t / v6;
+    EACH_LANE each((*result_1)) = (-(*v3)) * each(v2_t) / v2;
+    EACH_LANE each((*result_3)) = (-(*v5)) * each(v4_t) / v4;
+    EACH_LANE each((*result_5)) = (-(*v7)) * each(v6_t) / v6;
     return 0;
 }
 
 /* Derivative of ``bound_rate``. */
-static inline int64_t derivative_tractions__bound_rate_t(double* rate, double* rate_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip)
+static inline int64_t derivative_tractions__bound_rate_t(double* rate, lanes* rate_t, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
 {
-    double a_t;
+    lanes a_t;
     double a;
     double v1;
     double v2;
     double v3;
     double v4;
     double v5;
-    a_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    EACH_LANE each(a_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
     a = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    (*rate_t) = 0.0;
+    (*rate_t) = all_lanes(0.0);
     (*rate) = 0.0;
     if (((*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) * (*cspan_at(&work, patch + layout__PATCH_HALF_WIDTH)) > tractions__SLIGHT * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) && (a > tractions__SLIGHT * (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH))))
     {
@@ -4884,83 +4972,83 @@ static inline int64_t derivative_tractions__bound_rate_t(double* rate, double* r
         v3 = M_PI * a;
         v4 = v3 * a;
         v5 = v2 / v4;
-        (*rate_t) = ((*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * 2.0 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) + v1 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) - v5 * (M_PI * a_t * a + v3 * a_t)) / v4;
+        EACH_LANE each((*rate_t)) = (each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * 2.0 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) + v1 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) - v5 * (M_PI * each(a_t) * a + v3 * each(a_t))) / v4;
         (*rate) = v5;
     }
     return 0;
 }
 
 /* Derivative of ``cut_to``. */
-static inline int64_t derivative_tractions__cut_to_t(double* result_0, double* result_1, double* result_2, double* result_3, double along, double along_t, double across, double across_t, double bound, double bound_t)
+static inline int64_t derivative_tractions__cut_to_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, double along, lanes along_t, double across, lanes across_t, double bound, lanes bound_t)
 {
-    double square_t;
+    lanes square_t;
     double square;
     double v1;
     double v2;
-    double share_t;
+    lanes share_t;
     double share;
-    square_t = along_t * along + along * along_t + (across_t * across + across * across_t);
+    EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t));
     square = along * along + across * across;
     if (square > bound * bound)
     {
         v1 = sqrt(square);
         v2 = bound / v1;
-        share_t = (bound_t - v2 * derivative_rates__root_rate(v1, square_t)) / v1;
+        EACH_LANE each(share_t) = (each(bound_t) - v2 * derivative_rates__root_rate(v1, each(square_t))) / v1;
         share = v2;
-        along_t = along_t * share + along * share_t;
+        EACH_LANE each(along_t) = each(along_t) * share + along * each(share_t);
         along = along * share;
-        across_t = across_t * share + across * share_t;
+        EACH_LANE each(across_t) = each(across_t) * share + across * each(share_t);
         across = across * share;
     }
     (*result_0) = along;
-    (*result_1) = along_t;
+    EACH_LANE each((*result_1)) = each(along_t);
     (*result_2) = across;
-    (*result_3) = across_t;
+    EACH_LANE each((*result_3)) = each(across_t);
     return 0;
 }
 
 /* Derivative of ``add_strip``. */
-static inline int64_t derivative_tractions__add_strip_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip, double along, double along_t, double across, double across_t, double moment, double moment_t)
+static inline int64_t derivative_tractions__add_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double along, lanes along_t, double across, lanes across_t, double moment, lanes moment_t)
 {
     double v1;
-    (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) = along_t;
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) = each(along_t);
     (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) = along;
-    (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) = across_t;
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) = each(across_t);
     (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) = across;
-    (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)) = moment_t + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X)) * across + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * across_t);
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT))) = each(moment_t) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))) * across + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * each(across_t));
     (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) = moment + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * across;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) + (along_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + along * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) + (each(along_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + along * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
     (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + along * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) + (across_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + across * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) + (each(across_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + across * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
     (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + across * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
     v1 = moment + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * across - (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) * along;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((moment_t + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X)) * across + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * across_t) - ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y)) * along + (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) * along_t)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v1 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))) + ((each(moment_t) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))) * across + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * each(across_t)) - (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y))) * along + (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) * each(along_t))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v1 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
     (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
     return INT64_C(0);
 }
 
 /* Derivative of ``patch_area``. */
-static inline int64_t derivative_tractions__patch_area_t(double* area, double* area_t, array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_tractions__patch_area_t(double* area, lanes* area_t, array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
     int64_t i;
     int64_t strip;
     double v1;
-    (*area_t) = 0.0;
+    (*area_t) = all_lanes(0.0);
     (*area) = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         v1 = 2.0 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-        (*area_t) = (*area_t) + (2.0 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v1 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+        EACH_LANE each((*area_t)) = each((*area_t)) + (2.0 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + v1 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
         (*area) = (*area) + v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
     }
     return 0;
 }
 
 /* Derivative of ``point_weight``. */
-static inline int64_t derivative_tractions__point_weight_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t strip)
+static inline int64_t derivative_tractions__point_weight_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t strip)
 {
     (*result_0) = tractions__WEIGHT * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-    (*result_1) = tractions__WEIGHT * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+    EACH_LANE each((*result_1)) = tractions__WEIGHT * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
     return 0;
 }

@@ -8,27 +8,27 @@
  */
 
 /* Derivative of ``sine_cosine_rule``. */
-static inline int64_t derivative_circle__sine_cosine_rule_t(double* sine, double* result_1, double* cosine, double* result_3, double x, double x_t)
+static inline int64_t derivative_circle__sine_cosine_rule_t(double* sine, lanes* result_1, double* cosine, lanes* result_3, double x, lanes x_t)
 {
     circle__sine_cosine(sine, cosine, x);
-    (*result_1) = (*cosine) * x_t;
-    (*result_3) = (-(*sine)) * x_t;
+    EACH_LANE each((*result_1)) = (*cosine) * each(x_t);
+    EACH_LANE each((*result_3)) = (-(*sine)) * each(x_t);
     return 0;
 }
 
 /* Derivative of ``atan_rule``. */
-static inline int64_t derivative_circle__atan_rule_t(double* result_0, double* result_1, double x, double x_t)
+static inline int64_t derivative_circle__atan_rule_t(double* result_0, lanes* result_1, double x, lanes x_t)
 {
     (*result_0) = circle__atan(x);
-    (*result_1) = x_t / (1.0 + x * x);
+    EACH_LANE each((*result_1)) = each(x_t) / (1.0 + x * x);
     return 0;
 }
 
 /* Derivative of ``atan2_rule``. */
-static inline int64_t derivative_circle__atan2_rule_t(double* result_0, double* result_1, double up, double up_t, double along, double along_t)
+static inline int64_t derivative_circle__atan2_rule_t(double* result_0, lanes* result_1, double up, lanes up_t, double along, lanes along_t)
 {
     (*result_0) = circle__atan2(up, along);
-    (*result_1) = (along * up_t - up * along_t) / (along * along + up * up);
+    EACH_LANE each((*result_1)) = (along * each(up_t) - up * each(along_t)) / (along * along + up * up);
     return 0;
 }
 
@@ -39,29 +39,29 @@ static inline int64_t derivative_circle__atan2_rule_t(double* result_0, double* 
  */
 
 /* Derivative of ``exp_rule``. */
-static inline int64_t derivative_powers__exp_rule_t(double* value, double* result_1, double x, double x_t)
+static inline int64_t derivative_powers__exp_rule_t(double* value, lanes* result_1, double x, lanes x_t)
 {
     (*value) = powers__exp(x);
-    (*result_1) = (*value) * x_t;
+    EACH_LANE each((*result_1)) = (*value) * each(x_t);
     return 0;
 }
 
 /* Derivative of ``log_rule``. */
-static inline int64_t derivative_powers__log_rule_t(double* result_0, double* result_1, double x, double x_t)
+static inline int64_t derivative_powers__log_rule_t(double* result_0, lanes* result_1, double x, lanes x_t)
 {
     (*result_0) = powers__log(x);
-    (*result_1) = x_t / x;
+    EACH_LANE each((*result_1)) = each(x_t) / x;
     return 0;
 }
 
 /* Derivative of ``cube_root_rule``. */
-static inline int64_t derivative_powers__cube_root_rule_t(double* root, double* rate, double x, double x_t)
+static inline int64_t derivative_powers__cube_root_rule_t(double* root, lanes* rate, double x, lanes x_t)
 {
     (*root) = powers__cube_root(x);
-    (*rate) = 0.0;
+    (*rate) = all_lanes(0.0);
     if (x != 0.0)
     {
-        (*rate) = (*root) / (3.0 * x) * x_t;
+        EACH_LANE each((*rate)) = (*root) / (3.0 * x) * each(x_t);
     }
     return 0;
 }

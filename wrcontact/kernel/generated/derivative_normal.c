@@ -8,176 +8,176 @@
  */
 
 /* Derivative of ``region_influence``. */
-static inline int64_t derivative_analyn__region_influence_t(double* result, double* result_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t one, int64_t other)
+static inline int64_t derivative_analyn__region_influence_t(double* result, lanes* result_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t one, int64_t other)
 {
-    double distance_t;
+    lanes distance_t;
     double distance;
     double v1;
-    double v1_t;
-    double lead_t;
+    lanes v1_t;
+    lanes lead_t;
     double lead;
-    double squares_t;
+    lanes squares_t;
     double squares;
     double v2;
     double v3;
-    double apart_t;
+    lanes apart_t;
     double apart;
     double v4;
     double v5;
     double v6;
     double v7;
-    double v7_t;
-    distance_t = (*cspan_at(&work_t, one + layout__REGION_OFFSET)) + (*cspan_at(&work_t, one + layout__REGION_MIDDLE)) - (*cspan_at(&work_t, other + layout__REGION_OFFSET)) - (*cspan_at(&work_t, other + layout__REGION_MIDDLE));
+    lanes v7_t;
+    EACH_LANE each(distance_t) = each((*lanes_at(&work_t, one + layout__REGION_OFFSET))) + each((*lanes_at(&work_t, one + layout__REGION_MIDDLE))) - each((*lanes_at(&work_t, other + layout__REGION_OFFSET))) - each((*lanes_at(&work_t, other + layout__REGION_MIDDLE)));
     distance = (*cspan_at(&work, one + layout__REGION_OFFSET)) + (*cspan_at(&work, one + layout__REGION_MIDDLE)) - (*cspan_at(&work, other + layout__REGION_OFFSET)) - (*cspan_at(&work, other + layout__REGION_MIDDLE));
     derivative_analyn__region_lead_t(&v1, &v1_t, work, work_t, one, other);
-    lead_t = v1_t;
+    EACH_LANE each(lead_t) = each(v1_t);
     lead = v1;
-    squares_t = (*cspan_at(&work_t, one + layout__REGION_SQUARE)) + (*cspan_at(&work_t, other + layout__REGION_SQUARE));
+    EACH_LANE each(squares_t) = each((*lanes_at(&work_t, one + layout__REGION_SQUARE))) + each((*lanes_at(&work_t, other + layout__REGION_SQUARE)));
     squares = (*cspan_at(&work, one + layout__REGION_SQUARE)) + (*cspan_at(&work, other + layout__REGION_SQUARE));
     v2 = distance * distance + lead * lead + analyn__ELONGATED * squares;
     v3 = sqrt(v2);
-    apart_t = derivative_rates__root_rate(v3, distance_t * distance + distance * distance_t + (lead_t * lead + lead * lead_t) + analyn__ELONGATED * squares_t);
+    EACH_LANE each(apart_t) = derivative_rates__root_rate(v3, each(distance_t) * distance + distance * each(distance_t) + (each(lead_t) * lead + lead * each(lead_t)) + analyn__ELONGATED * each(squares_t));
     apart = v3;
     v4 = M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
     v5 = v4 * apart;
     v6 = 1.0 / v5;
-    (*result_t) = (-v6) * (v4 * apart_t) / v5;
+    EACH_LANE each((*result_t)) = (-v6) * (v4 * each(apart_t)) / v5;
     (*result) = v6;
     derivative_analyn__planes_cosine_t(&v7, &v7_t, work, work_t, one, other);
-    (*result_t) = (*result_t) * v7 + (*result) * v7_t;
+    EACH_LANE each((*result_t)) = each((*result_t)) * v7 + (*result) * each(v7_t);
     (*result) = (*result) * v7;
     return 0;
 }
 
 /* Derivative of ``region_lead``. */
-static inline int64_t derivative_analyn__region_lead_t(double* lead, double* lead_t, array_double_1d work, array_double_1d work_t, int64_t one, int64_t other)
+static inline int64_t derivative_analyn__region_lead_t(double* lead, lanes* lead_t, array_double_1d work, array_lanes_1d work_t, int64_t one, int64_t other)
 {
-    (*lead_t) = 0.0;
+    (*lead_t) = all_lanes(0.0);
     (*lead) = 0.0;
     if (analyn__planes_cosine(work, one, other) < analyn__INCLINED)
     {
-        (*lead_t) = (*cspan_at(&work_t, one + layout__REGION_X_TRACK)) - (*cspan_at(&work_t, other + layout__REGION_X_TRACK));
+        EACH_LANE each((*lead_t)) = each((*lanes_at(&work_t, one + layout__REGION_X_TRACK))) - each((*lanes_at(&work_t, other + layout__REGION_X_TRACK)));
         (*lead) = (*cspan_at(&work, one + layout__REGION_X_TRACK)) - (*cspan_at(&work, other + layout__REGION_X_TRACK));
     }
     return 0;
 }
 
 /* Derivative of ``planes_cosine``. */
-static inline int64_t derivative_analyn__planes_cosine_t(double* cosine, double* cosine_t, array_double_1d work, array_double_1d work_t, int64_t one, int64_t other)
+static inline int64_t derivative_analyn__planes_cosine_t(double* cosine, lanes* cosine_t, array_double_1d work, array_lanes_1d work_t, int64_t one, int64_t other)
 {
     double v1;
-    double v1_t;
-    (*cosine_t) = 0.0;
+    lanes v1_t;
+    (*cosine_t) = all_lanes(0.0);
     (*cosine) = 1.0;
     if (((*cspan_at(&work, one + layout__REGION_OWN)) == 1.0) || ((*cspan_at(&work, other + layout__REGION_OWN)) == 1.0))
     {
         v1 = (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN));
-        v1_t = (*cspan_at(&work_t, one + layout__REGION_COS)) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_COS)) * (*cspan_at(&work_t, other + layout__REGION_COS)) + ((*cspan_at(&work_t, one + layout__REGION_SIN)) * (*cspan_at(&work, other + layout__REGION_SIN)) + (*cspan_at(&work, one + layout__REGION_SIN)) * (*cspan_at(&work_t, other + layout__REGION_SIN)));
+        EACH_LANE each(v1_t) = each((*lanes_at(&work_t, one + layout__REGION_COS))) * (*cspan_at(&work, other + layout__REGION_COS)) + (*cspan_at(&work, one + layout__REGION_COS)) * each((*lanes_at(&work_t, other + layout__REGION_COS))) + (each((*lanes_at(&work_t, one + layout__REGION_SIN))) * (*cspan_at(&work, other + layout__REGION_SIN)) + (*cspan_at(&work, one + layout__REGION_SIN)) * each((*lanes_at(&work_t, other + layout__REGION_SIN))));
         if (0.0 > v1)
         {
             v1 = 0.0;
-            v1_t = 0.0;
+            v1_t = all_lanes(0.0);
         }
-        (*cosine_t) = v1_t;
+        EACH_LANE each((*cosine_t)) = each(v1_t);
         (*cosine) = v1;
     }
     return 0;
 }
 
 /* Derivative of ``clip_to_bound``. */
-static inline int64_t derivative_analyn__clip_to_bound_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t region, int64_t k, int64_t outward, double stop, double stop_t)
+static inline int64_t derivative_analyn__clip_to_bound_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t k, int64_t outward, double stop, lanes stop_t)
 {
     double v1;
     double v2;
-    double reach_t;
+    lanes reach_t;
     double reach;
     double v3;
     double v4;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
-    double v6_t;
+    lanes v6_t;
     v1 = (*cspan_at(&work, region + layout__REGION_HIGH)) - (*cspan_at(&work, region + layout__REGION_STATION));
     v2 = v1 / (*cspan_at(&work, region + layout__REGION_SPACING));
-    reach_t = ((*cspan_at(&work_t, region + layout__REGION_HIGH)) - (*cspan_at(&work_t, region + layout__REGION_STATION)) - v2 * (*cspan_at(&work_t, region + layout__REGION_SPACING))) / (*cspan_at(&work, region + layout__REGION_SPACING));
+    EACH_LANE each(reach_t) = (each((*lanes_at(&work_t, region + layout__REGION_HIGH))) - each((*lanes_at(&work_t, region + layout__REGION_STATION))) - v2 * each((*lanes_at(&work_t, region + layout__REGION_SPACING)))) / (*cspan_at(&work, region + layout__REGION_SPACING));
     reach = v2 - (double)(k);
     if (outward < INT64_C(0))
     {
         v3 = (*cspan_at(&work, region + layout__REGION_STATION)) - (*cspan_at(&work, region + layout__REGION_LOW));
         v4 = v3 / (*cspan_at(&work, region + layout__REGION_SPACING));
-        reach_t = ((*cspan_at(&work_t, region + layout__REGION_STATION)) - (*cspan_at(&work_t, region + layout__REGION_LOW)) - v4 * (*cspan_at(&work_t, region + layout__REGION_SPACING))) / (*cspan_at(&work, region + layout__REGION_SPACING));
+        EACH_LANE each(reach_t) = (each((*lanes_at(&work_t, region + layout__REGION_STATION))) - each((*lanes_at(&work_t, region + layout__REGION_LOW))) - v4 * each((*lanes_at(&work_t, region + layout__REGION_SPACING)))) / (*cspan_at(&work, region + layout__REGION_SPACING));
         reach = v4 + (double)(k);
     }
     v5 = stop;
-    v5_t = stop_t;
+    EACH_LANE each(v5_t) = each(stop_t);
     if (reach < v5)
     {
         v5 = reach;
-        v5_t = reach_t;
+        EACH_LANE each(v5_t) = each(reach_t);
     }
     v6 = v5;
-    v6_t = v5_t;
+    EACH_LANE each(v6_t) = each(v5_t);
     if (0.0 > v6)
     {
         v6 = 0.0;
-        v6_t = 0.0;
+        v6_t = all_lanes(0.0);
     }
-    stop_t = v6_t;
+    EACH_LANE each(stop_t) = each(v6_t);
     stop = v6;
     (*result_0) = stop;
-    (*result_1) = stop_t;
+    EACH_LANE each((*result_1)) = each(stop_t);
     return 0;
 }
 
 /* Derivative of ``region_load``. */
-static inline int64_t derivative_analyn__region_load_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t)
+static inline int64_t derivative_analyn__region_load_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes, double local_penetration, lanes local_penetration_t)
 {
-    double load_t;
+    lanes load_t;
     double load;
-    double stiffness_t;
+    lanes stiffness_t;
     double stiffness;
     int64_t outward;
     int64_t last;
-    double d_before_t;
+    lanes d_before_t;
     double d_before;
-    double c_before_t;
+    lanes c_before_t;
     double c_before;
-    double d_low_t;
+    lanes d_low_t;
     double d_low;
-    double c_low_t;
+    lanes c_low_t;
     double c_low;
     int64_t k;
     int64_t at;
-    double d_high_t;
+    lanes d_high_t;
     double d_high;
-    double c_high_t;
+    lanes c_high_t;
     double c_high;
-    double f_low_t;
+    lanes f_low_t;
     double f_low;
-    double f_high_t;
+    lanes f_high_t;
     double f_high;
     double v1;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     double start;
-    double start_t;
+    lanes start_t;
     double stop;
-    double stop_t;
+    lanes stop_t;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
-    double v6_t;
+    lanes v6_t;
     double v7;
     double v8;
     double v9;
     double v10;
     double v11;
-    load_t = 0.0;
+    load_t = all_lanes(0.0);
     load = 0.0;
-    stiffness_t = 0.0;
+    stiffness_t = all_lanes(0.0);
     stiffness = 0.0;
     if (local_penetration > 0.0)
     {
@@ -188,33 +188,35 @@ static inline int64_t derivative_analyn__region_load_t(double* result_0, double*
             {
                 last = -(int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)));
             }
-            d_before_t = local_penetration_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + (-outward)));
+            EACH_LANE each(d_before_t) = each(local_penetration_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + (-outward))));
             d_before = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + (-outward)));
-            c_before_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + (-outward)));
+            EACH_LANE each(c_before_t) = each((*lanes_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + (-outward))));
             c_before = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + (-outward)));
-            d_low_t = local_penetration_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + INT64_C(0)));
+            EACH_LANE each(d_low_t) = each(local_penetration_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + INT64_C(0))));
             d_low = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + INT64_C(0)));
-            c_low_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + INT64_C(0)));
+            EACH_LANE each(c_low_t) = each((*lanes_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + INT64_C(0))));
             c_low = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + INT64_C(0)));
             for (k = INT64_C(0); k < last; k += INT64_C(1))
             {
                 at = outward * (k + INT64_C(1));
-                d_high_t = local_penetration_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + at));
+                EACH_LANE each(d_high_t) = each(local_penetration_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + at)));
                 d_high = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + at));
-                c_high_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + at));
+                EACH_LANE each(c_high_t) = each((*lanes_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + at)));
                 c_high = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + at));
-                f_low_t = c_low_t * d_low + c_low * d_low_t;
+                EACH_LANE each(f_low_t) = each(c_low_t) * d_low + c_low * each(d_low_t);
                 f_low = c_low * d_low;
-                f_high_t = c_high_t * d_high + c_high * d_high_t;
+                EACH_LANE each(f_high_t) = each(c_high_t) * d_high + c_high * each(d_high_t);
                 f_high = c_high * d_high;
                 if ((d_low > 0.0) && (d_high > 0.0) && (k < last - INT64_C(1)))
                 {
                     v1 = f_low + f_high;
-                    derivative_quadrature__bend_of_t(&v2, &v2_t, c_before * d_before, c_before_t * d_before + c_before * d_before_t, f_low, f_low_t, f_high, f_high_t);
-                    load_t = load_t + (0.5 * (f_low_t + f_high_t) - v2_t / 6.0);
+                    lanes rates_1;
+                    EACH_LANE each(rates_1) = each(c_before_t) * d_before + c_before * each(d_before_t);
+                    derivative_quadrature__bend_of_t(&v2, &v2_t, c_before * d_before, rates_1, f_low, f_low_t, f_high, f_high_t);
+                    EACH_LANE each(load_t) = each(load_t) + (0.5 * (each(f_low_t) + each(f_high_t)) - each(v2_t) / 6.0);
                     load = load + (0.5 * v1 - v2 / 6.0);
                     v3 = c_low + c_high;
-                    stiffness_t = stiffness_t + 0.5 * (c_low_t + c_high_t);
+                    EACH_LANE each(stiffness_t) = each(stiffness_t) + 0.5 * (each(c_low_t) + each(c_high_t));
                     stiffness = stiffness + 0.5 * v3;
                 }
                 else if ((d_low > 0.0) || (d_high > 0.0))
@@ -223,191 +225,197 @@ static inline int64_t derivative_analyn__region_load_t(double* result_0, double*
                     if (k == last - INT64_C(1))
                     {
                         derivative_analyn__clip_to_bound_t(&v4, &v4_t, work, work_t, region, outward * k, outward, stop, stop_t);
-                        stop_t = v4_t;
+                        EACH_LANE each(stop_t) = each(v4_t);
                         stop = v4;
                     }
                     if (stop > start)
                     {
-                        derivative_quadrature__quadratic_integral_t(&v5, &v5_t, c_before * d_before, c_before_t * d_before + c_before * d_before_t, f_low, f_low_t, f_high, f_high_t, stop, stop_t);
-                        derivative_quadrature__quadratic_integral_t(&v6, &v6_t, c_before * d_before, c_before_t * d_before + c_before * d_before_t, f_low, f_low_t, f_high, f_high_t, start, start_t);
-                        load_t = load_t + (v5_t - v6_t);
+                        lanes rates_2;
+                        EACH_LANE each(rates_2) = each(c_before_t) * d_before + c_before * each(d_before_t);
+                        derivative_quadrature__quadratic_integral_t(&v5, &v5_t, c_before * d_before, rates_2, f_low, f_low_t, f_high, f_high_t, stop, stop_t);
+                        lanes rates_3;
+                        EACH_LANE each(rates_3) = each(c_before_t) * d_before + c_before * each(d_before_t);
+                        derivative_quadrature__quadratic_integral_t(&v6, &v6_t, c_before * d_before, rates_3, f_low, f_low_t, f_high, f_high_t, start, start_t);
+                        EACH_LANE each(load_t) = each(load_t) + (each(v5_t) - each(v6_t));
                         load = load + (v5 - v6);
                         v7 = stop - start;
                         v8 = stop + start;
                         v9 = 0.5 * v8;
                         v10 = c_high - c_low;
                         v11 = c_low + v9 * v10;
-                        stiffness_t = stiffness_t + ((stop_t - start_t) * v11 + v7 * (c_low_t + (0.5 * (stop_t + start_t) * v10 + v9 * (c_high_t - c_low_t))));
+                        EACH_LANE each(stiffness_t) = each(stiffness_t) + ((each(stop_t) - each(start_t)) * v11 + v7 * (each(c_low_t) + (0.5 * (each(stop_t) + each(start_t)) * v10 + v9 * (each(c_high_t) - each(c_low_t)))));
                         stiffness = stiffness + v7 * v11;
                     }
                 }
-                d_before_t = d_low_t;
+                EACH_LANE each(d_before_t) = each(d_low_t);
                 d_before = d_low;
-                c_before_t = c_low_t;
+                EACH_LANE each(c_before_t) = each(c_low_t);
                 c_before = c_low;
-                d_low_t = d_high_t;
+                EACH_LANE each(d_low_t) = each(d_high_t);
                 d_low = d_high;
-                c_low_t = c_high_t;
+                EACH_LANE each(c_low_t) = each(c_high_t);
                 c_low = c_high;
             }
         }
     }
     (*result_0) = load * (*cspan_at(&work, region + layout__REGION_SPACING));
-    (*result_1) = load_t * (*cspan_at(&work, region + layout__REGION_SPACING)) + load * (*cspan_at(&work_t, region + layout__REGION_SPACING));
+    EACH_LANE each((*result_1)) = each(load_t) * (*cspan_at(&work, region + layout__REGION_SPACING)) + load * each((*lanes_at(&work_t, region + layout__REGION_SPACING)));
     (*result_2) = stiffness * (*cspan_at(&work, region + layout__REGION_SPACING));
-    (*result_3) = stiffness_t * (*cspan_at(&work, region + layout__REGION_SPACING)) + stiffness * (*cspan_at(&work_t, region + layout__REGION_SPACING));
+    EACH_LANE each((*result_3)) = each(stiffness_t) * (*cspan_at(&work, region + layout__REGION_SPACING)) + stiffness * each((*lanes_at(&work_t, region + layout__REGION_SPACING)));
     return 0;
 }
 
 /* Derivative of ``load_regions``. */
-static inline int64_t derivative_analyn__load_regions_t(double* total, double* total_t, array_double_1d work, array_double_1d work_t, int64_t count)
+static inline int64_t derivative_analyn__load_regions_t(double* total, lanes* total_t, array_double_1d work, array_lanes_1d work_t, int64_t count)
 {
     int64_t i;
     int64_t region;
     double load;
-    double load_t;
+    lanes load_t;
     double stiffness;
-    double stiffness_t;
-    (*total_t) = 0.0;
+    lanes stiffness_t;
+    (*total_t) = all_lanes(0.0);
     (*total) = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        derivative_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
-        (*cspan_at(&work_t, region + layout__REGION_LOAD)) = load_t;
+        derivative_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_LOAD))) = each(load_t);
         (*cspan_at(&work, region + layout__REGION_LOAD)) = load;
-        (*cspan_at(&work_t, region + layout__REGION_STIFFNESS)) = stiffness_t;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_STIFFNESS))) = each(stiffness_t);
         (*cspan_at(&work, region + layout__REGION_STIFFNESS)) = stiffness;
-        (*total_t) = (*total_t) + ((*cspan_at(&work_t, region + layout__REGION_SHARE)) * load + (*cspan_at(&work, region + layout__REGION_SHARE)) * load_t);
+        EACH_LANE each((*total_t)) = each((*total_t)) + (each((*lanes_at(&work_t, region + layout__REGION_SHARE))) * load + (*cspan_at(&work, region + layout__REGION_SHARE)) * each(load_t));
         (*total) = (*total) + (*cspan_at(&work, region + layout__REGION_SHARE)) * load;
     }
     return 0;
 }
 
 /* Derivative of ``penetrations_rule``. */
-static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, double* result_1, bool* satisfied, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count, double force, double force_t, double penetration, double penetration_t, bool prescribed)
+static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, lanes* result_1, bool* satisfied, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool prescribed)
 {
-    double given_t;
+    lanes given_t;
     double given;
     int64_t size;
     int64_t i;
     int64_t region;
     double v1;
-    double v1_t;
-    double total_t;
+    lanes v1_t;
+    lanes total_t;
     double total;
     int64_t last;
     int64_t block;
     int64_t row;
-    double pushed_t;
+    lanes pushed_t;
     double pushed;
     int64_t j;
-    double share_t;
+    lanes share_t;
     double share;
     double v2;
-    double v2_t;
-    double rest_t;
+    lanes v2_t;
+    lanes rest_t;
     double rest;
     double load;
-    double load_t;
+    lanes load_t;
     double stiffness;
-    double stiffness_t;
+    lanes stiffness_t;
     double per_level;
     double n3;
-    double n4;
-    given_t = penetration_t;
+    lanes n4;
+    EACH_LANE each(given_t) = each(penetration_t);
     given = penetration;
     analyn__solve_penetrations(&penetration, satisfied, work, tables, count, force, penetration, prescribed);
-    penetration_t = 0.0;
+    penetration_t = all_lanes(0.0);
     if (!(*satisfied))
     {
         (*result_0) = penetration;
-        (*result_1) = penetration_t;
+        EACH_LANE each((*result_1)) = each(penetration_t);
         return 0;
     }
     size = count + INT64_C(1);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = 0.0;
+        (*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = all_lanes(0.0);
     }
     derivative_analyn__load_regions_t(&v1, &v1_t, work, work_t, count);
-    total_t = v1_t;
+    EACH_LANE each(total_t) = each(v1_t);
     total = v1;
     last = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * count;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
-        pushed_t = 0.0;
+        pushed_t = all_lanes(0.0);
         pushed = 0.0;
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
-            share_t = 0.0;
+            share_t = all_lanes(0.0);
             share = 0.0;
             if (j != i)
             {
                 derivative_analyn__region_influence_t(&v2, &v2_t, work, work_t, tables, block, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j);
-                share_t = v2_t;
+                EACH_LANE each(share_t) = each(v2_t);
                 share = v2;
             }
-            pushed_t = pushed_t + (share_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)) + share * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)));
+            EACH_LANE each(pushed_t) = each(pushed_t) + (each(share_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD)) + share * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD))));
             pushed = pushed + share * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j + layout__REGION_LOAD));
-            (*cspan_at(&work_t, row + j)) = 0.0;
+            (*lanes_at(&work_t, row + j)) = all_lanes(0.0);
             (*cspan_at(&work, row + j)) = share;
         }
-        rest_t = (*cspan_at(&work_t, block + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work_t, block + layout__REGION_GAP)) - pushed_t;
+        EACH_LANE each(rest_t) = each((*lanes_at(&work_t, block + layout__REGION_ALIGNMENT))) * penetration - each((*lanes_at(&work_t, block + layout__REGION_GAP))) - each(pushed_t);
         rest = (*cspan_at(&work, block + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, block + layout__REGION_GAP)) - pushed;
-        (*cspan_at(&work_t, row + count)) = 0.0;
+        (*lanes_at(&work_t, row + count)) = all_lanes(0.0);
         (*cspan_at(&work, row + count)) = -(*cspan_at(&work, block + layout__REGION_ALIGNMENT));
-        (*cspan_at(&work_t, row + size)) = 0.0;
-        (*cspan_at(&work, row + size)) = rest_t;
-        (*cspan_at(&work_t, row + (size + INT64_C(1)))) = 0.0;
+        EACH_LANE each((*lanes_at(&work_t, row + size))) = each(rest_t);
+        (*cspan_at(&work, row + size)) = 0.0;
+        (*lanes_at(&work_t, row + (size + INT64_C(1)))) = all_lanes(0.0);
         (*cspan_at(&work, row + (size + INT64_C(1)))) = 0.0;
     }
     for (j = INT64_C(0); j < count; j += INT64_C(1))
     {
         block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * j;
-        derivative_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, block, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * j, (*cspan_at(&work, block + layout__REGION_LOCAL_PENETRATION)), 1.0);
-        per_level = load_t - (*cspan_at(&work_t, block + layout__REGION_LOAD));
+        derivative_analyn__region_load_t(&load, &load_t, &stiffness, &stiffness_t, work, work_t, block, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * j, (*cspan_at(&work, block + layout__REGION_LOCAL_PENETRATION)), all_lanes(1.0));
+        lanes rates_1;
+        EACH_LANE each(rates_1) = each(load_t) - each((*lanes_at(&work_t, block + layout__REGION_LOAD)));
+        per_level = derivative_rates__common_rate(rates_1);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i + j)) = 0.0;
+            (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i + j)) = all_lanes(0.0);
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i + j)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i + j)) * per_level;
         }
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * j + j)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * j + j)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * j + j)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * j + j)) + 1.0;
-        (*cspan_at(&work_t, last + j)) = 0.0;
+        (*lanes_at(&work_t, last + j)) = all_lanes(0.0);
         (*cspan_at(&work, last + j)) = 0.0;
         if (!prescribed)
         {
-            (*cspan_at(&work_t, last + j)) = 0.0;
+            (*lanes_at(&work_t, last + j)) = all_lanes(0.0);
             (*cspan_at(&work, last + j)) = (*cspan_at(&work, block + layout__REGION_SHARE)) * per_level;
         }
     }
-    (*cspan_at(&work_t, last + count)) = 0.0;
+    (*lanes_at(&work_t, last + count)) = all_lanes(0.0);
     (*cspan_at(&work, last + count)) = 0.0;
-    (*cspan_at(&work_t, last + size)) = 0.0;
-    (*cspan_at(&work, last + size)) = force_t - total_t;
-    (*cspan_at(&work_t, last + (size + INT64_C(1)))) = 0.0;
+    EACH_LANE each((*lanes_at(&work_t, last + size))) = each(force_t) - each(total_t);
+    (*cspan_at(&work, last + size)) = 0.0;
+    (*lanes_at(&work_t, last + (size + INT64_C(1)))) = all_lanes(0.0);
     (*cspan_at(&work, last + (size + INT64_C(1)))) = 0.0;
     if (prescribed)
     {
-        (*cspan_at(&work_t, last + count)) = 0.0;
+        (*lanes_at(&work_t, last + count)) = all_lanes(0.0);
         (*cspan_at(&work, last + count)) = 1.0;
-        (*cspan_at(&work_t, last + size)) = 0.0;
-        (*cspan_at(&work, last + size)) = given_t;
+        EACH_LANE each((*lanes_at(&work_t, last + size))) = each(given_t);
+        (*cspan_at(&work, last + size)) = 0.0;
     }
-    strip_pressures__eliminate(work, size);
+    derivative_strip_pressures__eliminate_t(work, work_t, size);
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
-        (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i + size));
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i + size)));
     }
     derivative_analyn__load_regions_t(&n3, &n4, work, work_t, count);
-    penetration_t = (*cspan_at(&work, last + size));
+    EACH_LANE each(penetration_t) = each((*lanes_at(&work_t, last + size)));
     (*result_0) = penetration;
-    (*result_1) = penetration_t;
+    EACH_LANE each((*result_1)) = each(penetration_t);
     return 0;
 }
 
@@ -418,7 +426,7 @@ static inline int64_t derivative_analyn__penetrations_rule_t(double* result_0, d
  */
 
 /* Derivative of ``analyn_contact``. */
-static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, lanes* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
     derivative_analyn_contact__solve_analyn_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
     if ((*satisfied) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
@@ -430,33 +438,33 @@ static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetr
 }
 
 /* Derivative of ``solve_analyn``. */
-static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, lanes* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
     bool by_penetration;
     double v1;
-    double v1_t;
+    lanes v1_t;
     int64_t repeat;
-    double estimate_t;
+    lanes estimate_t;
     double estimate;
     int64_t n2;
     by_penetration = 0;
-    (*penetration_t) = prescribed_t;
+    EACH_LANE each((*penetration_t)) = each(prescribed_t);
     (*penetration) = prescribed;
     if (isfinite(prescribed))
     {
         by_penetration = 1;
     }
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FIRST_WIDTHS + layout__FIRST_WIDTHS_PENETRATION)) = 0.0;
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, force_t, by_penetration);
+        derivative_analyn_contact__solve_estimated_t(penetration, penetration_t, count, satisfied, tables, work, work_t, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), force, force_t, by_penetration);
         return 0;
     }
     if (!by_penetration)
     {
         derivative_estimate__first_penetration_t(&v1, &v1_t, tables, work, work_t, pair, force, force_t);
-        (*penetration_t) = v1_t;
+        EACH_LANE each((*penetration_t)) = each(v1_t);
         (*penetration) = v1;
         derivative_widths__keep_widths_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     }
@@ -464,7 +472,7 @@ static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetrat
     (*satisfied) = 0;
     for (repeat = INT64_C(0); repeat < analyn_contact__ESTIMATE_REPEATS; repeat += INT64_C(1))
     {
-        estimate_t = (*penetration_t);
+        EACH_LANE each(estimate_t) = each((*penetration_t));
         estimate = (*penetration);
         n2 = derivative_pressed_regions__sink_wheel_t(tables, work, work_t, pair, side, estimate, estimate_t);
         if (n2 == INT64_C(0))
@@ -483,7 +491,7 @@ static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetrat
 }
 
 /* Derivative of ``solve_estimated``. */
-static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double estimate, double estimate_t, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penetration, lanes* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double estimate, lanes estimate_t, double force, lanes force_t, bool by_penetration)
 {
     int64_t n1;
     int64_t n2;
@@ -501,14 +509,14 @@ static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penet
 }
 
 /* Derivative of ``gather_regions``. */
-static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double penetration, double penetration_t)
+static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double penetration, lanes penetration_t)
 {
     int64_t i;
     int64_t n1;
     int64_t count;
     for (i = INT64_C(0); i < layout__REGION_LIMIT; i += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i + layout__REGION_SLANT)) = 0.0;
     }
     n1 = derivative_pressed_regions__gather_overlaps_t(tables, work, work_t, pair);
@@ -522,25 +530,25 @@ static inline int64_t derivative_analyn_contact__gather_regions_t(array_double_1
 }
 
 /* Derivative of ``solve_fine``. */
-static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0001, double* result_1_0001, bool* result_2, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double force, double force_t, double penetration, double penetration_t, bool by_penetration)
+static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0001, lanes* result_1_0001, bool* result_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double force, lanes force_t, double penetration, lanes penetration_t, bool by_penetration)
 {
-    double start_t;
+    lanes start_t;
     double start;
     double enlarge;
     bool satisfied;
     int64_t repeat;
-    start_t = penetration_t;
+    EACH_LANE each(start_t) = each(penetration_t);
     start = penetration;
     enlarge = 1.0;
     satisfied = 0;
     for (repeat = INT64_C(0); repeat < analyn_contact__COVER_REPEATS; repeat += INT64_C(1))
     {
-        derivative_nodes__prepare_regions_t(tables, work, work_t, pair, count, enlarge, 0.0);
+        derivative_nodes__prepare_regions_t(tables, work, work_t, pair, count, enlarge, all_lanes(0.0));
         derivative_analyn__penetrations_rule_t(&penetration, &penetration_t, &satisfied, work, work_t, tables, count, force, force_t, start, start_t, by_penetration);
         if (!satisfied)
         {
             (*result_0_0001) = start;
-            (*result_1_0001) = start_t;
+            EACH_LANE each((*result_1_0001)) = each(start_t);
             (*result_2) = satisfied;
             return 0;
         }
@@ -551,13 +559,13 @@ static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0
         if (repeat < analyn_contact__COVER_REPEATS - INT64_C(1))
         {
             enlarge = enlarge * analyn_contact__ENLARGED;
-            start_t = penetration_t;
+            EACH_LANE each(start_t) = each(penetration_t);
             start = penetration;
-            derivative_estimate__start_penetrations_t(work, work_t, count, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
+            derivative_estimate__start_penetrations_t(work, work_t, count, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
         }
     }
     (*result_0_0001) = penetration;
-    (*result_1_0001) = penetration_t;
+    EACH_LANE each((*result_1_0001)) = each(penetration_t);
     (*result_2) = satisfied;
     return 0;
 }
@@ -569,122 +577,124 @@ static inline int64_t derivative_analyn_contact__solve_fine_t(double* result_0_0
  */
 
 /* Derivative of ``table_value``. */
-static inline int64_t derivative_coefficients__table_value_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t column, double ratio, double ratio_t)
+static inline int64_t derivative_coefficients__table_value_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t column, double ratio, lanes ratio_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     int64_t octave;
     double v3;
     double v4;
     double v5;
-    double place_t;
+    lanes place_t;
     double place;
     int64_t cell;
-    double u_t;
+    lanes u_t;
     double u;
     int64_t at;
     double v6;
-    double high_t;
+    lanes high_t;
     double high;
     double v7;
     double v8;
     v1 = coefficients__LEAST_RATIO;
-    v1_t = 0.0;
+    v1_t = all_lanes(0.0);
     if (ratio > v1)
     {
         v1 = ratio;
-        v1_t = ratio_t;
+        EACH_LANE each(v1_t) = each(ratio_t);
     }
     v2 = v1;
-    v2_t = v1_t;
+    EACH_LANE each(v2_t) = each(v1_t);
     if (coefficients__MOST_RATIO < v2)
     {
         v2 = coefficients__MOST_RATIO;
-        v2_t = 0.0;
+        v2_t = all_lanes(0.0);
     }
-    ratio_t = v2_t;
+    EACH_LANE each(ratio_t) = each(v2_t);
     ratio = v2;
     octave = binary__exponent(ratio);
     v3 = (double)(layout__HERTZ_CELLS);
     v4 = binary__power_of_two(-octave);
     v5 = ratio * v4 - 1.0;
-    place_t = v3 * (ratio_t * v4);
+    EACH_LANE each(place_t) = v3 * (each(ratio_t) * v4);
     place = v3 * v5;
     cell = (int64_t)(place);
-    u_t = place_t;
+    EACH_LANE each(u_t) = each(place_t);
     u = place - (double)(cell);
     at = layout__HERTZ_ROW * (layout__HERTZ_CELLS * (octave + layout__HERTZ_OCTAVES) + cell) + column;
     v6 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(4)))) + u * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5))));
-    high_t = u_t * v6 + u * (u_t * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
+    EACH_LANE each(high_t) = each(u_t) * v6 + u * (each(u_t) * (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(5)))));
     high = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(3)))) + u * v6;
     v7 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(2)))) + u * high;
     v8 = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + (at + INT64_C(1)))) + u * v7;
     (*result_0) = (*cspan_at(&tables, table + layout__HERTZ_TABLE_ROWS + at)) + u * v8;
-    (*result_1) = u_t * v8 + u * (u_t * v7 + u * (u_t * high + u * high_t));
+    EACH_LANE each((*result_1)) = each(u_t) * v8 + u * (each(u_t) * v7 + u * (each(u_t) * high + u * each(high_t)));
     return 0;
 }
 
 /* Derivative of ``hertz_coefficients``. */
-static inline int64_t derivative_coefficients__hertz_coefficients_t(double* v2, double* v2_t, double* v3, double* v3_t, double* v5, double* v5_t, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t)
+static inline int64_t derivative_coefficients__hertz_coefficients_t(double* v2, lanes* v2_t, double* v3, lanes* v3_t, double* v5, lanes* v5_t, array_double_1d tables, int64_t table, double A, lanes A_t, double B, lanes B_t)
 {
     double v1;
-    double ratio_t;
+    lanes ratio_t;
     double ratio;
     double v4;
     v1 = B / A;
-    ratio_t = (B_t - v1 * A_t) / A;
+    EACH_LANE each(ratio_t) = (each(B_t) - v1 * each(A_t)) / A;
     ratio = v1;
     derivative_coefficients__table_value_t(v2, v2_t, tables, table, INT64_C(0), ratio, ratio_t);
     v4 = A / B;
-    derivative_coefficients__table_value_t(v3, v3_t, tables, table, INT64_C(0), v4, (A_t - v4 * B_t) / B);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = (each(A_t) - v4 * each(B_t)) / B;
+    derivative_coefficients__table_value_t(v3, v3_t, tables, table, INT64_C(0), v4, rates_1);
     derivative_coefficients__table_value_t(v5, v5_t, tables, table, INT64_C(6), ratio, ratio_t);
     return 0;
 }
 
 /* Derivative of ``skewed_coefficients``. */
-static inline int64_t derivative_coefficients__skewed_coefficients_t(double* v17, double* result_1, double* v18, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t)
+static inline int64_t derivative_coefficients__skewed_coefficients_t(double* v17, lanes* result_1, double* v18, lanes* result_3, double* result_4, lanes* result_5, array_double_1d tables, int64_t table, double A, lanes A_t, double B, lanes B_t, double slant, lanes slant_t)
 {
     double v1;
     double v2;
     double v3;
-    double cross_t;
+    lanes cross_t;
     double cross;
-    double diagonal_t;
+    lanes diagonal_t;
     double diagonal;
     double v4;
-    double half_t;
+    lanes half_t;
     double half;
     double v5;
     double v6;
-    double spread_t;
+    lanes spread_t;
     double spread;
     double v7;
-    double large_t;
+    lanes large_t;
     double large;
     double v8;
     double v9;
-    double small_t;
+    lanes small_t;
     double small;
     double along;
-    double along_t;
+    lanes along_t;
     double across;
-    double across_t;
+    lanes across_t;
     double nr;
-    double nr_t;
-    double cosine_t;
+    lanes nr_t;
+    lanes cosine_t;
     double cosine;
     double v10;
     double v11;
     double v12;
-    double length_t;
+    lanes length_t;
     double length;
     double v13;
     double v14;
     double v15;
     double v16;
-    double width_t;
+    lanes width_t;
     double width;
     double v19;
     double v20;
@@ -693,63 +703,63 @@ static inline int64_t derivative_coefficients__skewed_coefficients_t(double* v17
         v1 = coefficients__STEEPEST_SLANT * B;
         v2 = v1 / A;
         v3 = sqrt(v2);
-        slant_t = derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * B_t - v2 * A_t) / A);
+        EACH_LANE each(slant_t) = derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * each(B_t) - v2 * each(A_t)) / A);
         slant = v3;
     }
-    cross_t = A_t * slant + A * slant_t;
+    EACH_LANE each(cross_t) = each(A_t) * slant + A * each(slant_t);
     cross = A * slant;
-    diagonal_t = B_t + (cross_t * slant + cross * slant_t);
+    EACH_LANE each(diagonal_t) = each(B_t) + (each(cross_t) * slant + cross * each(slant_t));
     diagonal = B + cross * slant;
     v4 = A - diagonal;
-    half_t = 0.5 * (A_t - diagonal_t);
+    EACH_LANE each(half_t) = 0.5 * (each(A_t) - each(diagonal_t));
     half = 0.5 * v4;
     v5 = half * half + cross * cross;
     v6 = sqrt(v5);
-    spread_t = derivative_rates__root_rate(v6, half_t * half + half * half_t + (cross_t * cross + cross * cross_t));
+    EACH_LANE each(spread_t) = derivative_rates__root_rate(v6, each(half_t) * half + half * each(half_t) + (each(cross_t) * cross + cross * each(cross_t)));
     spread = v6;
     v7 = A + diagonal;
-    large_t = 0.5 * (A_t + diagonal_t) + spread_t;
+    EACH_LANE each(large_t) = 0.5 * (each(A_t) + each(diagonal_t)) + each(spread_t);
     large = 0.5 * v7 + spread;
     v8 = A * B;
     v9 = v8 / large;
-    small_t = (A_t * B + A * B_t - v9 * large_t) / large;
+    EACH_LANE each(small_t) = (each(A_t) * B + A * each(B_t) - v9 * each(large_t)) / large;
     small = v9;
     derivative_coefficients__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, table, small, small_t, large, large_t);
-    along_t = along_t * small + along * small_t;
+    EACH_LANE each(along_t) = each(along_t) * small + along * each(small_t);
     along = along * small;
-    across_t = across_t * large + across * large_t;
+    EACH_LANE each(across_t) = each(across_t) * large + across * each(large_t);
     across = across * large;
-    cosine_t = 0.0;
+    cosine_t = all_lanes(0.0);
     cosine = 0.5;
     if (spread > coefficients__TILTED * large)
     {
         v10 = 0.5 * half;
         v11 = v10 / spread;
-        cosine_t = -((0.5 * half_t - v11 * spread_t) / spread);
+        EACH_LANE each(cosine_t) = -((0.5 * each(half_t) - v11 * each(spread_t)) / spread);
         cosine = 0.5 - v11;
     }
     v12 = 1.0 - cosine;
-    length_t = cosine_t * along + cosine * along_t + ((-cosine_t) * across + v12 * across_t);
+    EACH_LANE each(length_t) = each(cosine_t) * along + cosine * each(along_t) + ((-each(cosine_t)) * across + v12 * each(across_t));
     length = cosine * along + v12 * across;
     v13 = along * across;
     v14 = 1.0 - cosine;
     v15 = cosine * along + v14 * across;
     v16 = v13 / v15;
-    width_t = (along_t * across + along * across_t - v16 * (cosine_t * along + cosine * along_t + ((-cosine_t) * across + v14 * across_t))) / v15;
+    EACH_LANE each(width_t) = (each(along_t) * across + along * each(across_t) - v16 * (each(cosine_t) * along + cosine * each(along_t) + ((-each(cosine_t)) * across + v14 * each(across_t)))) / v15;
     width = v16;
     (*v17) = length / A;
     (*v18) = width / B;
     v19 = length / along;
     v20 = sqrt(v19);
-    (*result_1) = (length_t - (*v17) * A_t) / A;
-    (*result_3) = (width_t - (*v18) * B_t) / B;
+    EACH_LANE each((*result_1)) = (each(length_t) - (*v17) * each(A_t)) / A;
+    EACH_LANE each((*result_3)) = (each(width_t) - (*v18) * each(B_t)) / B;
     (*result_4) = nr * v20;
-    (*result_5) = nr_t * v20 + nr * derivative_rates__root_rate(v20, (length_t - v19 * along_t) / along);
+    EACH_LANE each((*result_5)) = each(nr_t) * v20 + nr * derivative_rates__root_rate(v20, (each(length_t) - v19 * each(along_t)) / along);
     return 0;
 }
 
 /* Derivative of ``middle_slant``. */
-static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double A, double A_t, double B, double B_t, double slant, double slant_t)
+static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, double A, lanes A_t, double B, lanes B_t, double slant, lanes slant_t)
 {
     double v1;
     double v2;
@@ -757,36 +767,36 @@ static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, 
     double v4;
     double v5;
     double v6;
-    double cross_t;
+    lanes cross_t;
     double cross;
-    double diagonal_t;
+    lanes diagonal_t;
     double diagonal;
     double v7;
-    double half_t;
+    lanes half_t;
     double half;
     double v8;
     double v9;
-    double spread_t;
+    lanes spread_t;
     double spread;
     double v10;
-    double large_t;
+    lanes large_t;
     double large;
     double v11;
     double v12;
-    double small_t;
+    lanes small_t;
     double small;
     double along;
-    double along_t;
+    lanes along_t;
     double across;
-    double across_t;
+    lanes across_t;
     double nr;
-    double nr_t;
+    lanes nr_t;
     double v13;
     double v14;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
     double v15;
-    double length_t;
+    lanes length_t;
     double length;
     double v16;
     double v17;
@@ -801,44 +811,44 @@ static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, 
         v4 = v3 * slant;
         v5 = fabs(slant);
         v6 = v4 / v5;
-        slant_t = (derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * B_t - v2 * A_t) / A) * slant + v3 * slant_t - v6 * derivative_rates__size_rate(slant, slant_t)) / v5;
+        EACH_LANE each(slant_t) = (derivative_rates__root_rate(v3, (coefficients__STEEPEST_SLANT * each(B_t) - v2 * each(A_t)) / A) * slant + v3 * each(slant_t) - v6 * derivative_rates__size_rate(slant, each(slant_t))) / v5;
         slant = v6;
     }
-    cross_t = A_t * slant + A * slant_t;
+    EACH_LANE each(cross_t) = each(A_t) * slant + A * each(slant_t);
     cross = A * slant;
-    diagonal_t = B_t + (cross_t * slant + cross * slant_t);
+    EACH_LANE each(diagonal_t) = each(B_t) + (each(cross_t) * slant + cross * each(slant_t));
     diagonal = B + cross * slant;
     v7 = A - diagonal;
-    half_t = 0.5 * (A_t - diagonal_t);
+    EACH_LANE each(half_t) = 0.5 * (each(A_t) - each(diagonal_t));
     half = 0.5 * v7;
     v8 = half * half + cross * cross;
     v9 = sqrt(v8);
-    spread_t = derivative_rates__root_rate(v9, half_t * half + half * half_t + (cross_t * cross + cross * cross_t));
+    EACH_LANE each(spread_t) = derivative_rates__root_rate(v9, each(half_t) * half + half * each(half_t) + (each(cross_t) * cross + cross * each(cross_t)));
     spread = v9;
     v10 = A + diagonal;
-    large_t = 0.5 * (A_t + diagonal_t) + spread_t;
+    EACH_LANE each(large_t) = 0.5 * (each(A_t) + each(diagonal_t)) + each(spread_t);
     large = 0.5 * v10 + spread;
     v11 = A * B;
     v12 = v11 / large;
-    small_t = (A_t * B + A * B_t - v12 * large_t) / large;
+    EACH_LANE each(small_t) = (each(A_t) * B + A * each(B_t) - v12 * each(large_t)) / large;
     small = v12;
     if (!(spread > coefficients__TILTED * large))
     {
         (*result_0) = slant;
-        (*result_1) = slant_t;
+        EACH_LANE each((*result_1)) = each(slant_t);
         return 0;
     }
     derivative_coefficients__hertz_coefficients_t(&along, &along_t, &across, &across_t, &nr, &nr_t, tables, table, small, small_t, large, large_t);
-    along_t = along_t * small + along * small_t;
+    EACH_LANE each(along_t) = each(along_t) * small + along * each(small_t);
     along = along * small;
-    across_t = across_t * large + across * large_t;
+    EACH_LANE each(across_t) = each(across_t) * large + across * each(large_t);
     across = across * large;
     v13 = 0.5 * half;
     v14 = v13 / spread;
-    cosine_t = -((0.5 * half_t - v14 * spread_t) / spread);
+    EACH_LANE each(cosine_t) = -((0.5 * each(half_t) - v14 * each(spread_t)) / spread);
     cosine = 0.5 - v14;
     v15 = 1.0 - cosine;
-    length_t = cosine_t * along + cosine * along_t + ((-cosine_t) * across + v15 * across_t);
+    EACH_LANE each(length_t) = each(cosine_t) * along + cosine * each(along_t) + ((-each(cosine_t)) * across + v15 * each(across_t));
     length = cosine * along + v15 * across;
     v16 = across - along;
     v17 = cross * v16;
@@ -846,12 +856,12 @@ static inline int64_t derivative_coefficients__middle_slant_t(double* result_0, 
     v19 = v18 * length;
     v20 = v17 / v19;
     (*result_0) = v20;
-    (*result_1) = (cross_t * v16 + cross * (across_t - along_t) - v20 * ((large_t - small_t) * length + v18 * length_t)) / v19;
+    EACH_LANE each((*result_1)) = (each(cross_t) * v16 + cross * (each(across_t) - each(along_t)) - v20 * ((each(large_t) - each(small_t)) * length + v18 * each(length_t))) / v19;
     return 0;
 }
 
 /* Derivative of ``hertz_stiffness``. */
-static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, double* result_1, double one_beta, double one_beta_t, double nr, double nr_t, double B, double B_t, double contact_modulus, double contact_modulus_t)
+static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, lanes* result_1, double one_beta, lanes one_beta_t, double nr, lanes nr_t, double B, lanes B_t, double contact_modulus, lanes contact_modulus_t)
 {
     double v1;
     double v2;
@@ -864,43 +874,43 @@ static inline int64_t derivative_coefficients__hertz_stiffness_t(double* v6, dou
     v4 = sqrt(v3);
     v5 = nr * v4;
     (*v6) = v2 / v5;
-    (*result_1) = (v1 * contact_modulus_t - (*v6) * (nr_t * v4 + nr * derivative_rates__root_rate(v4, one_beta_t * B + one_beta * B_t))) / v5;
+    EACH_LANE each((*result_1)) = (v1 * each(contact_modulus_t) - (*v6) * (each(nr_t) * v4 + nr * derivative_rates__root_rate(v4, each(one_beta_t) * B + one_beta * each(B_t)))) / v5;
     return 0;
 }
 
 /* Derivative of ``second_difference``. */
-static inline int64_t derivative_coefficients__second_difference_t(double* v5, double* result_1, array_double_1d work, array_double_1d work_t, int64_t values, int64_t k, double spacing, double spacing_t, int64_t window)
+static inline int64_t derivative_coefficients__second_difference_t(double* v5, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t values, int64_t k, double spacing, lanes spacing_t, int64_t window)
 {
     double v1;
-    double width_t;
+    lanes width_t;
     double width;
     double v2;
     double v3;
     double v4;
     v1 = (double)(window);
-    width_t = spacing_t * v1;
+    EACH_LANE each(width_t) = each(spacing_t) * v1;
     width = spacing * v1;
     v2 = (*cspan_at(&work, values + INT64_C(128) + (k + window))) - 2.0 * (*cspan_at(&work, values + INT64_C(128) + k)) + (*cspan_at(&work, values + INT64_C(128) + (k - window)));
     v3 = 2.0 * width;
     v4 = v3 * width;
     (*v5) = v2 / v4;
-    (*result_1) = ((*cspan_at(&work_t, values + INT64_C(128) + (k + window))) - 2.0 * (*cspan_at(&work_t, values + INT64_C(128) + k)) + (*cspan_at(&work_t, values + INT64_C(128) + (k - window))) - (*v5) * (2.0 * width_t * width + v3 * width_t)) / v4;
+    EACH_LANE each((*result_1)) = (each((*lanes_at(&work_t, values + INT64_C(128) + (k + window)))) - 2.0 * each((*lanes_at(&work_t, values + INT64_C(128) + k))) + each((*lanes_at(&work_t, values + INT64_C(128) + (k - window)))) - (*v5) * (2.0 * each(width_t) * width + v3 * each(width_t))) / v4;
     return 0;
 }
 
 /* Derivative of ``secant_curvature``. */
-static inline int64_t derivative_coefficients__secant_curvature_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t gaps, int64_t k, double spacing, double spacing_t, int64_t window, double middle, double middle_t)
+static inline int64_t derivative_coefficients__secant_curvature_t(double* v3, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t gaps, int64_t k, double spacing, lanes spacing_t, int64_t window, double middle, lanes middle_t)
 {
     double v1;
-    double s_t;
+    lanes s_t;
     double s;
     double v2;
     double v4;
-    double width_t;
+    lanes width_t;
     double width;
     double v5;
     double v6;
-    double edge_t;
+    lanes edge_t;
     double edge;
     double v7;
     double v8;
@@ -911,25 +921,25 @@ static inline int64_t derivative_coefficients__secant_curvature_t(double* v3, do
     if ((k >= window) || (k <= -window))
     {
         v1 = (double)(k);
-        s_t = spacing_t * v1;
+        EACH_LANE each(s_t) = each(spacing_t) * v1;
         s = spacing * v1;
         v2 = s * s;
         (*v3) = (*cspan_at(&work, gaps + INT64_C(128) + k)) / v2;
-        (*result_1) = ((*cspan_at(&work_t, gaps + INT64_C(128) + k)) - (*v3) * (s_t * s + s * s_t)) / v2;
+        EACH_LANE each((*result_1)) = (each((*lanes_at(&work_t, gaps + INT64_C(128) + k))) - (*v3) * (each(s_t) * s + s * each(s_t))) / v2;
         return 0;
     }
     v4 = (double)(window);
-    width_t = spacing_t * v4;
+    EACH_LANE each(width_t) = each(spacing_t) * v4;
     width = spacing * v4;
     v5 = width * width;
     v6 = (*cspan_at(&work, gaps + INT64_C(128) + window)) / v5;
-    edge_t = ((*cspan_at(&work_t, gaps + INT64_C(128) + window)) - v6 * (width_t * width + width * width_t)) / v5;
+    EACH_LANE each(edge_t) = (each((*lanes_at(&work_t, gaps + INT64_C(128) + window))) - v6 * (each(width_t) * width + width * each(width_t))) / v5;
     edge = v6;
     if (k < INT64_C(0))
     {
         v7 = width * width;
         v8 = (*cspan_at(&work, gaps + INT64_C(128) + (-window))) / v7;
-        edge_t = ((*cspan_at(&work_t, gaps + INT64_C(128) + (-window))) - v8 * (width_t * width + width * width_t)) / v7;
+        EACH_LANE each(edge_t) = (each((*lanes_at(&work_t, gaps + INT64_C(128) + (-window)))) - v8 * (each(width_t) * width + width * each(width_t))) / v7;
         edge = v8;
     }
     v9 = edge - middle;
@@ -937,220 +947,220 @@ static inline int64_t derivative_coefficients__secant_curvature_t(double* v3, do
     v11 = v9 * v10;
     v12 = (double)(window);
     (*v3) = middle + v11 / v12;
-    (*result_1) = middle_t + (edge_t - middle_t) * v10 / v12;
+    EACH_LANE each((*result_1)) = each(middle_t) + (each(edge_t) - each(middle_t)) * v10 / v12;
     return 0;
 }
 
 /* Derivative of ``windowed_curvature``. */
-static inline int64_t derivative_coefficients__windowed_curvature_t(double* v6, double* result_1, double averaged, double averaged_t, double secant, double secant_t, double share, double share_t)
+static inline int64_t derivative_coefficients__windowed_curvature_t(double* v6, lanes* result_1, double averaged, lanes averaged_t, double secant, lanes secant_t, double share, lanes share_t)
 {
     double v1;
     double v2;
-    double v2_t;
-    double grown_t;
+    lanes v2_t;
+    lanes grown_t;
     double grown;
     double v3;
     double v4;
     double v5;
     v1 = coefficients__WINDOW_FLOOR * secant;
     v2 = averaged;
-    v2_t = averaged_t;
+    EACH_LANE each(v2_t) = each(averaged_t);
     if (v1 > v2)
     {
         v2 = v1;
-        v2_t = coefficients__WINDOW_FLOOR * secant_t;
+        EACH_LANE each(v2_t) = coefficients__WINDOW_FLOOR * each(secant_t);
     }
-    averaged_t = v2_t;
+    EACH_LANE each(averaged_t) = each(v2_t);
     averaged = v2;
-    grown_t = secant_t;
+    EACH_LANE each(grown_t) = each(secant_t);
     grown = secant;
     if (averaged > secant)
     {
         v3 = coefficients__GROWTH * share;
         v4 = averaged - secant;
-        grown_t = grown_t + (coefficients__GROWTH * share_t * v4 + v3 * (averaged_t - secant_t));
+        EACH_LANE each(grown_t) = each(grown_t) + (coefficients__GROWTH * each(share_t) * v4 + v3 * (each(averaged_t) - each(secant_t)));
         grown = grown + v3 * v4;
     }
     v5 = averaged * grown;
     (*v6) = sqrt(v5);
-    (*result_1) = derivative_rates__root_rate((*v6), averaged_t * grown + averaged * grown_t);
+    EACH_LANE each((*result_1)) = derivative_rates__root_rate((*v6), each(averaged_t) * grown + averaged * each(grown_t));
     return 0;
 }
 
 /* Derivative of ``adaptive_curvatures``. */
-static inline int64_t derivative_coefficients__adaptive_curvatures_t(double* secant, double* secant_t, double* side, double* side_t, double* B, double* B_t, array_double_1d work, array_double_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, double middle_t, double mean, double mean_t, double least, double least_t)
+static inline int64_t derivative_coefficients__adaptive_curvatures_t(double* secant, lanes* secant_t, double* side, lanes* side_t, double* B, lanes* B_t, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, lanes middle_t, double mean, lanes mean_t, double least, lanes least_t)
 {
-    double spacing_t;
+    lanes spacing_t;
     double spacing;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     double v4;
     double v5;
     double v6;
-    double v6_t;
-    double share_t;
+    lanes v6_t;
+    lanes share_t;
     double share;
     double v8;
-    double v8_t;
+    lanes v8_t;
     double v7;
-    double v7_t;
+    lanes v7_t;
     double v9;
-    double v9_t;
+    lanes v9_t;
     double v10;
-    double v10_t;
-    spacing_t = (*cspan_at(&work_t, region + layout__REGION_SPACING));
+    lanes v10_t;
+    EACH_LANE each(spacing_t) = each((*lanes_at(&work_t, region + layout__REGION_SPACING)));
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
     derivative_coefficients__secant_curvature_t(&v1, &v1_t, work, work_t, gaps, k, spacing, spacing_t, window, middle, middle_t);
     v2 = v1;
-    v2_t = v1_t;
+    EACH_LANE each(v2_t) = each(v1_t);
     if (least > v2)
     {
         v2 = least;
-        v2_t = least_t;
+        EACH_LANE each(v2_t) = each(least_t);
     }
-    (*secant_t) = v2_t;
+    EACH_LANE each((*secant_t)) = each(v2_t);
     (*secant) = v2;
     v3 = fabs((double)(k));
     v4 = v3 * spacing;
     v5 = v4 / mean;
     v6 = v5;
-    v6_t = (v3 * spacing_t - v5 * mean_t) / mean;
+    EACH_LANE each(v6_t) = (v3 * each(spacing_t) - v5 * each(mean_t)) / mean;
     if (1.0 < v6)
     {
         v6 = 1.0;
-        v6_t = 0.0;
+        v6_t = all_lanes(0.0);
     }
-    share_t = v6_t;
+    EACH_LANE each(share_t) = each(v6_t);
     share = v6;
     derivative_coefficients__second_difference_t(&v8, &v8_t, work, work_t, gaps, k, spacing, spacing_t, window);
     derivative_coefficients__windowed_curvature_t(&v7, &v7_t, v8, v8_t, (*secant), (*secant_t), share, share_t);
     v9 = v7;
-    v9_t = v7_t;
+    EACH_LANE each(v9_t) = each(v7_t);
     if (least > v9)
     {
         v9 = least;
-        v9_t = least_t;
+        EACH_LANE each(v9_t) = each(least_t);
     }
-    (*B_t) = v9_t;
+    EACH_LANE each((*B_t)) = each(v9_t);
     (*B) = v9;
-    (*side_t) = (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH));
+    EACH_LANE each((*side_t)) = each((*lanes_at(&work_t, region + layout__REGION_SIDE_HIGH)));
     (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
     if (k < INT64_C(0))
     {
-        (*side_t) = (*cspan_at(&work_t, region + layout__REGION_SIDE_LOW));
+        EACH_LANE each((*side_t)) = each((*lanes_at(&work_t, region + layout__REGION_SIDE_LOW)));
         (*side) = (*cspan_at(&work, region + layout__REGION_SIDE_LOW));
     }
     v10 = (*side);
-    v10_t = (*side_t);
+    EACH_LANE each(v10_t) = each((*side_t));
     if (least > v10)
     {
         v10 = least;
-        v10_t = least_t;
+        EACH_LANE each(v10_t) = each(least_t);
     }
-    (*side_t) = v10_t;
+    EACH_LANE each((*side_t)) = each(v10_t);
     (*side) = v10;
     return 0;
 }
 
 /* Derivative of ``weigh_nodes``. */
-static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed)
+static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed)
 {
     int64_t table;
     bool prepared;
-    double alpha_factor_t;
+    lanes alpha_factor_t;
     double alpha_factor;
-    double beta_factor_t;
+    lanes beta_factor_t;
     double beta_factor;
-    double nr_factor_t;
+    lanes nr_factor_t;
     double nr_factor;
     double v1;
-    double mean_t;
+    lanes mean_t;
     double mean;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
-    double middle_t;
+    lanes v3_t;
+    lanes middle_t;
     double middle;
     int64_t k_end;
     int64_t k;
-    double A_t;
+    lanes A_t;
     double A;
-    double least_t;
+    lanes least_t;
     double least;
     double v4;
-    double v4_t;
-    double B_t;
+    lanes v4_t;
+    lanes B_t;
     double B;
-    double secant_t;
+    lanes secant_t;
     double secant;
-    double side_t;
+    lanes side_t;
     double side;
     double v6;
     double v5;
-    double v5_t;
-    double alpha_t;
+    lanes v5_t;
+    lanes alpha_t;
     double alpha;
     double v8;
     double v7;
-    double v7_t;
-    double beta_t;
+    lanes v7_t;
+    lanes beta_t;
     double beta;
     double v10;
     double v9;
-    double v9_t;
-    double nr_t;
+    lanes v9_t;
+    lanes nr_t;
     double nr;
     double v11;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     prepared = (int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE;
-    alpha_factor_t = 0.0;
+    alpha_factor_t = all_lanes(0.0);
     alpha_factor = 1.0;
-    beta_factor_t = 0.0;
+    beta_factor_t = all_lanes(0.0);
     beta_factor = 1.0;
-    nr_factor_t = 0.0;
+    nr_factor_t = all_lanes(0.0);
     nr_factor = 1.0;
     if (yawed)
     {
-        derivative_coefficients__skew_factors_t(&alpha_factor, &alpha_factor_t, &beta_factor, &beta_factor_t, &nr_factor, &nr_factor_t, work, work_t, tables, region, (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))), (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))));
+        derivative_coefficients__skew_factors_t(&alpha_factor, &alpha_factor_t, &beta_factor, &beta_factor_t, &nr_factor, &nr_factor_t, work, work_t, tables, region, (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))), (*lanes_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))));
     }
     v1 = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
-    mean_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)));
+    EACH_LANE each(mean_t) = 0.5 * (each((*lanes_at(&work_t, region + layout__REGION_WIDTH_LOW))) + each((*lanes_at(&work_t, region + layout__REGION_WIDTH_HIGH))));
     mean = 0.5 * v1;
-    derivative_coefficients__second_difference_t(&v2, &v2_t, work, work_t, nodes + layout__NODES_GAP, INT64_C(0), (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)), window);
+    derivative_coefficients__second_difference_t(&v2, &v2_t, work, work_t, nodes + layout__NODES_GAP, INT64_C(0), (*cspan_at(&work, region + layout__REGION_SPACING)), (*lanes_at(&work_t, region + layout__REGION_SPACING)), window);
     v3 = v2;
-    v3_t = v2_t;
+    EACH_LANE each(v3_t) = each(v2_t);
     if (0.0 > v3)
     {
         v3 = 0.0;
-        v3_t = 0.0;
+        v3_t = all_lanes(0.0);
     }
-    middle_t = v3_t;
+    EACH_LANE each(middle_t) = each(v3_t);
     middle = v3;
     k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
-        A_t = (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + k));
+        EACH_LANE each(A_t) = each((*lanes_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + k)));
         A = (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
-        least_t = coefficients__FLOOR * A_t;
+        EACH_LANE each(least_t) = coefficients__FLOOR * each(A_t);
         least = coefficients__FLOOR * A;
         if (prepared)
         {
             v4 = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k));
-            v4_t = (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + k));
+            EACH_LANE each(v4_t) = each((*lanes_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + k)));
             if (least > v4)
             {
                 v4 = least;
-                v4_t = least_t;
+                EACH_LANE each(v4_t) = each(least_t);
             }
-            B_t = v4_t;
+            EACH_LANE each(B_t) = each(v4_t);
             B = v4;
-            secant_t = B_t;
+            EACH_LANE each(secant_t) = each(B_t);
             secant = B;
-            side_t = B_t;
+            EACH_LANE each(side_t) = each(B_t);
             side = B;
         }
         else
@@ -1158,81 +1168,87 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
             derivative_coefficients__adaptive_curvatures_t(&secant, &secant_t, &side, &side_t, &B, &B_t, work, work_t, region, nodes + layout__NODES_GAP, k, window, middle, middle_t, mean, mean_t, least, least_t);
         }
         v6 = secant / A;
-        derivative_coefficients__table_value_t(&v5, &v5_t, tables, table, INT64_C(0), v6, (secant_t - v6 * A_t) / A);
-        alpha_t = v5_t;
+        lanes rates_1;
+        EACH_LANE each(rates_1) = (each(secant_t) - v6 * each(A_t)) / A;
+        derivative_coefficients__table_value_t(&v5, &v5_t, tables, table, INT64_C(0), v6, rates_1);
+        EACH_LANE each(alpha_t) = each(v5_t);
         alpha = v5;
         v8 = A / side;
-        derivative_coefficients__table_value_t(&v7, &v7_t, tables, table, INT64_C(0), v8, (A_t - v8 * side_t) / side);
-        beta_t = v7_t;
+        lanes rates_2;
+        EACH_LANE each(rates_2) = (each(A_t) - v8 * each(side_t)) / side;
+        derivative_coefficients__table_value_t(&v7, &v7_t, tables, table, INT64_C(0), v8, rates_2);
+        EACH_LANE each(beta_t) = each(v7_t);
         beta = v7;
         v10 = B / A;
-        derivative_coefficients__table_value_t(&v9, &v9_t, tables, table, INT64_C(6), v10, (B_t - v10 * A_t) / A);
-        nr_t = v9_t;
+        lanes rates_3;
+        EACH_LANE each(rates_3) = (each(B_t) - v10 * each(A_t)) / A;
+        derivative_coefficients__table_value_t(&v9, &v9_t, tables, table, INT64_C(6), v10, rates_3);
+        EACH_LANE each(nr_t) = each(v9_t);
         nr = v9;
         if (yawed)
         {
-            alpha_t = alpha_t * alpha_factor + alpha * alpha_factor_t;
+            EACH_LANE each(alpha_t) = each(alpha_t) * alpha_factor + alpha * each(alpha_factor_t);
             alpha = alpha * alpha_factor;
-            beta_t = beta_t * beta_factor + beta * beta_factor_t;
+            EACH_LANE each(beta_t) = each(beta_t) * beta_factor + beta * each(beta_factor_t);
             beta = beta * beta_factor;
-            nr_t = nr_t * nr_factor + nr * nr_factor_t;
+            EACH_LANE each(nr_t) = each(nr_t) * nr_factor + nr * each(nr_factor_t);
             nr = nr * nr_factor;
         }
-        (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + k)) = B_t;
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + k))) = each(B_t);
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + k)) = B;
-        (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k)) = beta_t * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)) + beta * (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k));
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k))) = each(beta_t) * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)) + beta * each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k)));
         (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k)) = beta * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k));
         v11 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
-        (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k)) = (-v11) * nr_t / nr;
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k))) = (-v11) * each(nr_t) / nr;
         (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) = v11;
-        (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) = alpha_t * A + alpha * A_t;
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k))) = each(alpha_t) * A + alpha * each(A_t);
         (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) = alpha * A;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``skew_factors``. */
-static inline int64_t derivative_coefficients__skew_factors_t(double* v4, double* result_1, double* v5, double* result_3, double* v6, double* result_5, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t)
+static inline int64_t derivative_coefficients__skew_factors_t(double* v4, lanes* result_1, double* v5, lanes* result_3, double* v6, lanes* result_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t)
 {
     int64_t table;
     double v1;
     double v2;
     double v3;
-    double v3_t;
-    double B_t;
+    lanes v3_t;
+    lanes B_t;
     double B;
     double alpha;
-    double alpha_t;
+    lanes alpha_t;
     double beta;
-    double beta_t;
+    lanes beta_t;
     double nr;
-    double nr_t;
+    lanes nr_t;
     double skewed_alpha;
-    double skewed_alpha_t;
+    lanes skewed_alpha_t;
     double skewed_beta;
-    double skewed_beta_t;
+    lanes skewed_beta_t;
     double skewed_nr;
-    double skewed_nr_t;
+    lanes skewed_nr_t;
     table = (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ)));
     v1 = (*cspan_at(&work, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work, region + layout__REGION_SIDE_HIGH));
     v2 = coefficients__FLOOR * A;
     v3 = 0.5 * v1;
-    v3_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)) + (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)));
+    EACH_LANE each(v3_t) = 0.5 * (each((*lanes_at(&work_t, region + layout__REGION_SIDE_LOW))) + each((*lanes_at(&work_t, region + layout__REGION_SIDE_HIGH))));
     if (v2 > v3)
     {
         v3 = v2;
-        v3_t = coefficients__FLOOR * A_t;
+        EACH_LANE each(v3_t) = coefficients__FLOOR * each(A_t);
     }
-    B_t = v3_t;
+    EACH_LANE each(B_t) = each(v3_t);
     B = v3;
     derivative_coefficients__hertz_coefficients_t(&alpha, &alpha_t, &beta, &beta_t, &nr, &nr_t, tables, table, A, A_t, B, B_t);
-    derivative_coefficients__skewed_coefficients_t(&skewed_alpha, &skewed_alpha_t, &skewed_beta, &skewed_beta_t, &skewed_nr, &skewed_nr_t, tables, table, A, A_t, B, B_t, (*cspan_at(&work, region + layout__REGION_SLANT)), (*cspan_at(&work_t, region + layout__REGION_SLANT)));
+    derivative_coefficients__skewed_coefficients_t(&skewed_alpha, &skewed_alpha_t, &skewed_beta, &skewed_beta_t, &skewed_nr, &skewed_nr_t, tables, table, A, A_t, B, B_t, (*cspan_at(&work, region + layout__REGION_SLANT)), (*lanes_at(&work_t, region + layout__REGION_SLANT)));
     (*v4) = skewed_alpha / alpha;
     (*v5) = skewed_beta / beta;
     (*v6) = skewed_nr / nr;
-    (*result_1) = (skewed_alpha_t - (*v4) * alpha_t) / alpha;
-    (*result_3) = (skewed_beta_t - (*v5) * beta_t) / beta;
-    (*result_5) = (skewed_nr_t - (*v6) * nr_t) / nr;
+    EACH_LANE each((*result_1)) = (each(skewed_alpha_t) - (*v4) * each(alpha_t)) / alpha;
+    EACH_LANE each((*result_3)) = (each(skewed_beta_t) - (*v5) * each(beta_t)) / beta;
+    EACH_LANE each((*result_5)) = (each(skewed_nr_t) - (*v6) * each(nr_t)) / nr;
     return 0;
 }
 
@@ -1243,129 +1259,135 @@ static inline int64_t derivative_coefficients__skew_factors_t(double* v4, double
  */
 
 /* Derivative of ``guess_penetration``. */
-static inline int64_t derivative_estimate__guess_penetration_t(double* v3, double* v3_t, double force, double force_t, double A, double A_t, double contact_modulus, double contact_modulus_t)
+static inline int64_t derivative_estimate__guess_penetration_t(double* v3, lanes* v3_t, double force, lanes force_t, double A, lanes A_t, double contact_modulus, lanes contact_modulus_t)
 {
     double v1;
     double v2;
-    double share_t;
+    lanes share_t;
     double share;
     double v4;
     double v5;
     double v6;
     v1 = 0.75 * force;
     v2 = v1 / contact_modulus;
-    share_t = (0.75 * force_t - v2 * contact_modulus_t) / contact_modulus;
+    EACH_LANE each(share_t) = (0.75 * each(force_t) - v2 * each(contact_modulus_t)) / contact_modulus;
     share = v2;
     v4 = share * share;
     v5 = 1.0 + estimate__TYPICAL_RATIO;
     v6 = v4 * v5;
-    derivative_powers__cube_root_rule_t(v3, v3_t, v6 * A, (share_t * share + share * share_t) * v5 * A + v6 * A_t);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = (each(share_t) * share + share * each(share_t)) * v5 * A + v6 * each(A_t);
+    derivative_powers__cube_root_rule_t(v3, v3_t, v6 * A, rates_1);
     return 0;
 }
 
 /* Derivative of ``estimate_penetration``. */
-static inline int64_t derivative_estimate__estimate_penetration_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t)
+static inline int64_t derivative_estimate__estimate_penetration_t(double* result_0, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t)
 {
-    double A_t;
+    lanes A_t;
     double A;
     double v1;
-    double v1_t;
-    double guess_t;
+    lanes v1_t;
+    lanes guess_t;
     double guess;
     double v2;
-    double width_t;
+    lanes width_t;
     double width;
-    double B_t;
+    lanes B_t;
     double B;
     double v3;
     double v4;
     double one_alpha;
-    double one_alpha_t;
+    lanes one_alpha_t;
     double one_beta;
-    double one_beta_t;
+    lanes one_beta_t;
     double nr;
-    double nr_t;
+    lanes nr_t;
     double v5;
-    double v5_t;
-    double stiffness_t;
+    lanes v5_t;
+    lanes stiffness_t;
     double stiffness;
     double v7;
     double v6;
-    double v6_t;
-    double root_t;
+    lanes v6_t;
+    lanes root_t;
     double root;
-    A_t = 0.5 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
+    EACH_LANE each(A_t) = 0.5 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE)));
     A = 0.5 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
-    derivative_estimate__guess_penetration_t(&v1, &v1_t, force, force_t, A, A_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
-    guess_t = v1_t;
+    derivative_estimate__guess_penetration_t(&v1, &v1_t, force, force_t, A, A_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), all_lanes(0.0));
+    EACH_LANE each(guess_t) = each(v1_t);
     guess = v1;
     derivative_widths__measure_widths_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS, guess, guess_t);
     v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH));
-    width_t = 0.5 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH)));
+    EACH_LANE each(width_t) = 0.5 * (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_LOW))) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_HIGH))));
     width = 0.5 * v2;
-    B_t = coefficients__FLOOR * A_t;
+    EACH_LANE each(B_t) = coefficients__FLOOR * each(A_t);
     B = coefficients__FLOOR * A;
     if (guess > estimate__CEILING * A * width * width)
     {
-        B_t = estimate__CEILING * A_t;
+        EACH_LANE each(B_t) = estimate__CEILING * each(A_t);
         B = estimate__CEILING * A;
     }
     else if (guess > B * width * width)
     {
         v3 = width * width;
         v4 = guess / v3;
-        B_t = (guess_t - v4 * (width_t * width + width * width_t)) / v3;
+        EACH_LANE each(B_t) = (each(guess_t) - v4 * (each(width_t) * width + width * each(width_t))) / v3;
         B = v4;
     }
     derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
-    derivative_coefficients__hertz_stiffness_t(&v5, &v5_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
-    stiffness_t = v5_t;
+    derivative_coefficients__hertz_stiffness_t(&v5, &v5_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), all_lanes(0.0));
+    EACH_LANE each(stiffness_t) = each(v5_t);
     stiffness = v5;
     v7 = force / stiffness;
-    derivative_powers__cube_root_rule_t(&v6, &v6_t, v7, (force_t - v7 * stiffness_t) / stiffness);
-    root_t = v6_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = (each(force_t) - v7 * each(stiffness_t)) / stiffness;
+    derivative_powers__cube_root_rule_t(&v6, &v6_t, v7, rates_1);
+    EACH_LANE each(root_t) = each(v6_t);
     root = v6;
     (*result_0) = root * root;
-    (*result_1) = root_t * root + root * root_t;
+    EACH_LANE each((*result_1)) = each(root_t) * root + root * each(root_t);
     return 0;
 }
 
 /* Derivative of ``first_penetration``. */
-static inline int64_t derivative_estimate__first_penetration_t(double* v1, double* v1_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t)
+static inline int64_t derivative_estimate__first_penetration_t(double* v1, lanes* v1_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t)
 {
     double v2;
     derivative_frame__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_WIDTH_PENETRATION)) = 0.0;
     v2 = force / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE));
-    derivative_estimate__estimate_penetration_t(v1, v1_t, tables, work, work_t, pair, v2, (force_t - v2 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)));
+    lanes rates_1;
+    EACH_LANE each(rates_1) = (each(force_t) - v2 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE)))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SHARE));
+    derivative_estimate__estimate_penetration_t(v1, v1_t, tables, work, work_t, pair, v2, rates_1);
     return 0;
 }
 
 /* Derivative of ``start_penetrations``. */
-static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d work, array_double_1d work_t, int64_t count, double penetration, double penetration_t)
+static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d work, array_lanes_1d work_t, int64_t count, double penetration, lanes penetration_t)
 {
     int64_t i;
     int64_t region;
     double v1;
     double v2;
-    double v2_t;
-    double local_t;
+    lanes v2_t;
+    lanes local_t;
     double local;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         v1 = estimate__LEAST_SHARE * penetration;
         v2 = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration - (*cspan_at(&work, region + layout__REGION_GAP));
-        v2_t = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * penetration + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * penetration_t - (*cspan_at(&work_t, region + layout__REGION_GAP));
+        EACH_LANE each(v2_t) = each((*lanes_at(&work_t, region + layout__REGION_ALIGNMENT))) * penetration + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * each(penetration_t) - each((*lanes_at(&work_t, region + layout__REGION_GAP)));
         if (v1 > v2)
         {
             v2 = v1;
-            v2_t = estimate__LEAST_SHARE * penetration_t;
+            EACH_LANE each(v2_t) = estimate__LEAST_SHARE * each(penetration_t);
         }
-        local_t = v2_t;
+        EACH_LANE each(local_t) = each(v2_t);
         local = v2;
-        (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) = local_t;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION))) = each(local_t);
         (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) = local;
     }
     return INT64_C(0);
@@ -1378,38 +1400,38 @@ static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d 
  */
 
 /* Derivative of ``hertz_contact``. */
-static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetration, double* penetration_t, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetration, lanes* penetration_t, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
     int64_t point;
-    double A_t;
+    lanes A_t;
     double A;
     double v1;
     double v2;
-    double v2_t;
-    double B_t;
+    lanes v2_t;
+    lanes B_t;
     double B;
     double half_length;
-    double half_length_t;
+    lanes half_length_t;
     double half_width;
-    double half_width_t;
+    lanes half_width_t;
     double stiffness;
-    double stiffness_t;
+    lanes stiffness_t;
     double low;
-    double low_t;
+    lanes low_t;
     double high;
-    double high_t;
+    lanes high_t;
     double v3;
     double v4;
-    double v4_t;
-    double widest_t;
+    lanes v4_t;
+    lanes widest_t;
     double widest;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
-    double v6_t;
+    lanes v6_t;
     double v7;
     double v8;
-    double load_t;
+    lanes load_t;
     double load;
     double v9;
     double v10;
@@ -1418,79 +1440,81 @@ static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetrat
     double v12;
     double v13;
     double v14;
-    double pressure_t;
+    lanes pressure_t;
     double pressure;
     derivative_frame__locate_along_track_t(tables, work, work_t, pair, INT64_C(1));
     point = side + layout__SIDE_SEARCH_POINT;
-    A_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X));
+    EACH_LANE each(A_t) = 0.5 * each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X)));
     A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
     v1 = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
     v2 = coefficients__FLOOR * A;
-    v2_t = coefficients__FLOOR * A_t;
+    EACH_LANE each(v2_t) = coefficients__FLOOR * each(A_t);
     if (v1 > v2)
     {
         v2 = v1;
-        v2_t = 0.5 * (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
+        EACH_LANE each(v2_t) = 0.5 * each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y)));
     }
-    B_t = v2_t;
+    EACH_LANE each(B_t) = each(v2_t);
     B = v2;
     derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, penetration, penetration_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
     derivative_hertz_contact__profile_ends_t(&low, &low_t, &high, &high_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     v3 = high - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL));
     v4 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL)) - low;
-    v4_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL)) - low_t;
+    EACH_LANE each(v4_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL))) - each(low_t);
     if (v3 < v4)
     {
         v4 = v3;
-        v4_t = high_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL));
+        EACH_LANE each(v4_t) = each(high_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_RAIL)));
     }
-    widest_t = v4_t;
+    EACH_LANE each(widest_t) = each(v4_t);
     widest = v4;
     if (half_width > widest)
     {
         derivative_hertz_contact__widest_ellipse_t(&v5, &v5_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS, low, low_t, high, high_t);
-        widest_t = v5_t;
+        EACH_LANE each(widest_t) = each(v5_t);
         widest = v5;
     }
     if (half_width > widest)
     {
         derivative_hertz_contact__narrow_ellipse_t(&v6, &v6_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t, widest, widest_t);
-        B_t = v6_t;
+        EACH_LANE each(B_t) = each(v6_t);
         B = v6;
         derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, penetration, penetration_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
     }
     v7 = stiffness * (*penetration);
     v8 = sqrt((*penetration));
-    load_t = (stiffness_t * (*penetration) + stiffness * (*penetration_t)) * v8 + v7 * derivative_rates__root_rate(v8, (*penetration_t));
+    EACH_LANE each(load_t) = (each(stiffness_t) * (*penetration) + stiffness * each((*penetration_t))) * v8 + v7 * derivative_rates__root_rate(v8, each((*penetration_t)));
     load = v7 * v8;
     v9 = 1.5 * stiffness;
     v10 = sqrt((*penetration));
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness_t * v10 + v9 * derivative_rates__root_rate(v10, (*penetration_t));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS))) = 1.5 * each(stiffness_t) * v10 + v9 * derivative_rates__root_rate(v10, each((*penetration_t)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = v9 * v10;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED))) = each(load_t);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration_t);
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION))) = each((*penetration_t));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
     derivative_filling__clear_patches_t(work, work_t, side);
-    n11 = derivative_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, -half_width_t, INT64_C(0), layout__RULE_ELLIPSE);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = -each(half_width_t);
+    n11 = derivative_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, rates_1, INT64_C(0), layout__RULE_ELLIPSE);
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n11;
-    derivative_filling__add_load_t(work, work_t, patch, INT64_C(0), load, load_t, 0.0, 0.0);
+    derivative_filling__add_load_t(work, work_t, patch, INT64_C(0), load, load_t, 0.0, all_lanes(0.0));
     v12 = M_PI * half_length;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length_t * half_width + v12 * half_width_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) = M_PI * each(half_length_t) * half_width + v12 * each(half_width_t);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v12 * half_width;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP))) = each(half_width_t);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
     v13 = 1.5 * load;
     v14 = v13 / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    pressure_t = (1.5 * load_t - v14 * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    EACH_LANE each(pressure_t) = (1.5 * each(load_t) - v14 * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
     pressure = v14;
-    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE))) = each(pressure_t) * pressure + pressure * each(pressure_t);
     (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
-    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length_t * half_length + half_length * half_length_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE))) = each(half_length_t) * half_length + half_length * each(half_length_t);
     (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
     derivative_filling__finish_patch_t(work, work_t, side);
     derivative_filling__finish_patches_t(work, work_t, side);
@@ -1500,40 +1524,42 @@ static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetrat
 }
 
 /* Derivative of ``press_ellipse``. */
-static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v7, double* result_1, double* v10, double* result_3, double* stiffness, double* stiffness_t, double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v7, lanes* result_1, double* v10, lanes* result_3, double* stiffness, lanes* stiffness_t, double* penetration, lanes* penetration_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t, double B, lanes B_t, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
     double one_alpha;
-    double one_alpha_t;
+    lanes one_alpha_t;
     double one_beta;
-    double one_beta_t;
+    lanes one_beta_t;
     double nr;
-    double nr_t;
+    lanes nr_t;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v3;
     double v4;
     double v2;
-    double v2_t;
-    double root_t;
+    lanes v2_t;
+    lanes root_t;
     double root;
     double v5;
     double v6;
     double v8;
     double v9;
     derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
-    derivative_coefficients__hertz_stiffness_t(&v1, &v1_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), 0.0);
-    (*stiffness_t) = v1_t;
+    derivative_coefficients__hertz_stiffness_t(&v1, &v1_t, one_beta, one_beta_t, nr, nr_t, B, B_t, (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)), all_lanes(0.0));
+    EACH_LANE each((*stiffness_t)) = each(v1_t);
     (*stiffness) = v1;
-    (*penetration_t) = prescribed_t;
+    EACH_LANE each((*penetration_t)) = each(prescribed_t);
     (*penetration) = prescribed;
     if (!isfinite(prescribed))
     {
         v3 = (*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness);
         v4 = force / v3;
-        derivative_powers__cube_root_rule_t(&v2, &v2_t, v4, (force_t - v4 * ((*cspan_at(&work_t, region + layout__REGION_SHARE)) * (*stiffness) + (*cspan_at(&work, region + layout__REGION_SHARE)) * (*stiffness_t))) / v3);
-        root_t = v2_t;
+        lanes rates_1;
+        EACH_LANE each(rates_1) = (each(force_t) - v4 * (each((*lanes_at(&work_t, region + layout__REGION_SHARE))) * (*stiffness) + (*cspan_at(&work, region + layout__REGION_SHARE)) * each((*stiffness_t)))) / v3;
+        derivative_powers__cube_root_rule_t(&v2, &v2_t, v4, rates_1);
+        EACH_LANE each(root_t) = each(v2_t);
         root = v2;
-        (*penetration_t) = root_t * root + root * root_t;
+        EACH_LANE each((*penetration_t)) = each(root_t) * root + root * each(root_t);
         (*penetration) = root * root;
     }
     v5 = one_alpha * A;
@@ -1542,135 +1568,135 @@ static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v7, doub
     v8 = one_beta * B;
     v9 = (*penetration) / v8;
     (*v10) = sqrt(v9);
-    (*result_1) = derivative_rates__root_rate((*v7), ((*penetration_t) - v6 * (one_alpha_t * A + one_alpha * A_t)) / v5);
-    (*result_3) = derivative_rates__root_rate((*v10), ((*penetration_t) - v9 * (one_beta_t * B + one_beta * B_t)) / v8);
+    EACH_LANE each((*result_1)) = derivative_rates__root_rate((*v7), (each((*penetration_t)) - v6 * (each(one_alpha_t) * A + one_alpha * each(A_t))) / v5);
+    EACH_LANE each((*result_3)) = derivative_rates__root_rate((*v10), (each((*penetration_t)) - v9 * (each(one_beta_t) * B + one_beta * each(B_t))) / v8);
     return 0;
 }
 
 /* Derivative of ``profile_ends``. */
-static inline int64_t derivative_hertz_contact__profile_ends_t(double* low, double* low_t, double* high, double* high_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region)
+static inline int64_t derivative_hertz_contact__profile_ends_t(double* low, lanes* low_t, double* high, lanes* high_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region)
 {
     double v1;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     double v4;
-    double v4_t;
+    lanes v4_t;
     v1 = (*cspan_at(&work, region + layout__REGION_RAIL)) - ((*cspan_at(&work, region + layout__REGION_WHEEL)) - (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_START)));
     v2 = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_START));
-    v2_t = 0.0;
+    v2_t = all_lanes(0.0);
     if (v1 > v2)
     {
         v2 = v1;
-        v2_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) - (*cspan_at(&work_t, region + layout__REGION_WHEEL));
+        EACH_LANE each(v2_t) = each((*lanes_at(&work_t, region + layout__REGION_RAIL))) - each((*lanes_at(&work_t, region + layout__REGION_WHEEL)));
     }
-    (*low_t) = v2_t;
+    EACH_LANE each((*low_t)) = each(v2_t);
     (*low) = v2;
     v3 = (*cspan_at(&work, region + layout__REGION_RAIL)) + ((*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))) + layout__PROFILE_STOP)) - (*cspan_at(&work, region + layout__REGION_WHEEL)));
     v4 = (*cspan_at(&tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))) + layout__PROFILE_STOP));
-    v4_t = 0.0;
+    v4_t = all_lanes(0.0);
     if (v3 < v4)
     {
         v4 = v3;
-        v4_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) + (-(*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+        EACH_LANE each(v4_t) = each((*lanes_at(&work_t, region + layout__REGION_RAIL))) + (-each((*lanes_at(&work_t, region + layout__REGION_WHEEL))));
     }
-    (*high_t) = v4_t;
+    EACH_LANE each((*high_t)) = each(v4_t);
     (*high) = v4;
     return 0;
 }
 
 /* Derivative of ``widest_ellipse``. */
-static inline int64_t derivative_hertz_contact__widest_ellipse_t(double* v7, double* v7_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double low, double low_t, double high, double high_t)
+static inline int64_t derivative_hertz_contact__widest_ellipse_t(double* v7, lanes* v7_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double low, lanes low_t, double high, lanes high_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
-    double widest_t;
+    lanes v3_t;
+    lanes widest_t;
     double widest;
     double v4;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        derivative_curves__rail_length_t(&v1, &v1_t, tables, pair, low, low_t, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
-        derivative_curves__rail_length_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), high, high_t);
+        derivative_curves__rail_length_t(&v1, &v1_t, tables, pair, low, low_t, (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)));
+        derivative_curves__rail_length_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), high, high_t);
         v3 = v1;
-        v3_t = v1_t;
+        EACH_LANE each(v3_t) = each(v1_t);
         if (v2 < v3)
         {
             v3 = v2;
-            v3_t = v2_t;
+            EACH_LANE each(v3_t) = each(v2_t);
         }
-        widest_t = v3_t;
+        EACH_LANE each(widest_t) = each(v3_t);
         widest = v3;
     }
     else
     {
         v4 = high - (*cspan_at(&work, region + layout__REGION_RAIL));
         v5 = (*cspan_at(&work, region + layout__REGION_RAIL)) - low;
-        v5_t = (*cspan_at(&work_t, region + layout__REGION_RAIL)) - low_t;
+        EACH_LANE each(v5_t) = each((*lanes_at(&work_t, region + layout__REGION_RAIL))) - each(low_t);
         if (v4 < v5)
         {
             v5 = v4;
-            v5_t = high_t - (*cspan_at(&work_t, region + layout__REGION_RAIL));
+            EACH_LANE each(v5_t) = each(high_t) - each((*lanes_at(&work_t, region + layout__REGION_RAIL)));
         }
         v6 = v5 / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        widest_t = (v5_t - v6 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        EACH_LANE each(widest_t) = (each(v5_t) - v6 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         widest = v6;
     }
     (*v7) = widest;
-    (*v7_t) = widest_t;
+    EACH_LANE each((*v7_t)) = each(widest_t);
     if (hertz_contact__NARROWEST > (*v7))
     {
         (*v7) = hertz_contact__NARROWEST;
-        (*v7_t) = 0.0;
+        (*v7_t) = all_lanes(0.0);
     }
     return 0;
 }
 
 /* Derivative of ``narrow_ellipse``. */
-static inline int64_t derivative_hertz_contact__narrow_ellipse_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double A, double A_t, double B, double B_t, double force, double force_t, double prescribed, double prescribed_t, double widest, double widest_t)
+static inline int64_t derivative_hertz_contact__narrow_ellipse_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t, double B, lanes B_t, double force, lanes force_t, double prescribed, lanes prescribed_t, double widest, lanes widest_t)
 {
     int64_t narrowing;
     double half_length;
-    double half_length_t;
+    lanes half_length_t;
     double half_width;
-    double half_width_t;
+    lanes half_width_t;
     double stiffness;
-    double stiffness_t;
+    lanes stiffness_t;
     double penetration;
-    double penetration_t;
+    lanes penetration_t;
     double v1;
-    double share_t;
+    lanes share_t;
     double share;
     double v2;
     double v3;
     double v4;
-    double v4_t;
+    lanes v4_t;
     for (narrowing = INT64_C(0); narrowing < hertz_contact__NARROWINGS; narrowing += INT64_C(1))
     {
         derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, &penetration, &penetration_t, work, work_t, tables, region, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
         v1 = half_width / widest;
-        share_t = (half_width_t - v1 * widest_t) / widest;
+        EACH_LANE each(share_t) = (each(half_width_t) - v1 * each(widest_t)) / widest;
         share = v1;
         v2 = B * share;
         v3 = hertz_contact__SHARPEST * A;
         v4 = v2 * share;
-        v4_t = (B_t * share + B * share_t) * share + v2 * share_t;
+        EACH_LANE each(v4_t) = (each(B_t) * share + B * each(share_t)) * share + v2 * each(share_t);
         if (v3 < v4)
         {
             v4 = v3;
-            v4_t = hertz_contact__SHARPEST * A_t;
+            EACH_LANE each(v4_t) = hertz_contact__SHARPEST * each(A_t);
         }
-        B_t = v4_t;
+        EACH_LANE each(B_t) = each(v4_t);
         B = v4;
     }
     (*result_0) = B;
-    (*result_1) = B_t;
+    EACH_LANE each((*result_1)) = each(B_t);
     return 0;
 }
 
@@ -1681,7 +1707,7 @@ static inline int64_t derivative_hertz_contact__narrow_ellipse_t(double* result_
  */
 
 /* Derivative of ``fill_from_nodes``. */
-static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t count)
+static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t count)
 {
     int64_t strips;
     int64_t index;
@@ -1693,13 +1719,13 @@ static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = 0.0;
+        (*lanes_at(&work_t, region + layout__REGION_CARRIED)) = all_lanes(0.0);
         (*cspan_at(&work, region + layout__REGION_CARRIED)) = 0.0;
-        (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = 0.0;
+        (*lanes_at(&work_t, region + layout__REGION_MOMENT)) = all_lanes(0.0);
         (*cspan_at(&work, region + layout__REGION_MOMENT)) = 0.0;
         if ((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > 0.0)
         {
-            (*cspan_at(&work_t, region + layout__REGION_STRIP)) = 0.0;
+            (*lanes_at(&work_t, region + layout__REGION_STRIP)) = all_lanes(0.0);
             (*cspan_at(&work, region + layout__REGION_STRIP)) = (double)(strips - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))));
             derivative_node_patches__fill_strips_t(work, work_t, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * index);
             strips = strips + ((int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))) + INT64_C(1));
@@ -1716,124 +1742,124 @@ static inline int64_t derivative_node_patches__fill_from_nodes_t(array_double_1d
 }
 
 /* Derivative of ``fill_strips``. */
-static inline int64_t derivative_node_patches__fill_strips_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes)
+static inline int64_t derivative_node_patches__fill_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes)
 {
-    double deepest_t;
+    lanes deepest_t;
     double deepest;
     int64_t middle;
-    double spacing_t;
+    lanes spacing_t;
     double spacing;
-    double origin_t;
+    lanes origin_t;
     double origin;
-    double along_t;
+    lanes along_t;
     double along;
-    double slant_t;
+    lanes slant_t;
     double slant;
     int64_t k_end;
     int64_t k;
     int64_t strip;
-    double d_t;
+    lanes d_t;
     double d;
-    double load_t;
+    lanes load_t;
     double load;
     double v1;
     double v2;
     double v3;
     double v4;
     double v5;
-    double away_t;
+    lanes away_t;
     double away;
     int64_t k6;
     int64_t k7;
-    deepest_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION));
+    EACH_LANE each(deepest_t) = each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
     deepest = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
     middle = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
-    spacing_t = (*cspan_at(&work_t, region + layout__REGION_SPACING));
+    EACH_LANE each(spacing_t) = each((*lanes_at(&work_t, region + layout__REGION_SPACING)));
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
-    origin_t = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
+    EACH_LANE each(origin_t) = each((*lanes_at(&work_t, region + layout__REGION_OFFSET))) + each((*lanes_at(&work_t, region + layout__REGION_STATION)));
     origin = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    along_t = (*cspan_at(&work_t, region + layout__REGION_X_TRACK));
+    EACH_LANE each(along_t) = each((*lanes_at(&work_t, region + layout__REGION_X_TRACK)));
     along = (*cspan_at(&work, region + layout__REGION_X_TRACK));
-    slant_t = (*cspan_at(&work_t, region + layout__REGION_SLANT));
+    EACH_LANE each(slant_t) = each((*lanes_at(&work_t, region + layout__REGION_SLANT)));
     slant = (*cspan_at(&work, region + layout__REGION_SLANT));
     k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + k);
-        d_t = deepest_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k));
+        EACH_LANE each(d_t) = each(deepest_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + k)));
         d = deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + k));
-        load_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d + (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d_t;
+        EACH_LANE each(load_t) = each((*lanes_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k))) * d + (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * each(d_t);
         load = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k)) * d;
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_LINE_LOAD)) = load_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__SOLVED_STRIP_LINE_LOAD))) = each(load_t);
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_LINE_LOAD)) = load;
         v1 = d / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = (d_t - v1 * (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k))) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE))) = (each(d_t) - v1 * each((*lanes_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k)))) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = v1;
         v2 = 4.0 / (M_PI * M_PI);
         v3 = v2 * (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + k));
         v4 = v3 * load;
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = (v2 * (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k)) * load + v3 * load_t) * (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) + v4 * (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE))) = (v2 * each((*lanes_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + k))) * load + v3 * each(load_t)) * (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k)) + v4 * each((*lanes_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + k)));
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = v4 * (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + k));
         v5 = (double)(k);
-        away_t = spacing_t * v5;
+        EACH_LANE each(away_t) = each(spacing_t) * v5;
         away = spacing * v5;
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_STATION)) = origin_t + away_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__SOLVED_STRIP_STATION))) = each(origin_t) + each(away_t);
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_STATION)) = origin + away;
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_WIDTH)) = spacing_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__SOLVED_STRIP_WIDTH))) = each(spacing_t);
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_WIDTH)) = spacing;
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_X)) = along_t + (slant_t * away + slant * away_t);
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__SOLVED_STRIP_X))) = each(along_t) + (each(slant_t) * away + slant * each(away_t));
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_X)) = along + slant * away;
-        (*cspan_at(&work_t, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + k));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__SOLVED_STRIP_CURVATURE))) = 2.0 * each((*lanes_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + k)));
         (*cspan_at(&work, strip + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + k));
     }
     k6 = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) + layout__SOLVED_STRIP_WIDTH;
-    (*cspan_at(&work_t, k6)) = 0.5 * spacing_t;
+    EACH_LANE each((*lanes_at(&work_t, k6))) = 0.5 * each(spacing_t);
     (*cspan_at(&work, k6)) = 0.5 * spacing;
     k7 = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (middle + (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)))) + layout__SOLVED_STRIP_WIDTH;
-    (*cspan_at(&work_t, k7)) = 0.5 * spacing_t;
+    EACH_LANE each((*lanes_at(&work_t, k7))) = 0.5 * each(spacing_t);
     (*cspan_at(&work, k7)) = 0.5 * spacing;
     return INT64_C(0);
 }
 
 /* Derivative of ``add_cell``. */
-static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t number, int64_t k)
+static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t number, int64_t k)
 {
     int64_t region;
     int64_t nodes;
-    double spacing_t;
+    lanes spacing_t;
     double spacing;
-    double deepest_t;
+    lanes deepest_t;
     double deepest;
     int64_t outward;
     int64_t low;
     int64_t before;
     int64_t high;
     double start;
-    double start_t;
+    lanes start_t;
     double stop;
-    double stop_t;
+    lanes stop_t;
     double v1;
-    double v1_t;
+    lanes v1_t;
     int64_t strip;
     int64_t inner;
     int64_t outer;
-    double begin_t;
+    lanes begin_t;
     double begin;
-    double end_t;
+    lanes end_t;
     double end;
     int64_t n2;
     int64_t index;
     int64_t patch;
     double v3;
     double load;
-    double load_t;
+    lanes load_t;
     double moment;
-    double moment_t;
+    lanes moment_t;
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * number;
     nodes = layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * number;
-    spacing_t = (*cspan_at(&work_t, region + layout__REGION_SPACING));
+    EACH_LANE each(spacing_t) = each((*lanes_at(&work_t, region + layout__REGION_SPACING)));
     spacing = (*cspan_at(&work, region + layout__REGION_SPACING));
-    deepest_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION));
+    EACH_LANE each(deepest_t) = each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
     deepest = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION));
     outward = INT64_C(1);
     low = k;
@@ -1844,11 +1870,17 @@ static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, 
     }
     before = low - outward;
     high = low + outward;
-    derivative_quadrature__cell_part_t(&start, &start_t, &stop, &stop_t, deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + before)), deepest_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + before)), deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + low)), deepest_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + low)), deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + high)), deepest_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + high)));
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each(deepest_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + before)));
+    lanes rates_2;
+    EACH_LANE each(rates_2) = each(deepest_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + low)));
+    lanes rates_3;
+    EACH_LANE each(rates_3) = each(deepest_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + high)));
+    derivative_quadrature__cell_part_t(&start, &start_t, &stop, &stop_t, deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + before)), rates_1, deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + low)), rates_2, deepest - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + high)), rates_3);
     if ((k == (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) || (k == (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) - INT64_C(1)))
     {
         derivative_analyn__clip_to_bound_t(&v1, &v1_t, work, work_t, region, low, outward, stop, stop_t);
-        stop_t = v1_t;
+        EACH_LANE each(stop_t) = each(v1_t);
         stop = v1;
     }
     strip = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP)));
@@ -1860,26 +1892,28 @@ static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, 
     }
     if (stop > start)
     {
-        begin_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) + (spacing_t * start + spacing * start_t);
+        EACH_LANE each(begin_t) = each((*lanes_at(&work_t, inner + layout__SOLVED_STRIP_STATION))) + (each(spacing_t) * start + spacing * each(start_t));
         begin = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) + spacing * start;
-        end_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) + (spacing_t * stop + spacing * stop_t);
+        EACH_LANE each(end_t) = each((*lanes_at(&work_t, inner + layout__SOLVED_STRIP_STATION))) + (each(spacing_t) * stop + spacing * each(stop_t));
         end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) + spacing * stop;
         if (outward < INT64_C(0))
         {
-            begin_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) - (spacing_t * stop + spacing * stop_t);
+            EACH_LANE each(begin_t) = each((*lanes_at(&work_t, inner + layout__SOLVED_STRIP_STATION))) - (each(spacing_t) * stop + spacing * each(stop_t));
             begin = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * stop;
-            end_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION)) - (spacing_t * start + spacing * start_t);
+            EACH_LANE each(end_t) = each((*lanes_at(&work_t, inner + layout__SOLVED_STRIP_STATION))) - (each(spacing_t) * start + spacing * each(start_t));
             end = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION)) - spacing * start;
         }
         n2 = derivative_node_patches__patch_from_t(work, work_t, side, region, begin, begin_t, strip + k);
         index = n2;
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-        (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end_t;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP))) = each(end_t);
         (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = end;
-        (*cspan_at(&work_t, patch + layout__PATCH_LAST)) = 0.0;
+        (*lanes_at(&work_t, patch + layout__PATCH_LAST)) = all_lanes(0.0);
         (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)(strip + k + INT64_C(1));
         v3 = (double)(outward);
-        derivative_node_patches__add_part_t(&load, &load_t, &moment, &moment_t, work, work_t, patch, region, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, start_t, stop, stop_t, spacing * v3, spacing_t * v3);
+        lanes rates_4;
+        EACH_LANE each(rates_4) = each(spacing_t) * v3;
+        derivative_node_patches__add_part_t(&load, &load_t, &moment, &moment_t, work, work_t, patch, region, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + before), inner, outer, start, start_t, stop, stop_t, spacing * v3, rates_4);
         derivative_filling__add_load_t(work, work_t, patch, number, load, load_t, moment, moment_t);
         derivative_node_patches__keep_largest_t(work, work_t, patch, strip + low);
     }
@@ -1887,42 +1921,42 @@ static inline int64_t derivative_node_patches__add_cell_t(array_double_1d work, 
 }
 
 /* Derivative of ``narrow_strips``. */
-static inline int64_t derivative_node_patches__narrow_strips_t(array_double_1d work, array_double_1d work_t, int64_t inner, int64_t outer, double start, double start_t, double stop, double stop_t, double spacing, double spacing_t)
+static inline int64_t derivative_node_patches__narrow_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t inner, int64_t outer, double start, lanes start_t, double stop, lanes stop_t, double spacing, lanes spacing_t)
 {
-    double inner_share_t;
+    lanes inner_share_t;
     double inner_share;
-    double outer_share_t;
+    lanes outer_share_t;
     double outer_share;
     double v1;
     double v2;
-    inner_share_t = 0.0;
+    inner_share_t = all_lanes(0.0);
     inner_share = 0.0;
-    outer_share_t = 0.0;
+    outer_share_t = all_lanes(0.0);
     outer_share = 0.0;
     if (stop > start)
     {
         if (start > 0.0)
         {
-            outer_share_t = stop_t - start_t;
+            EACH_LANE each(outer_share_t) = each(stop_t) - each(start_t);
             outer_share = stop - start;
         }
         else
         {
-            inner_share_t = stop_t - start_t;
+            EACH_LANE each(inner_share_t) = each(stop_t) - each(start_t);
             inner_share = stop - start;
         }
     }
     v1 = inner_share - 0.5;
-    (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH)) + (inner_share_t * spacing + v1 * spacing_t);
+    EACH_LANE each((*lanes_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH))) = each((*lanes_at(&work_t, inner + layout__SOLVED_STRIP_WIDTH))) + (each(inner_share_t) * spacing + v1 * each(spacing_t));
     (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, inner + layout__SOLVED_STRIP_WIDTH)) + v1 * spacing;
     v2 = outer_share - 0.5;
-    (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH)) + (outer_share_t * spacing + v2 * spacing_t);
+    EACH_LANE each((*lanes_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH))) = each((*lanes_at(&work_t, outer + layout__SOLVED_STRIP_WIDTH))) + (each(outer_share_t) * spacing + v2 * each(spacing_t));
     (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) = (*cspan_at(&work, outer + layout__SOLVED_STRIP_WIDTH)) + v2 * spacing;
     return INT64_C(0);
 }
 
 /* Derivative of ``patch_from``. */
-static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t strip)
+static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t region, double start, lanes start_t, int64_t strip)
 {
     bool joined;
     int64_t last;
@@ -1948,100 +1982,100 @@ static inline int64_t derivative_node_patches__patch_from_t(array_double_1d work
 }
 
 /* Derivative of ``add_part``. */
-static inline int64_t derivative_node_patches__add_part_t(double* load, double* load_t, double* moment, double* moment_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, double start_t, double stop, double stop_t, double step, double step_t)
+static inline int64_t derivative_node_patches__add_part_t(double* load, lanes* load_t, double* moment, lanes* moment_t, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t region, int64_t before, int64_t low, int64_t high, double start, lanes start_t, double stop, lanes stop_t, double step, lanes step_t)
 {
-    double width_t;
+    lanes width_t;
     double width;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
-    double v5_t;
-    double area_t;
+    lanes v5_t;
+    lanes area_t;
     double area;
     double v6;
     double v7;
-    width_t = derivative_rates__size_rate(step, step_t);
+    EACH_LANE each(width_t) = derivative_rates__size_rate(step, each(step_t));
     width = fabs(step);
-    derivative_quadrature__quadratic_integral_t(&v1, &v1_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), stop, stop_t);
-    (*load_t) = v1_t;
+    derivative_quadrature__quadratic_integral_t(&v1, &v1_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), stop, stop_t);
+    EACH_LANE each((*load_t)) = each(v1_t);
     (*load) = v1;
-    derivative_quadrature__quadratic_moment_t(&v2, &v2_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), stop, stop_t);
-    (*moment_t) = v2_t;
+    derivative_quadrature__quadratic_moment_t(&v2, &v2_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), stop, stop_t);
+    EACH_LANE each((*moment_t)) = each(v2_t);
     (*moment) = v2;
     if (start > 0.0)
     {
-        derivative_quadrature__quadratic_integral_t(&v3, &v3_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t);
-        (*load_t) = (*load_t) - v3_t;
+        derivative_quadrature__quadratic_integral_t(&v3, &v3_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t);
+        EACH_LANE each((*load_t)) = each((*load_t)) - each(v3_t);
         (*load) = (*load) - v3;
-        derivative_quadrature__quadratic_moment_t(&v4, &v4_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t);
-        (*moment_t) = (*moment_t) - v4_t;
+        derivative_quadrature__quadratic_moment_t(&v4, &v4_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, before + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, low + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, low + layout__SOLVED_STRIP_LINE_LOAD)), (*cspan_at(&work, high + layout__SOLVED_STRIP_LINE_LOAD)), (*lanes_at(&work_t, high + layout__SOLVED_STRIP_LINE_LOAD)), start, start_t);
+        EACH_LANE each((*moment_t)) = each((*moment_t)) - each(v4_t);
         (*moment) = (*moment) - v4;
     }
-    (*load_t) = (*load_t) * width + (*load) * width_t;
+    EACH_LANE each((*load_t)) = each((*load_t)) * width + (*load) * each(width_t);
     (*load) = (*load) * width;
-    derivative_quadrature__root_integral_t(&v5, &v5_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), start, start_t, stop, stop_t);
-    area_t = v5_t;
+    derivative_quadrature__root_integral_t(&v5, &v5_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), start, start_t, stop, stop_t);
+    EACH_LANE each(area_t) = each(v5_t);
     area = v5;
     v6 = width * step;
-    (*moment_t) = (*cspan_at(&work_t, low + layout__SOLVED_STRIP_STATION)) * (*load) + (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * (*load_t) + ((width_t * step + width * step_t) * (*moment) + v6 * (*moment_t));
+    EACH_LANE each((*moment_t)) = each((*lanes_at(&work_t, low + layout__SOLVED_STRIP_STATION))) * (*load) + (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * each((*load_t)) + ((each(width_t) * step + width * each(step_t)) * (*moment) + v6 * each((*moment_t)));
     (*moment) = (*cspan_at(&work, low + layout__SOLVED_STRIP_STATION)) * (*load) + v6 * (*moment);
-    (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = (*cspan_at(&work_t, region + layout__REGION_CARRIED)) + (*load_t);
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_CARRIED))) = each((*lanes_at(&work_t, region + layout__REGION_CARRIED))) + each((*load_t));
     (*cspan_at(&work, region + layout__REGION_CARRIED)) = (*cspan_at(&work, region + layout__REGION_CARRIED)) + (*load);
-    (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = (*cspan_at(&work_t, region + layout__REGION_MOMENT)) + (*moment_t);
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_MOMENT))) = each((*lanes_at(&work_t, region + layout__REGION_MOMENT))) + each((*moment_t));
     (*cspan_at(&work, region + layout__REGION_MOMENT)) = (*cspan_at(&work, region + layout__REGION_MOMENT)) + (*moment);
     v7 = 2.0 * width;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + (2.0 * width_t * area + v7 * area_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) + (2.0 * each(width_t) * area + v7 * each(area_t));
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + v7 * area;
     return 0;
 }
 
 /* Derivative of ``keep_largest``. */
-static inline int64_t derivative_node_patches__keep_largest_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip)
+static inline int64_t derivative_node_patches__keep_largest_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
 {
     int64_t low;
     int64_t here;
     int64_t high;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     low = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip - INT64_C(1));
     here = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * strip;
     high = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (strip + INT64_C(1));
     if ((*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) > (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)))
     {
-        derivative_node_patches__peak_square_t(&v1, &v1_t, (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
-        (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v1_t;
+        derivative_node_patches__peak_square_t(&v1, &v1_t, (*cspan_at(&work, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, low + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, high + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE))) = each(v1_t);
         (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v1;
     }
     if ((*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)) > (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)))
     {
-        derivative_node_patches__peak_square_t(&v2, &v2_t, (*cspan_at(&work, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work_t, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work_t, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work_t, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)));
-        (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = v2_t;
+        derivative_node_patches__peak_square_t(&v2, &v2_t, (*cspan_at(&work, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*lanes_at(&work_t, low + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*lanes_at(&work_t, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*lanes_at(&work_t, high + layout__SOLVED_STRIP_PRESSURE_SQUARE)));
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE))) = each(v2_t);
         (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = v2;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``peak_square``. */
-static inline int64_t derivative_node_patches__peak_square_t(double* result_0, double* result_1, double before, double before_t, double square, double square_t, double after, double after_t)
+static inline int64_t derivative_node_patches__peak_square_t(double* result_0, lanes* result_1, double before, lanes before_t, double square, lanes square_t, double after, lanes after_t)
 {
     double v1;
-    double top_t;
+    lanes top_t;
     double top;
     double v2;
-    double left_t;
+    lanes left_t;
     double left;
     double v3;
-    double right_t;
+    lanes right_t;
     double right;
-    double bend_t;
+    lanes bend_t;
     double bend;
     double v4;
     double v5;
@@ -2051,15 +2085,15 @@ static inline int64_t derivative_node_patches__peak_square_t(double* result_0, d
     if ((before > 0.0) && (after > 0.0) && (square >= before) && (square >= after))
     {
         v1 = sqrt(square);
-        top_t = derivative_rates__root_rate(v1, square_t);
+        EACH_LANE each(top_t) = derivative_rates__root_rate(v1, each(square_t));
         top = v1;
         v2 = sqrt(before);
-        left_t = derivative_rates__root_rate(v2, before_t);
+        EACH_LANE each(left_t) = derivative_rates__root_rate(v2, each(before_t));
         left = v2;
         v3 = sqrt(after);
-        right_t = derivative_rates__root_rate(v3, after_t);
+        EACH_LANE each(right_t) = derivative_rates__root_rate(v3, each(after_t));
         right = v3;
-        bend_t = left_t - 2.0 * top_t + right_t;
+        EACH_LANE each(bend_t) = each(left_t) - 2.0 * each(top_t) + each(right_t);
         bend = left - 2.0 * top + right;
         if (bend < 0.0)
         {
@@ -2068,14 +2102,14 @@ static inline int64_t derivative_node_patches__peak_square_t(double* result_0, d
             v6 = v4 * v5;
             v7 = 8.0 * bend;
             v8 = v6 / v7;
-            top_t = top_t - ((right_t - left_t) * v5 + v4 * (right_t - left_t) - v8 * (8.0 * bend_t)) / v7;
+            EACH_LANE each(top_t) = each(top_t) - ((each(right_t) - each(left_t)) * v5 + v4 * (each(right_t) - each(left_t)) - v8 * (8.0 * each(bend_t))) / v7;
             top = top - v8;
-            square_t = top_t * top + top * top_t;
+            EACH_LANE each(square_t) = each(top_t) * top + top * each(top_t);
             square = top * top;
         }
     }
     (*result_0) = square;
-    (*result_1) = square_t;
+    EACH_LANE each((*result_1)) = each(square_t);
     return 0;
 }
 
@@ -2086,109 +2120,109 @@ static inline int64_t derivative_node_patches__peak_square_t(double* result_0, d
  */
 
 /* Derivative of ``trace_tolerance``. */
-static inline int64_t derivative_nodes__trace_tolerance_t(double* tolerance, double* tolerance_t, double spacing, double spacing_t)
+static inline int64_t derivative_nodes__trace_tolerance_t(double* tolerance, lanes* tolerance_t, double spacing, lanes spacing_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     v1 = nodes__TRACE_SHARE * spacing;
-    v1_t = nodes__TRACE_SHARE * spacing_t;
+    EACH_LANE each(v1_t) = nodes__TRACE_SHARE * each(spacing_t);
     if (nodes__COARSEST_TRACE < v1)
     {
         v1 = nodes__COARSEST_TRACE;
-        v1_t = 0.0;
+        v1_t = all_lanes(0.0);
     }
-    (*tolerance_t) = v1_t;
+    EACH_LANE each((*tolerance_t)) = each(v1_t);
     (*tolerance) = v1;
     return 0;
 }
 
 /* Derivative of ``lay_nodes``. */
-static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, double low_reach, double low_reach_t, double high_reach, double high_reach_t)
+static inline int64_t derivative_nodes__lay_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double low_reach, lanes low_reach_t, double high_reach, lanes high_reach_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     double gap;
-    double gap_t;
+    lanes gap_t;
     double rate;
-    double rate_t;
+    lanes rate_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double curvature;
-    double curvature_t;
+    lanes curvature_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     int64_t n4;
     int64_t before;
     int64_t n5;
     int64_t after;
-    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-    derivative_curves__open_origin_t(tables, work, work_t, pair, region, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
-    derivative_nodes__trace_tolerance_t(&v1, &v1_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
-    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), v1, v1_t);
-    (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
+    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*lanes_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
+    derivative_curves__open_origin_t(tables, work, work_t, pair, region, (*cspan_at(&work, region + layout__REGION_SPACING)), (*lanes_at(&work_t, region + layout__REGION_SPACING)));
+    derivative_nodes__trace_tolerance_t(&v1, &v1_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*lanes_at(&work_t, region + layout__REGION_SPACING)));
+    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, region + layout__REGION_STATION)), (*lanes_at(&work_t, region + layout__REGION_STATION)), v1, v1_t);
+    (*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = all_lanes(0.0);
     (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + INT64_C(0))) = 0.0;
-    (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature_t;
+    EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0)))) = 0.5 * each(curvature_t);
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + INT64_C(0))) = 0.5 * curvature;
     derivative_nodes__turn_cosine_t(&v2, &v2_t, tables, work, work_t, pair);
-    (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = v2_t;
+    EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0)))) = each(v2_t);
     (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + INT64_C(0))) = v2;
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        derivative_curvature__relative_curvature_t(&v3, &v3_t, tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-        (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v3_t;
+        derivative_curvature__relative_curvature_t(&v3, &v3_t, tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0)))) = each(v3_t);
         (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + INT64_C(0))) = v3;
     }
     n4 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, -INT64_C(1), low_reach, low_reach_t, rate, rate_t);
     before = n4;
-    (*cspan_at(&work_t, region + layout__REGION_FIRST)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_FIRST)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_FIRST)) = (double)(-before);
     n5 = derivative_nodes__lay_side_nodes_t(tables, work, work_t, pair, region, nodes, INT64_C(1), high_reach, high_reach_t, rate, rate_t);
     after = n5;
-    (*cspan_at(&work_t, region + layout__REGION_LAST)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_LAST)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_LAST)) = (double)(after);
     return INT64_C(0);
 }
 
 /* Derivative of ``turn_cosine``. */
-static inline int64_t derivative_nodes__turn_cosine_t(double* v4, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
+static inline int64_t derivative_nodes__turn_cosine_t(double* v4, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
     double height;
-    double height_t;
+    lanes height_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double v1;
     double v2;
     double v3;
-    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + slope * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN));
     v2 = 1.0 + slope * slope;
     v3 = sqrt(v2);
     (*v4) = v1 / v3;
-    (*result_1) = ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + (slope_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + slope * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN))) - (*v4) * derivative_rates__root_rate(v3, slope_t * slope + slope * slope_t)) / v3;
+    EACH_LANE each((*result_1)) = (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) + (each(slope_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)) + slope * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_SIN)))) - (*v4) * derivative_rates__root_rate(v3, each(slope_t) * slope + slope * each(slope_t))) / v3;
     return 0;
 }
 
 /* Derivative of ``bring_nearer``. */
-static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t nodes)
+static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t nodes)
 {
     int64_t k_end;
     int64_t k;
-    double level_t;
+    lanes level_t;
     double level;
     double v1;
     double v2;
     k_end = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))) + INT64_C(1);
     for (k = (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST))); k < k_end; k += INT64_C(1))
     {
-        level_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k));
+        EACH_LANE each(level_t) = each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION))) - each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k)));
         level = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) - (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k));
         if ((level > 0.0) && ((*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + k)) > nodes__LEAST_TURN))
         {
             v1 = 1.0 / (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + k));
             v2 = v1 - 1.0;
-            (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k)) = (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k)) - (level_t * v2 + level * ((-v1) * (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + k)) / (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + k))));
+            EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k))) = each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + k))) - (each(level_t) * v2 + level * ((-v1) * each((*lanes_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + k))) / (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + k))));
             (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)) = (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + k)) - level * v2;
         }
     }
@@ -2196,39 +2230,39 @@ static inline int64_t derivative_nodes__bring_nearer_t(array_double_1d work, arr
 }
 
 /* Derivative of ``trace_node``. */
-static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t, double* rate, double* rate_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at)
+static inline int64_t derivative_nodes__trace_node_t(double* gap, lanes* gap_t, double* rate, lanes* rate_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t at)
 {
     double v1;
-    double station_t;
+    lanes station_t;
     double station;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double curvature;
-    double curvature_t;
+    lanes curvature_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
-    double v4_t;
+    lanes v4_t;
     v1 = (double)(at);
-    station_t = (*cspan_at(&work_t, region + layout__REGION_STATION)) + (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v1;
+    EACH_LANE each(station_t) = each((*lanes_at(&work_t, region + layout__REGION_STATION))) + each((*lanes_at(&work_t, region + layout__REGION_SPACING))) * v1;
     station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * v1;
-    derivative_nodes__trace_tolerance_t(&v2, &v2_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)));
+    derivative_nodes__trace_tolerance_t(&v2, &v2_t, (*cspan_at(&work, region + layout__REGION_SPACING)), (*lanes_at(&work_t, region + layout__REGION_SPACING)));
     derivative_separation__separation_t(gap, gap_t, rate, rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, station, station_t, v2, v2_t);
     if ((*gap) < frame__NO_GAP)
     {
-        (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap_t) - (*cspan_at(&work_t, region + layout__REGION_GAP));
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at))) = each((*gap_t)) - each((*lanes_at(&work_t, region + layout__REGION_GAP)));
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*gap) - (*cspan_at(&work, region + layout__REGION_GAP));
-        (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature_t;
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + at))) = 0.5 * each(curvature_t);
         (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = 0.5 * curvature;
         derivative_nodes__turn_cosine_t(&v3, &v3_t, tables, work, work_t, pair);
-        (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + at)) = v3_t;
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + at))) = each(v3_t);
         (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + at)) = v3;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
         {
-            derivative_curvature__relative_curvature_t(&v4, &v4_t, tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
-            (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at)) = v4_t;
+            derivative_curvature__relative_curvature_t(&v4, &v4_t, tables, pair, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+            EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at))) = each(v4_t);
             (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = v4;
         }
     }
@@ -2236,7 +2270,7 @@ static inline int64_t derivative_nodes__trace_node_t(double* gap, double* gap_t,
 }
 
 /* Derivative of ``lay_side_nodes``. */
-static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, double reach_t, double rate, double rate_t)
+static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, int64_t direction, double reach, lanes reach_t, double rate, lanes rate_t)
 {
     int64_t stride;
     int64_t window;
@@ -2246,17 +2280,17 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
     int64_t left;
     bool ended;
     double gap;
-    double gap_t;
+    lanes gap_t;
     double next_rate;
-    double next_rate_t;
+    lanes next_rate_t;
     double v1;
     int64_t start;
     int64_t at;
     double v2;
-    double station_t;
+    lanes station_t;
     double station;
     int64_t passed;
-    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+    derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*lanes_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
     stride = nodes__node_stride(tables);
     window = nodes__window_nodes(tables);
     k = INT64_C(0);
@@ -2273,20 +2307,22 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
             if ((gap >= frame__NO_GAP) && (step > INT64_C(1)))
             {
                 step = INT64_C(1);
-                derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+                derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*lanes_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
                 derivative_nodes__trace_node_t(&gap, &gap_t, &next_rate, &next_rate_t, tables, work, work_t, pair, region, nodes, direction * (traced + step));
             }
             if (gap >= frame__NO_GAP)
             {
                 ended = 1;
                 v1 = (double)(direction * k);
-                derivative_nodes__end_region_t(work, work_t, region, direction, (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * v1, (*cspan_at(&work_t, region + layout__REGION_STATION)) + (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v1);
+                lanes rates_1;
+                EACH_LANE each(rates_1) = each((*lanes_at(&work_t, region + layout__REGION_STATION))) + each((*lanes_at(&work_t, region + layout__REGION_SPACING))) * v1;
+                derivative_nodes__end_region_t(work, work_t, region, direction, (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * v1, rates_1);
             }
             else
             {
                 start = direction * traced;
-                derivative_nodes__fill_between_t(work, work_t, nodes, start, start + direction * step, step, (*cspan_at(&work, region + layout__REGION_SPACING)), (*cspan_at(&work_t, region + layout__REGION_SPACING)), rate, rate_t, next_rate, next_rate_t);
-                rate_t = next_rate_t;
+                derivative_nodes__fill_between_t(work, work_t, nodes, start, start + direction * step, step, (*cspan_at(&work, region + layout__REGION_SPACING)), (*lanes_at(&work_t, region + layout__REGION_SPACING)), rate, rate_t, next_rate, next_rate_t);
+                EACH_LANE each(rate_t) = each(next_rate_t);
                 rate = next_rate;
                 traced = traced + step;
             }
@@ -2294,14 +2330,14 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
         k = k + INT64_C(1);
         at = direction * k;
         v2 = (double)(at);
-        station_t = (*cspan_at(&work_t, region + layout__REGION_STATION)) + (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v2;
+        EACH_LANE each(station_t) = each((*lanes_at(&work_t, region + layout__REGION_STATION))) + each((*lanes_at(&work_t, region + layout__REGION_SPACING))) * v2;
         station = (*cspan_at(&work, region + layout__REGION_STATION)) + (*cspan_at(&work, region + layout__REGION_SPACING)) * v2;
         if (ended)
         {
             derivative_nodes__extrapolate_node_t(work, work_t, nodes, at, direction);
             if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
             {
-                (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at)) = (*cspan_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + (at - direction)));
+                EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + at))) = each((*lanes_at(&work_t, nodes + layout__NODES_B + INT64_C(128) + (at - direction))));
                 (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_B + INT64_C(128) + (at - direction)));
             }
         }
@@ -2326,12 +2362,12 @@ static inline int64_t derivative_nodes__lay_side_nodes_t(array_double_1d tables,
 }
 
 /* Derivative of ``fill_straight``. */
-static inline int64_t derivative_nodes__fill_straight_t(array_double_1d work, array_double_1d work_t, int64_t values, int64_t start, int64_t stop, int64_t count)
+static inline int64_t derivative_nodes__fill_straight_t(array_double_1d work, array_lanes_1d work_t, int64_t values, int64_t start, int64_t stop, int64_t count)
 {
     int64_t inward;
     double v1;
     double v2;
-    double rise_t;
+    lanes rise_t;
     double rise;
     int64_t i;
     double v3;
@@ -2342,30 +2378,30 @@ static inline int64_t derivative_nodes__fill_straight_t(array_double_1d work, ar
     }
     v1 = (*cspan_at(&work, values + INT64_C(128) + stop)) - (*cspan_at(&work, values + INT64_C(128) + start));
     v2 = (double)(count);
-    rise_t = ((*cspan_at(&work_t, values + INT64_C(128) + stop)) - (*cspan_at(&work_t, values + INT64_C(128) + start))) / v2;
+    EACH_LANE each(rise_t) = (each((*lanes_at(&work_t, values + INT64_C(128) + stop))) - each((*lanes_at(&work_t, values + INT64_C(128) + start)))) / v2;
     rise = v1 / v2;
     for (i = INT64_C(1); i < count; i += INT64_C(1))
     {
         v3 = (double)(i);
-        (*cspan_at(&work_t, values + INT64_C(128) + (start + inward * i))) = (*cspan_at(&work_t, values + INT64_C(128) + start)) + rise_t * v3;
+        EACH_LANE each((*lanes_at(&work_t, values + INT64_C(128) + (start + inward * i)))) = each((*lanes_at(&work_t, values + INT64_C(128) + start))) + each(rise_t) * v3;
         (*cspan_at(&work, values + INT64_C(128) + (start + inward * i))) = (*cspan_at(&work, values + INT64_C(128) + start)) + rise * v3;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``fill_between``. */
-static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, array_double_1d work_t, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, double spacing_t, double start_rate, double start_rate_t, double stop_rate, double stop_rate_t)
+static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, array_lanes_1d work_t, int64_t nodes, int64_t start, int64_t stop, int64_t count, double spacing, lanes spacing_t, double start_rate, lanes start_rate_t, double stop_rate, lanes stop_rate_t)
 {
-    double low_t;
+    lanes low_t;
     double low;
-    double rise_t;
+    lanes rise_t;
     double rise;
     double v1;
-    double width_t;
+    lanes width_t;
     double width;
-    double forward_t;
+    lanes forward_t;
     double forward;
-    double backward_t;
+    lanes backward_t;
     double backward;
     int64_t inward;
     int64_t i;
@@ -2374,19 +2410,19 @@ static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, arr
     double v2;
     double v3;
     double v4;
-    double v4_t;
-    double gap_t;
+    lanes v4_t;
+    lanes gap_t;
     double gap;
-    low_t = (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + start));
+    EACH_LANE each(low_t) = each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + start)));
     low = (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + start));
-    rise_t = (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + stop)) - low_t;
+    EACH_LANE each(rise_t) = each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + stop))) - each(low_t);
     rise = (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + stop)) - low;
     v1 = (double)(stop - start);
-    width_t = spacing_t * v1;
+    EACH_LANE each(width_t) = each(spacing_t) * v1;
     width = spacing * v1;
-    forward_t = start_rate_t * width + start_rate * width_t - rise_t;
+    EACH_LANE each(forward_t) = each(start_rate_t) * width + start_rate * each(width_t) - each(rise_t);
     forward = start_rate * width - rise;
-    backward_t = stop_rate_t * width + stop_rate * width_t - rise_t;
+    EACH_LANE each(backward_t) = each(stop_rate_t) * width + stop_rate * each(width_t) - each(rise_t);
     backward = stop_rate * width - rise;
     inward = INT64_C(1);
     if (stop < start)
@@ -2400,15 +2436,15 @@ static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, arr
         v2 = rest * forward - x * backward;
         v3 = rise + rest * v2;
         v4 = low + x * v3;
-        v4_t = low_t + x * (rise_t + rest * (rest * forward_t - x * backward_t));
+        EACH_LANE each(v4_t) = each(low_t) + x * (each(rise_t) + rest * (rest * each(forward_t) - x * each(backward_t)));
         if (0.0 > v4)
         {
             v4 = 0.0;
-            v4_t = 0.0;
+            v4_t = all_lanes(0.0);
         }
-        gap_t = v4_t;
+        EACH_LANE each(gap_t) = each(v4_t);
         gap = v4;
-        (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + (start + inward * i))) = gap_t;
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + (start + inward * i)))) = each(gap_t);
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (start + inward * i))) = gap;
     }
     derivative_nodes__fill_straight_t(work, work_t, nodes + layout__NODES_A, start, stop, count);
@@ -2417,26 +2453,26 @@ static inline int64_t derivative_nodes__fill_between_t(array_double_1d work, arr
 }
 
 /* Derivative of ``end_region``. */
-static inline int64_t derivative_nodes__end_region_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t direction, double station, double station_t)
+static inline int64_t derivative_nodes__end_region_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t direction, double station, lanes station_t)
 {
     if (direction > INT64_C(0))
     {
         if (station + (*cspan_at(&work, region + layout__REGION_SPACING)) < (*cspan_at(&work, region + layout__REGION_HIGH)))
         {
-            (*cspan_at(&work_t, region + layout__REGION_HIGH)) = station_t;
+            EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_HIGH))) = each(station_t);
             (*cspan_at(&work, region + layout__REGION_HIGH)) = station;
         }
     }
     else if (station - (*cspan_at(&work, region + layout__REGION_SPACING)) > (*cspan_at(&work, region + layout__REGION_LOW)))
     {
-        (*cspan_at(&work_t, region + layout__REGION_LOW)) = station_t;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_LOW))) = each(station_t);
         (*cspan_at(&work, region + layout__REGION_LOW)) = station;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``extrapolate_node``. */
-static inline int64_t derivative_nodes__extrapolate_node_t(array_double_1d work, array_double_1d work_t, int64_t nodes, int64_t at, int64_t direction)
+static inline int64_t derivative_nodes__extrapolate_node_t(array_double_1d work, array_lanes_1d work_t, int64_t nodes, int64_t at, int64_t direction)
 {
     int64_t one;
     int64_t two;
@@ -2444,123 +2480,127 @@ static inline int64_t derivative_nodes__extrapolate_node_t(array_double_1d work,
     if (at * direction > INT64_C(2))
     {
         two = one - direction;
-        (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at)) = 3.0 * (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + one)) - 3.0 * (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + two)) + (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + (two - direction)));
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at))) = 3.0 * each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + one))) - 3.0 * each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + two))) + each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + (two - direction))));
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = 3.0 * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + one)) - 3.0 * (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + two)) + (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + (two - direction)));
     }
     else
     {
-        (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*cspan_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + one));
+        EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + at))) = each((*lanes_at(&work_t, nodes + layout__NODES_GAP + INT64_C(128) + one)));
         (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_GAP + INT64_C(128) + one));
     }
-    (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + at)) = (*cspan_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + one));
+    EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + at))) = each((*lanes_at(&work_t, nodes + layout__NODES_A + INT64_C(128) + one)));
     (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_A + INT64_C(128) + one));
-    (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + at)) = (*cspan_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + one));
+    EACH_LANE each((*lanes_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + at))) = each((*lanes_at(&work_t, nodes + layout__NODES_TURN + INT64_C(128) + one)));
     (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + at)) = (*cspan_at(&work, nodes + layout__NODES_TURN + INT64_C(128) + one));
     return INT64_C(0);
 }
 
 /* Derivative of ``zone_share``. */
-static inline int64_t derivative_nodes__zone_share_t(double* share, double* share_t, array_double_1d tables, double A, double A_t, double side, double side_t)
+static inline int64_t derivative_nodes__zone_share_t(double* share, lanes* share_t, array_double_1d tables, double A, lanes A_t, double side, lanes side_t)
 {
     double v1;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v4;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v5;
     v1 = coefficients__FLOOR * A;
     v2 = side;
-    v2_t = side_t;
+    EACH_LANE each(v2_t) = each(side_t);
     if (v1 > v2)
     {
         v2 = v1;
-        v2_t = coefficients__FLOOR * A_t;
+        EACH_LANE each(v2_t) = coefficients__FLOOR * each(A_t);
     }
-    side_t = v2_t;
+    EACH_LANE each(side_t) = each(v2_t);
     side = v2;
     v4 = A / side;
-    derivative_coefficients__table_value_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v4, (A_t - v4 * side_t) / side);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = (each(A_t) - v4 * each(side_t)) / side;
+    derivative_coefficients__table_value_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v4, rates_1);
     v5 = nodes__SPREAD / v3;
-    (*share_t) = (-v5) * v3_t / v3;
+    EACH_LANE each((*share_t)) = (-v5) * each(v3_t) / v3;
     (*share) = v5;
     if (((*share) > nodes__COVER) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE))
     {
-        (*share_t) = 0.0;
+        (*share_t) = all_lanes(0.0);
         (*share) = nodes__COVER;
     }
     return 0;
 }
 
 /* Derivative of ``node_spacing``. */
-static inline int64_t derivative_nodes__node_spacing_t(double* spacing, double* spacing_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, double enlarge, double enlarge_t)
+static inline int64_t derivative_nodes__node_spacing_t(double* spacing, lanes* spacing_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double enlarge, lanes enlarge_t)
 {
     double v1;
-    double mean_t;
+    lanes mean_t;
     double mean;
     double v2;
-    double v2_t;
-    double widest_t;
+    lanes v2_t;
+    lanes widest_t;
     double widest;
     double v3;
     double v4;
-    double least_t;
+    lanes least_t;
     double least;
     double v5;
-    double v5_t;
-    int64_t v6;
+    lanes v5_t;
+    double v6;
     double v7;
     v1 = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
-    mean_t = 0.5 * ((*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW)) + (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH)));
+    EACH_LANE each(mean_t) = 0.5 * (each((*lanes_at(&work_t, region + layout__REGION_WIDTH_LOW))) + each((*lanes_at(&work_t, region + layout__REGION_WIDTH_HIGH))));
     mean = 0.5 * v1;
     v2 = (*cspan_at(&work, region + layout__REGION_WIDTH_LOW));
-    v2_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_LOW));
+    EACH_LANE each(v2_t) = each((*lanes_at(&work_t, region + layout__REGION_WIDTH_LOW)));
     if ((*cspan_at(&work, region + layout__REGION_WIDTH_HIGH)) > v2)
     {
         v2 = (*cspan_at(&work, region + layout__REGION_WIDTH_HIGH));
-        v2_t = (*cspan_at(&work_t, region + layout__REGION_WIDTH_HIGH));
+        EACH_LANE each(v2_t) = each((*lanes_at(&work_t, region + layout__REGION_WIDTH_HIGH)));
     }
-    widest_t = v2_t;
+    EACH_LANE each(widest_t) = each(v2_t);
     widest = v2;
     v3 = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, region + layout__REGION_CURVATURE));
     v4 = sqrt(v3);
-    least_t = nodes__NARROWEST * derivative_rates__root_rate(v4, ((*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - v3 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE))) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
+    EACH_LANE each(least_t) = nodes__NARROWEST * derivative_rates__root_rate(v4, (each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION))) - v3 * each((*lanes_at(&work_t, region + layout__REGION_CURVATURE)))) / (*cspan_at(&work, region + layout__REGION_CURVATURE)));
     least = nodes__NARROWEST * v4;
     v5 = mean;
-    v5_t = mean_t;
+    EACH_LANE each(v5_t) = each(mean_t);
     if (least > v5)
     {
         v5 = least;
-        v5_t = least_t;
+        EACH_LANE each(v5_t) = each(least_t);
     }
-    mean_t = v5_t;
+    EACH_LANE each(mean_t) = each(v5_t);
     mean = v5;
-    v6 = (int64_t)((*cspan_at(&tables, layout__TABLES_NODES)));
-    (*spacing_t) = mean_t / v6;
+    v6 = (double)((int64_t)((*cspan_at(&tables, layout__TABLES_NODES))));
+    EACH_LANE each((*spacing_t)) = each(mean_t) / v6;
     (*spacing) = mean / v6;
     if (widest * enlarge > nodes__NODE_ROOM * (*spacing))
     {
         v7 = widest * enlarge;
-        (*spacing_t) = (widest_t * enlarge + widest * enlarge_t) / nodes__NODE_ROOM;
+        EACH_LANE each((*spacing_t)) = (each(widest_t) * enlarge + widest * each(enlarge_t)) / nodes__NODE_ROOM;
         (*spacing) = v7 / nodes__NODE_ROOM;
     }
     return 0;
 }
 
 /* Derivative of ``prepare_regions``. */
-static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double enlarge, double enlarge_t)
+static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double enlarge, lanes enlarge_t)
 {
     int64_t i;
     int64_t region;
     double v1;
-    double v1_t;
+    lanes v1_t;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i;
         derivative_frame__enter_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i, i);
-        derivative_widths__measure_widths_t(tables, work, work_t, pair, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), nodes__MEASURED * (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+        lanes rates_1;
+        EACH_LANE each(rates_1) = nodes__MEASURED * each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+        derivative_widths__measure_widths_t(tables, work, work_t, pair, region, nodes__MEASURED * (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), rates_1);
         derivative_nodes__node_spacing_t(&v1, &v1_t, work, work_t, tables, region, enlarge, enlarge_t);
-        (*cspan_at(&work_t, region + layout__REGION_SPACING)) = v1_t;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SPACING))) = each(v1_t);
         (*cspan_at(&work, region + layout__REGION_SPACING)) = v1;
         derivative_nodes__prepare_nodes_t(tables, work, work_t, pair, region, layout__WORK_CONTACT + layout__CONTACT_NODES + layout__NODES_SIZE * i, enlarge, enlarge_t);
         derivative_frame__leave_plane_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * i);
@@ -2569,40 +2609,40 @@ static inline int64_t derivative_nodes__prepare_regions_t(array_double_1d tables
 }
 
 /* Derivative of ``prepare_nodes``. */
-static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, double enlarge, double enlarge_t)
+static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double enlarge, lanes enlarge_t)
 {
     bool yawed;
-    double reach_t;
+    lanes reach_t;
     double reach;
-    double A_t;
+    lanes A_t;
     double A;
     double v1;
-    double v1_t;
-    double low_reach_t;
+    lanes v1_t;
+    lanes low_reach_t;
     double low_reach;
     double v2;
-    double v2_t;
-    double high_reach_t;
+    lanes v2_t;
+    lanes high_reach_t;
     double high_reach;
     double v3;
     double v4;
     double v5;
     yawed = frame__is_yawed(work);
-    reach_t = (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) * enlarge + (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * enlarge_t;
+    EACH_LANE each(reach_t) = each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION))) * enlarge + (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * each(enlarge_t);
     reach = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) * enlarge;
-    A_t = 0.5 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
+    EACH_LANE each(A_t) = 0.5 * each((*lanes_at(&work_t, region + layout__REGION_CURVATURE)));
     A = 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE));
-    derivative_nodes__zone_share_t(&v1, &v1_t, tables, A, A_t, (*cspan_at(&work, region + layout__REGION_SIDE_LOW)), (*cspan_at(&work_t, region + layout__REGION_SIDE_LOW)));
-    low_reach_t = reach_t * v1 + reach * v1_t;
+    derivative_nodes__zone_share_t(&v1, &v1_t, tables, A, A_t, (*cspan_at(&work, region + layout__REGION_SIDE_LOW)), (*lanes_at(&work_t, region + layout__REGION_SIDE_LOW)));
+    EACH_LANE each(low_reach_t) = each(reach_t) * v1 + reach * each(v1_t);
     low_reach = reach * v1;
-    derivative_nodes__zone_share_t(&v2, &v2_t, tables, A, A_t, (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)), (*cspan_at(&work_t, region + layout__REGION_SIDE_HIGH)));
-    high_reach_t = reach_t * v2 + reach * v2_t;
+    derivative_nodes__zone_share_t(&v2, &v2_t, tables, A, A_t, (*cspan_at(&work, region + layout__REGION_SIDE_HIGH)), (*lanes_at(&work_t, region + layout__REGION_SIDE_HIGH)));
+    EACH_LANE each(high_reach_t) = each(reach_t) * v2 + reach * each(v2_t);
     high_reach = reach * v2;
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && yawed)
     {
         v3 = (double)(nodes__node_stride(tables));
         v4 = (*cspan_at(&work, region + layout__REGION_SPACING)) * v3;
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = (*cspan_at(&work_t, region + layout__REGION_SPACING)) * v3 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) + v4 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR))) = each((*lanes_at(&work_t, region + layout__REGION_SPACING))) * v3 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)) + v4 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS)));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = v4 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_WHEEL_PLANE + layout__DIRECTION_COS));
     }
     derivative_nodes__lay_nodes_t(tables, work, work_t, pair, region, nodes, low_reach, low_reach_t, high_reach, high_reach_t);
@@ -2610,10 +2650,10 @@ static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, 
     derivative_coefficients__weigh_nodes_t(work, work_t, tables, region, nodes, nodes__window_nodes(tables), yawed);
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
     {
-        derivative_patch_places__mean_normal_t(tables, work, work_t, pair, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
+        derivative_patch_places__mean_normal_t(tables, work, work_t, pair, region, nodes, (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)), (*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)));
     }
     v5 = (*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
-    (*cspan_at(&work_t, region + layout__REGION_SQUARE)) = ((*cspan_at(&work_t, region + layout__REGION_LOCAL_PENETRATION)) - v5 * (*cspan_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)))) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SQUARE))) = (each((*lanes_at(&work_t, region + layout__REGION_LOCAL_PENETRATION))) - v5 * each((*lanes_at(&work_t, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0))))) / (*cspan_at(&work, nodes + layout__NODES_LENGTH + INT64_C(128) + INT64_C(0)));
     (*cspan_at(&work, region + layout__REGION_SQUARE)) = v5;
     return INT64_C(0);
 }
@@ -2625,7 +2665,7 @@ static inline int64_t derivative_nodes__prepare_nodes_t(array_double_1d tables, 
  */
 
 /* Derivative of ``solve_normal``. */
-static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_normal_contact__solve_normal_t(double* penetration, lanes* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
     int64_t model;
     model = (int64_t)((*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)));
@@ -2655,61 +2695,61 @@ static inline int64_t derivative_normal_contact__solve_normal_t(double* penetrat
  */
 
 /* Derivative of ``mean_normal``. */
-static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t nodes, double local_penetration, double local_penetration_t)
+static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t nodes, double local_penetration, lanes local_penetration_t)
 {
     double v1;
-    double v1_t;
-    double arc_t;
+    lanes v1_t;
+    lanes arc_t;
     double arc;
-    double total_t;
+    lanes total_t;
     double total;
-    double cosines_t;
+    lanes cosines_t;
     double cosines;
-    double sines_t;
+    lanes sines_t;
     double sines;
     int64_t direction;
-    double x_t;
+    lanes x_t;
     double x;
     double v2;
-    double step_t;
+    lanes step_t;
     double step;
     int64_t last;
     int64_t k;
     double height;
-    double height_t;
+    lanes height_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double v3;
     double v4;
     double v5;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
     double v6;
-    double weight_t;
+    lanes weight_t;
     double weight;
     double v7;
     double v9;
     double v8;
-    double v8_t;
+    lanes v8_t;
     double v10;
     double v11;
     double v12;
-    double v12_t;
-    derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)));
-    arc_t = v1_t;
+    lanes v12_t;
+    derivative_tables__read_cubic_t(&v1, &v1_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_ARC))), (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)));
+    EACH_LANE each(arc_t) = each(v1_t);
     arc = v1;
-    total_t = 0.0;
+    total_t = all_lanes(0.0);
     total = 0.0;
-    cosines_t = 0.0;
+    cosines_t = all_lanes(0.0);
     cosines = 0.0;
-    sines_t = 0.0;
+    sines_t = all_lanes(0.0);
     sines = 0.0;
     for (direction = -INT64_C(1); direction < INT64_C(2); direction += INT64_C(2))
     {
-        x_t = (*cspan_at(&work_t, region + layout__REGION_RAIL));
+        EACH_LANE each(x_t) = each((*lanes_at(&work_t, region + layout__REGION_RAIL)));
         x = (*cspan_at(&work, region + layout__REGION_RAIL));
         v2 = (double)(direction);
-        step_t = v2 * (*cspan_at(&work_t, region + layout__REGION_SPACING));
+        EACH_LANE each(step_t) = v2 * each((*lanes_at(&work_t, region + layout__REGION_SPACING)));
         step = v2 * (*cspan_at(&work, region + layout__REGION_SPACING));
         last = (int64_t)((*cspan_at(&work, region + layout__REGION_LAST)));
         if (direction < INT64_C(0))
@@ -2722,10 +2762,10 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
             v3 = 1.0 + slope * slope;
             v4 = sqrt(v3);
             v5 = 1.0 / v4;
-            cosine_t = (-v5) * derivative_rates__root_rate(v4, slope_t * slope + slope * slope_t) / v4;
+            EACH_LANE each(cosine_t) = (-v5) * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)) / v4;
             cosine = v5;
             v6 = local_penetration - (*cspan_at(&work, nodes + layout__NODES_RISE + INT64_C(128) + direction * k));
-            weight_t = (*cspan_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * v6 + (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * (local_penetration_t - (*cspan_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + direction * k)));
+            EACH_LANE each(weight_t) = each((*lanes_at(&work_t, nodes + layout__NODES_LINE + INT64_C(128) + direction * k))) * v6 + (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * (each(local_penetration_t) - each((*lanes_at(&work_t, nodes + layout__NODES_RISE + INT64_C(128) + direction * k))));
             weight = (*cspan_at(&work, nodes + layout__NODES_LINE + INT64_C(128) + direction * k)) * v6;
             if (weight <= 0.0)
             {
@@ -2733,34 +2773,36 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
             }
             if (k == INT64_C(0))
             {
-                weight_t = weight_t * 0.5;
+                EACH_LANE each(weight_t) = each(weight_t) * 0.5;
                 weight = weight * 0.5;
             }
-            total_t = total_t + weight_t;
+            EACH_LANE each(total_t) = each(total_t) + each(weight_t);
             total = total + weight;
-            cosines_t = cosines_t + (weight_t * cosine + weight * cosine_t);
+            EACH_LANE each(cosines_t) = each(cosines_t) + (each(weight_t) * cosine + weight * each(cosine_t));
             cosines = cosines + weight * cosine;
             v7 = weight * slope;
-            sines_t = sines_t + ((weight_t * slope + weight * slope_t) * cosine + v7 * cosine_t);
+            EACH_LANE each(sines_t) = each(sines_t) + ((each(weight_t) * slope + weight * each(slope_t)) * cosine + v7 * each(cosine_t));
             sines = sines + v7 * cosine;
             v9 = (double)(k + INT64_C(1));
-            derivative_tables__read_cubic_t(&v8, &v8_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_AT_ARC))), arc + step * v9, arc_t + step_t * v9);
-            x_t = v8_t;
+            lanes rates_1;
+            EACH_LANE each(rates_1) = each(arc_t) + each(step_t) * v9;
+            derivative_tables__read_cubic_t(&v8, &v8_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_AT_ARC))), arc + step * v9, rates_1);
+            EACH_LANE each(x_t) = each(v8_t);
             x = v8;
         }
     }
     if (total > 0.0)
     {
         v10 = cosines / total;
-        (*cspan_at(&work_t, region + layout__REGION_COS)) = (cosines_t - v10 * total_t) / total;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_COS))) = (each(cosines_t) - v10 * each(total_t)) / total;
         (*cspan_at(&work, region + layout__REGION_COS)) = v10;
         v11 = sines / total;
-        (*cspan_at(&work_t, region + layout__REGION_SIN)) = (sines_t - v11 * total_t) / total;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SIN))) = (each(sines_t) - v11 * each(total_t)) / total;
         (*cspan_at(&work, region + layout__REGION_SIN)) = v11;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            derivative_rails__upright_share_t(&v12, &v12_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work_t, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)), (*cspan_at(&work_t, region + layout__REGION_SIN)));
-            (*cspan_at(&work_t, region + layout__REGION_SHARE)) = v12_t;
+            derivative_rails__upright_share_t(&v12, &v12_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*lanes_at(&work_t, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)), (*lanes_at(&work_t, region + layout__REGION_SIN)));
+            EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SHARE))) = each(v12_t);
             (*cspan_at(&work, region + layout__REGION_SHARE)) = v12;
         }
     }
@@ -2768,17 +2810,17 @@ static inline int64_t derivative_patch_places__mean_normal_t(array_double_1d tab
 }
 
 /* Derivative of ``place_patches``. */
-static inline int64_t derivative_patch_places__place_patches_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side)
+static inline int64_t derivative_patch_places__place_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side)
 {
     int64_t index_end;
     int64_t index;
     int64_t patch;
     int64_t number;
     int64_t region;
-    double local_t;
+    lanes local_t;
     double local;
     double v1;
-    double v1_t;
+    lanes v1_t;
     index_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
@@ -2788,16 +2830,16 @@ static inline int64_t derivative_patch_places__place_patches_t(array_double_1d t
             if ((*cspan_at(&work, patch + layout__PATCH_LOADS + number)) != 0.0)
             {
                 region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * number;
-                local_t = (*cspan_at(&work_t, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work_t, region + layout__REGION_GAP));
+                EACH_LANE each(local_t) = each((*lanes_at(&work_t, region + layout__REGION_ALIGNMENT))) * (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) + (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION))) - each((*lanes_at(&work_t, region + layout__REGION_GAP)));
                 local = (*cspan_at(&work, region + layout__REGION_ALIGNMENT)) * (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work, region + layout__REGION_GAP));
                 v1 = (*cspan_at(&work, patch + layout__PATCH_PENETRATION));
-                v1_t = (*cspan_at(&work_t, patch + layout__PATCH_PENETRATION));
+                EACH_LANE each(v1_t) = each((*lanes_at(&work_t, patch + layout__PATCH_PENETRATION)));
                 if (local > v1)
                 {
                     v1 = local;
-                    v1_t = local_t;
+                    EACH_LANE each(v1_t) = each(local_t);
                 }
-                (*cspan_at(&work_t, patch + layout__PATCH_PENETRATION)) = v1_t;
+                EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_PENETRATION))) = each(v1_t);
                 (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = v1;
                 derivative_patch_places__place_load_t(tables, work, work_t, pair, region, patch, number);
             }
@@ -2808,149 +2850,151 @@ static inline int64_t derivative_patch_places__place_patches_t(array_double_1d t
 }
 
 /* Derivative of ``place_load``. */
-static inline int64_t derivative_patch_places__place_load_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t patch, int64_t number)
+static inline int64_t derivative_patch_places__place_load_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t patch, int64_t number)
 {
-    double load_t;
+    lanes load_t;
     double load;
-    double away_t;
+    lanes away_t;
     double away;
     double v1;
     double v2;
-    double v2_t;
-    double abscissa_t;
+    lanes v2_t;
+    lanes abscissa_t;
     double abscissa;
     double height;
-    double height_t;
+    lanes height_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double v3;
     double v4;
     double v5;
-    double normal_cos_t;
+    lanes normal_cos_t;
     double normal_cos;
-    double normal_sin_t;
+    lanes normal_sin_t;
     double normal_sin;
-    double x_t;
+    lanes x_t;
     double x;
     double y;
-    double y_t;
+    lanes y_t;
     double z;
-    double z_t;
-    double down_t;
+    lanes z_t;
+    lanes down_t;
     double down;
     int64_t k6;
     int64_t k7;
     int64_t k8;
     int64_t k9;
-    double force_y_t;
+    lanes force_y_t;
     double force_y;
     double v10;
-    double force_z_t;
+    lanes force_z_t;
     double force_z;
     double wheel_height;
-    double wheel_height_t;
+    lanes wheel_height_t;
     double wheel_slope;
-    double wheel_slope_t;
+    lanes wheel_slope_t;
     double v11;
     double v12;
     double v13;
     double v14;
-    load_t = (*cspan_at(&work_t, patch + layout__PATCH_LOADS + number));
+    EACH_LANE each(load_t) = each((*lanes_at(&work_t, patch + layout__PATCH_LOADS + number)));
     load = (*cspan_at(&work, patch + layout__PATCH_LOADS + number));
-    away_t = 0.0;
+    away_t = all_lanes(0.0);
     away = 0.0;
     if (load > 0.0)
     {
         v1 = (*cspan_at(&work, patch + layout__PATCH_MOMENTS + number)) / load;
-        away_t = ((*cspan_at(&work_t, patch + layout__PATCH_MOMENTS + number)) - v1 * load_t) / load - (*cspan_at(&work_t, region + layout__REGION_OFFSET)) - (*cspan_at(&work_t, region + layout__REGION_STATION));
+        EACH_LANE each(away_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_MOMENTS + number))) - v1 * each(load_t)) / load - each((*lanes_at(&work_t, region + layout__REGION_OFFSET))) - each((*lanes_at(&work_t, region + layout__REGION_STATION)));
         away = v1 - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION));
     }
     derivative_patch_places__abscissa_at_t(&v2, &v2_t, tables, work, work_t, pair, region, away, away_t);
-    abscissa_t = v2_t;
+    EACH_LANE each(abscissa_t) = each(v2_t);
     abscissa = v2;
     derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
     v3 = 1.0 + slope * slope;
     v4 = sqrt(v3);
     v5 = 1.0 / v4;
-    normal_cos_t = (-v5) * derivative_rates__root_rate(v4, slope_t * slope + slope * slope_t) / v4;
+    EACH_LANE each(normal_cos_t) = (-v5) * derivative_rates__root_rate(v4, each(slope_t) * slope + slope * each(slope_t)) / v4;
     normal_cos = v5;
-    normal_sin_t = slope_t * normal_cos + slope * normal_cos_t;
+    EACH_LANE each(normal_sin_t) = each(slope_t) * normal_cos + slope * each(normal_cos_t);
     normal_sin = slope * normal_cos;
     if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) || ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL))
     {
-        normal_cos_t = (*cspan_at(&work_t, region + layout__REGION_COS));
+        EACH_LANE each(normal_cos_t) = each((*lanes_at(&work_t, region + layout__REGION_COS)));
         normal_cos = (*cspan_at(&work, region + layout__REGION_COS));
-        normal_sin_t = (*cspan_at(&work_t, region + layout__REGION_SIN));
+        EACH_LANE each(normal_sin_t) = each((*lanes_at(&work_t, region + layout__REGION_SIN)));
         normal_sin = (*cspan_at(&work, region + layout__REGION_SIN));
     }
-    x_t = (*cspan_at(&work_t, region + layout__REGION_X_TRACK)) + ((*cspan_at(&work_t, region + layout__REGION_SLANT)) * away + (*cspan_at(&work, region + layout__REGION_SLANT)) * away_t);
+    EACH_LANE each(x_t) = each((*lanes_at(&work_t, region + layout__REGION_X_TRACK))) + (each((*lanes_at(&work_t, region + layout__REGION_SLANT))) * away + (*cspan_at(&work, region + layout__REGION_SLANT)) * each(away_t));
     x = (*cspan_at(&work, region + layout__REGION_X_TRACK)) + (*cspan_at(&work, region + layout__REGION_SLANT)) * away;
-    derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), 0.0, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, abscissa_t, height, height_t);
+    derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), all_lanes(0.0), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, abscissa_t, height, height_t);
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_LEANING)) == 1.0)
     {
-        down_t = normal_cos_t;
+        EACH_LANE each(down_t) = each(normal_cos_t);
         down = normal_cos;
         k6 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_COS;
         k7 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_SIN;
-        normal_cos_t = (*cspan_at(&work_t, k6)) * down + (*cspan_at(&work, k6)) * down_t - ((*cspan_at(&work_t, k7)) * normal_sin + (*cspan_at(&work, k7)) * normal_sin_t);
+        EACH_LANE each(normal_cos_t) = each((*lanes_at(&work_t, k6))) * down + (*cspan_at(&work, k6)) * each(down_t) - (each((*lanes_at(&work_t, k7))) * normal_sin + (*cspan_at(&work, k7)) * each(normal_sin_t));
         normal_cos = (*cspan_at(&work, k6)) * down - (*cspan_at(&work, k7)) * normal_sin;
         k8 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_COS;
         k9 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_RAIL_SIN;
-        normal_sin_t = (*cspan_at(&work_t, k8)) * normal_sin + (*cspan_at(&work, k8)) * normal_sin_t + ((*cspan_at(&work_t, k9)) * down + (*cspan_at(&work, k9)) * down_t);
+        EACH_LANE each(normal_sin_t) = each((*lanes_at(&work_t, k8))) * normal_sin + (*cspan_at(&work, k8)) * each(normal_sin_t) + (each((*lanes_at(&work_t, k9))) * down + (*cspan_at(&work, k9)) * each(down_t));
         normal_sin = (*cspan_at(&work, k8)) * normal_sin + (*cspan_at(&work, k9)) * down;
     }
-    force_y_t = normal_sin_t * load + normal_sin * load_t;
+    EACH_LANE each(force_y_t) = each(normal_sin_t) * load + normal_sin * each(load_t);
     force_y = normal_sin * load;
     v10 = -normal_cos;
-    force_z_t = (-normal_cos_t) * load + v10 * load_t;
+    EACH_LANE each(force_z_t) = (-each(normal_cos_t)) * load + v10 * each(load_t);
     force_z = v10 * load;
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y)) + force_y_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y))) + each(force_y_t);
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) + force_y;
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)) + force_z_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z))) + each(force_z_t);
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) + force_z;
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) + (y_t * force_z + y * force_z_t - (z_t * force_y + z * force_y_t));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0)))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0)))) + (each(y_t) * force_z + y * each(force_z_t) - (each(z_t) * force_y + z * each(force_y_t)));
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) + (y * force_z - z * force_y);
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) - (x_t * force_z + x * force_z_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1)))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1)))) - (each(x_t) * force_z + x * each(force_z_t));
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) - x * force_z;
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) + (x_t * force_y + x * force_y_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2)))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2)))) + (each(x_t) * force_y + x * each(force_y_t));
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) + x * force_y;
-    derivative_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
+    derivative_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
     v11 = 1.0 + wheel_slope * wheel_slope;
     v12 = sqrt(v11);
     v13 = away / v12;
-    derivative_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + v13, (*cspan_at(&work_t, region + layout__REGION_WHEEL)) + (away_t - v13 * derivative_rates__root_rate(v12, wheel_slope_t * wheel_slope + wheel_slope * wheel_slope_t)) / v12);
-    (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) = (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) + (load_t * x + load * x_t);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, region + layout__REGION_WHEEL))) + (each(away_t) - v13 * derivative_rates__root_rate(v12, each(wheel_slope_t) * wheel_slope + wheel_slope * each(wheel_slope_t))) / v12;
+    derivative_tables__height_slope_t(&wheel_height, &wheel_height_t, &wheel_slope, &wheel_slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + v13, rates_1);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK))) = each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK))) + (each(load_t) * x + load * each(x_t));
     (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + load * x;
-    (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) = (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) + (load_t * y + load * y_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) = each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) + (each(load_t) * y + load * each(y_t));
     (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) + load * y;
-    (*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) = (*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) + (load_t * z + load * z_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) = each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) + (each(load_t) * z + load * each(z_t));
     (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) + load * z;
     v14 = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + wheel_height;
-    (*cspan_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)) = (*cspan_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)) + (load_t * v14 + load * wheel_height_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS))) = each((*lanes_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS))) + (each(load_t) * v14 + load * each(wheel_height_t));
     (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) = (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) + load * v14;
     return INT64_C(0);
 }
 
 /* Derivative of ``abscissa_at``. */
-static inline int64_t derivative_patch_places__abscissa_at_t(double* abscissa, double* abscissa_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, double away, double away_t)
+static inline int64_t derivative_patch_places__abscissa_at_t(double* abscissa, lanes* abscissa_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double away, lanes away_t)
 {
     double v1;
-    double v1_t;
-    (*abscissa_t) = (*cspan_at(&work_t, region + layout__REGION_RAIL)) + (away_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + away * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)));
+    lanes v1_t;
+    EACH_LANE each((*abscissa_t)) = each((*lanes_at(&work_t, region + layout__REGION_RAIL))) + (each(away_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)) + away * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))));
     (*abscissa) = (*cspan_at(&work, region + layout__REGION_RAIL)) + away * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        derivative_curves__rail_abscissa_t(&v1, &v1_t, tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), away, away_t);
-        (*abscissa_t) = v1_t;
+        derivative_curves__rail_abscissa_t(&v1, &v1_t, tables, pair, (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), away, away_t);
+        EACH_LANE each((*abscissa_t)) = each(v1_t);
         (*abscissa) = v1;
     }
     return 0;
 }
 
 /* Derivative of ``close_place``. */
-static inline int64_t derivative_patch_places__close_place_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_patch_places__close_place_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
-    double load_t;
+    lanes load_t;
     double load;
     double v1;
     double v2;
@@ -2958,51 +3002,51 @@ static inline int64_t derivative_patch_places__close_place_t(array_double_1d wor
     double v4;
     double v5;
     double v6;
-    double slope_t;
+    lanes slope_t;
     double slope;
     double v7;
-    double v7_t;
+    lanes v7_t;
     double v8;
     double v9;
     double v10;
     double v11;
-    load_t = (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    EACH_LANE each(load_t) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
     load = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     if (load > 0.0)
     {
         v1 = (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) / load;
-        (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) = ((*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) - v1 * load_t) / load;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK))) = (each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK))) - v1 * each(load_t)) / load;
         (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) = v1;
         v2 = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) / load;
-        (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) = ((*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) - v2 * load_t) / load;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) = (each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) - v2 * each(load_t)) / load;
         (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) = v2;
         v3 = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) / load;
-        (*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) = ((*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) - v3 * load_t) / load;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) = (each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) - v3 * each(load_t)) / load;
         (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) = v3;
         v4 = (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) / load;
-        (*cspan_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)) = ((*cspan_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)) - v4 * load_t) / load;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS))) = (each((*lanes_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS))) - v4 * each(load_t)) / load;
         (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) = v4;
         v5 = -(*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
         v6 = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) / v5;
-        slope_t = ((*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y)) - v6 * (-(*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)))) / v5;
+        EACH_LANE each(slope_t) = (each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y))) - v6 * (-each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z))))) / v5;
         slope = v6;
         derivative_circle__atan_rule_t(&v7, &v7_t, slope, slope_t);
-        (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)) = -v7_t;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE))) = -each(v7_t);
         (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)) = -v7;
         v8 = 1.0 + slope * slope;
         v9 = sqrt(v8);
         v10 = 1.0 / v9;
-        (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS)) = (-v10) * derivative_rates__root_rate(v9, slope_t * slope + slope * slope_t) / v9;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_COS))) = (-v10) * derivative_rates__root_rate(v9, each(slope_t) * slope + slope * each(slope_t)) / v9;
         (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) = v10;
         v11 = -slope;
-        (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_SIN)) = (-slope_t) * (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) + v11 * (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS));
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_SIN))) = (-each(slope_t)) * (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS)) + v11 * each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_COS)));
         (*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN)) = v11 * (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``place_strips``. */
-static inline int64_t derivative_patch_places__place_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t patch)
+static inline int64_t derivative_patch_places__place_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t patch)
 {
     int64_t number;
     int64_t region;
@@ -3010,21 +3054,21 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
     int64_t index;
     int64_t strip;
     double v1;
-    double v1_t;
-    double abscissa_t;
+    lanes v1_t;
+    lanes abscissa_t;
     double abscissa;
     double height;
-    double height_t;
+    lanes height_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double v2;
     double v3;
     double v4;
     double y;
-    double y_t;
+    lanes y_t;
     double z;
-    double z_t;
-    double down_t;
+    lanes z_t;
+    lanes down_t;
     double down;
     number = INT64_C(0);
     while((number < layout__REGION_LIMIT - INT64_C(1)) && ((*cspan_at(&work, patch + layout__PATCH_LOADS + number)) == 0.0))
@@ -3036,24 +3080,28 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
     for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-        derivative_patch_places__abscissa_at_t(&v1, &v1_t, tables, work, work_t, pair, region, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)) - (*cspan_at(&work_t, region + layout__REGION_STATION)));
-        abscissa_t = v1_t;
+        lanes rates_1;
+        EACH_LANE each(rates_1) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STATION))) - each((*lanes_at(&work_t, region + layout__REGION_OFFSET))) - each((*lanes_at(&work_t, region + layout__REGION_STATION)));
+        derivative_patch_places__abscissa_at_t(&v1, &v1_t, tables, work, work_t, pair, region, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)), rates_1);
+        EACH_LANE each(abscissa_t) = each(v1_t);
         abscissa = v1;
         derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), abscissa, abscissa_t);
         v2 = 1.0 + slope * slope;
         v3 = sqrt(v2);
         v4 = 1.0 / v3;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS)) = (-v4) * derivative_rates__root_rate(v3, slope_t * slope + slope * slope_t) / v3;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS))) = (-v4) * derivative_rates__root_rate(v3, each(slope_t) * slope + slope * each(slope_t)) / v3;
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) = v4;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) = slope_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) + slope * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))) = each(slope_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) + slope * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS)));
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) = slope * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
-        derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), 0.0, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, abscissa_t, height, height_t);
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) = y_t;
+        derivative_rails__on_track_t(&y, &y_t, &z, &z_t, work, work_t, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), all_lanes(0.0), (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + abscissa, abscissa_t, height, height_t);
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK))) = each(y_t);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) = y;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) = z_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK))) = each(z_t);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) = z;
-        derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)) + abscissa_t - (*cspan_at(&work_t, region + layout__REGION_RAIL)));
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = height_t;
+        lanes rates_2;
+        EACH_LANE each(rates_2) = each((*lanes_at(&work_t, region + layout__REGION_WHEEL))) + each(abscissa_t) - each((*lanes_at(&work_t, region + layout__REGION_RAIL)));
+        derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, region + layout__REGION_WHEEL)) + abscissa - (*cspan_at(&work, region + layout__REGION_RAIL)), rates_2);
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_ROLLING_RADIUS))) = each(height_t);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS)) = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + height;
     }
     if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
@@ -3061,11 +3109,11 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
         for (index = INT64_C(0); index < layout__ROLLING_STRIP_LIMIT; index += INT64_C(1))
         {
             strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-            down_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS));
+            EACH_LANE each(down_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS)));
             down = (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
-            (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS)) = (*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * down + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * down_t - ((*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)));
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS))) = each((*lanes_at(&work_t, place + layout__PLACE_RAIL_COS))) * down + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * each(down_t) - (each((*lanes_at(&work_t, place + layout__PLACE_RAIL_SIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))));
             (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * down - (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN));
-            (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) = (*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) + ((*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) * down + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * down_t);
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))) = each((*lanes_at(&work_t, place + layout__PLACE_RAIL_COS))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))) + (each((*lanes_at(&work_t, place + layout__PLACE_RAIL_SIN))) * down + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * each(down_t));
             (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * down;
         }
     }
@@ -3079,27 +3127,27 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
  */
 
 /* Derivative of ``strip_contact``. */
-static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, double* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t side, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, lanes* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
     bool by_penetration;
     int64_t sweeps;
     int64_t n1;
     int64_t count;
     double v2;
-    double v2_t;
-    double penetration_t;
+    lanes v2_t;
+    lanes penetration_t;
     double penetration;
     double v3;
-    double v3_t;
+    lanes v3_t;
     int64_t repeat;
-    double estimate_t;
+    lanes estimate_t;
     double estimate;
     int64_t n4;
     int64_t n5;
     double v6;
-    double v6_t;
+    lanes v6_t;
     double v7;
-    double v7_t;
+    lanes v7_t;
     bool satisfied;
     by_penetration = isfinite(prescribed);
     sweeps = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
@@ -3108,30 +3156,30 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
         n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
         count = n1;
         derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
-        derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, INT64_C(0), sweeps, force, force_t, by_penetration);
-        penetration_t = v2_t;
+        derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, sweeps, force, force_t, by_penetration);
+        EACH_LANE each(penetration_t) = each(v2_t);
         penetration = v2;
     }
     else
     {
-        penetration_t = prescribed_t;
+        EACH_LANE each(penetration_t) = each(prescribed_t);
         penetration = prescribed;
         if (!by_penetration)
         {
             derivative_estimate__first_penetration_t(&v3, &v3_t, tables, work, work_t, pair, force, force_t);
-            penetration_t = v3_t;
+            EACH_LANE each(penetration_t) = each(v3_t);
             penetration = v3;
         }
         count = INT64_C(0);
         for (repeat = INT64_C(0); repeat < strip_contact__SINKINGS; repeat += INT64_C(1))
         {
-            estimate_t = penetration_t;
+            EACH_LANE each(estimate_t) = each(penetration_t);
             estimate = penetration;
             n4 = derivative_pressed_regions__sink_wheel_t(tables, work, work_t, pair, side, estimate, estimate_t);
             if (n4 == INT64_C(0))
             {
                 (*result_0_0001) = estimate;
-                (*result_1_0001) = estimate_t;
+                EACH_LANE each((*result_1_0001)) = each(estimate_t);
                 (*result_2) = INT64_C(0);
                 (*result_3) = 0;
                 return 0;
@@ -3143,7 +3191,7 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
                 break;
             }
             derivative_strip_runs__deepen_levels_t(&v6, &v6_t, work, work_t, force, force_t);
-            penetration_t = estimate_t + v6_t;
+            EACH_LANE each(penetration_t) = each(estimate_t) + each(v6_t);
             penetration = estimate + v6;
             if (penetration < strip_contact__SUNK_DEEPER * estimate)
             {
@@ -3151,8 +3199,8 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
             }
         }
         derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
-        derivative_strip_contact__sweep_strips_t(&v7, &v7_t, tables, work, work_t, pair, INT64_C(0), sweeps, force, force_t, by_penetration);
-        penetration_t = v7_t;
+        derivative_strip_contact__sweep_strips_t(&v7, &v7_t, tables, work, work_t, pair, sweeps, force, force_t, by_penetration);
+        EACH_LANE each(penetration_t) = each(v7_t);
         penetration = v7;
     }
     satisfied = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
@@ -3166,23 +3214,23 @@ static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0
         }
     }
     (*result_0_0001) = penetration;
-    (*result_1_0001) = penetration_t;
+    EACH_LANE each((*result_1_0001)) = each(penetration_t);
     (*result_2) = count;
     (*result_3) = satisfied;
     return 0;
 }
 
 /* Derivative of ``coarse_contact``. */
-static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, double* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, double force, double force_t)
+static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, lanes* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t)
 {
     int64_t n1;
     double v2;
-    double v2_t;
+    lanes v2_t;
     n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
     (*count) = n1;
     derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
-    derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, INT64_C(0), strip_contact__FIRST_SWEEPS, force, force_t, 0);
-    (*penetration_t) = v2_t;
+    derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, strip_contact__FIRST_SWEEPS, force, force_t, 0);
+    EACH_LANE each((*penetration_t)) = each(v2_t);
     (*penetration) = v2;
     (*satisfied) = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
     if ((*satisfied))
@@ -3193,23 +3241,23 @@ static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetra
 }
 
 /* Derivative of ``open_zones``. */
-static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
+static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
     int64_t n1;
     int64_t deepest;
     int64_t count;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     n1 = derivative_pressed_regions__gather_overlaps_t(tables, work, work_t, pair);
     count = n1;
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
-    derivative_strip_surfaces__find_zones_t(tables, work, work_t, pair, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
+    derivative_strip_surfaces__find_zones_t(tables, work, work_t, pair, count, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*lanes_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)));
     derivative_strip_surfaces__trace_zones_t(tables, work, work_t, pair, count);
     return count;
 }
 
 /* Derivative of ``start_runs``. */
-static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair)
+static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
 {
     if (frame__is_yawed(work))
     {
@@ -3220,38 +3268,43 @@ static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tab
 }
 
 /* Derivative of ``sweep_strips``. */
-static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetration, double* penetration_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t first, int64_t last, double force, double force_t, bool by_penetration)
+static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetration, lanes* penetration_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t sweeps, double force, lanes force_t, bool by_penetration)
 {
     bool yawed;
     int64_t sweep;
+    bool last;
     bool given;
     double v1;
-    double v1_t;
-    double relaxed;
+    lanes v1_t;
+    double share;
     yawed = frame__is_yawed(work);
-    (*penetration_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    EACH_LANE each((*penetration_t)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)));
     (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    for (sweep = first; sweep < last; sweep += INT64_C(1))
+    for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
     {
-        if (sweep > INT64_C(0))
-        {
-            derivative_strip_runs__renew_runs_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
-        }
+        last = sweep == sweeps - INT64_C(1);
         given = by_penetration;
-        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)) && (sweep < last - INT64_C(1)))
+        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)) && (!last))
         {
             given = 1;
         }
-        derivative_strip_runs__lay_strips_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))), sweep >= last - strip_contact__SMOOTH_SWEEPS);
+        derivative_strip_runs__lay_strips_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))), sweep >= sweeps - strip_contact__SMOOTH_SWEEPS);
         derivative_strip_pressures__solve_pressures_t(&v1, &v1_t, work, work_t, tables, force, force_t, given, yawed);
-        (*penetration_t) = v1_t;
+        EACH_LANE each((*penetration_t)) = each(v1_t);
         (*penetration) = v1;
-        relaxed = 0.5;
-        if (sweep < INT64_C(1))
+        if ((!last) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
         {
-            relaxed = 1.0;
+            share = strip_lengths__RELAXED;
+            if (sweep == INT64_C(0))
+            {
+                share = 1.0;
+            }
+            derivative_strip_lengths__correct_lengths_t(work, work_t, tables, (*penetration), (*penetration_t), yawed, share, all_lanes(0.0));
         }
-        derivative_strip_lengths__correct_lengths_t(work, work_t, tables, (*penetration), (*penetration_t), yawed, relaxed, 0.0);
+        if (!last)
+        {
+            derivative_strip_runs__renew_runs_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+        }
     }
     return 0;
 }
@@ -3263,100 +3316,104 @@ static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetrati
  */
 
 /* Derivative of ``corrected``. */
-static inline int64_t derivative_strip_lengths__corrected_t(double* v3, double* result_1, double ratio, double ratio_t, double power, double power_t)
+static inline int64_t derivative_strip_lengths__corrected_t(double* v3, lanes* result_1, double ratio, lanes ratio_t, double power, lanes power_t)
 {
-    double more_t;
+    lanes more_t;
     double more;
-    double less_t;
+    lanes less_t;
     double less;
     double v1;
     double v2;
-    more_t = power_t;
+    EACH_LANE each(more_t) = each(power_t);
     more = 1.0 + power;
-    less_t = -power_t;
+    EACH_LANE each(less_t) = -each(power_t);
     less = 1.0 - power;
     v1 = less + more * ratio;
     v2 = more + less * ratio;
     (*v3) = v1 / v2;
-    (*result_1) = (less_t + (more_t * ratio + more * ratio_t) - (*v3) * (more_t + (less_t * ratio + less * ratio_t))) / v2;
+    EACH_LANE each((*result_1)) = (each(less_t) + (each(more_t) * ratio + more * each(ratio_t)) - (*v3) * (each(more_t) + (each(less_t) * ratio + less * each(ratio_t)))) / v2;
     return 0;
 }
 
 /* Derivative of ``correct_strip``. */
-static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t first, int64_t i, double penetration, double penetration_t, bool yawed)
+static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t first, int64_t i, double penetration, lanes penetration_t, bool yawed)
 {
     int64_t strip;
-    double half_t;
+    lanes half_t;
     double half;
-    double away_t;
+    lanes away_t;
     double away;
     double v1;
-    double v1_t;
-    double own_t;
+    lanes v1_t;
+    lanes own_t;
     double own;
     double front;
-    double front_t;
+    lanes front_t;
     double back;
-    double back_t;
+    lanes back_t;
     double v2;
-    double v2_t;
-    double front_gap_t;
+    lanes v2_t;
+    lanes front_gap_t;
     double front_gap;
-    double back_gap_t;
+    lanes back_gap_t;
     double back_gap;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
     double v5;
     double v6;
     double v7;
     double v8;
     double v9;
-    double move_t;
+    lanes move_t;
     double move;
     double v10;
-    double v10_t;
+    lanes v10_t;
     double v11;
-    double v11_t;
-    double local_t;
+    lanes v11_t;
+    lanes local_t;
     double local;
     double v12;
     double v13;
     double v14;
     double v15;
     double v16;
-    double v16_t;
-    double rise_t;
+    lanes v16_t;
+    lanes rise_t;
     double rise;
     double v17;
     double v18;
     double v19;
     double v20;
-    double v20_t;
-    double ratio_t;
+    lanes v20_t;
+    lanes ratio_t;
     double ratio;
     double v21;
-    double v21_t;
+    lanes v21_t;
     strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
-    half_t = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
+    EACH_LANE each(half_t) = each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
     half = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-    away_t = strip_pressures__TESTED * half_t;
+    EACH_LANE each(away_t) = strip_pressures__TESTED * each(half_t);
     away = strip_pressures__TESTED * half;
-    derivative_strip_runs__gap_beside_t(&v1, &v1_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*cspan_at(&work_t, strip + layout__STRIP_LEAD)));
-    own_t = v1_t;
+    derivative_strip_runs__gap_beside_t(&v1, &v1_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*lanes_at(&work_t, strip + layout__STRIP_LEAD)));
+    EACH_LANE each(own_t) = each(v1_t);
     own = v1;
     derivative_strip_pressures__tested_displacements_t(&front, &front_t, &back, &back_t, work, work_t, tables, first + i, away, away_t, yawed);
-    derivative_strip_runs__gap_beside_t(&v2, &v2_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away, (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + away_t);
-    front_gap_t = v2_t - own_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, strip + layout__STRIP_LEAD))) + each(away_t);
+    derivative_strip_runs__gap_beside_t(&v2, &v2_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) + away, rates_1);
+    EACH_LANE each(front_gap_t) = each(v2_t) - each(own_t);
     front_gap = v2 - own;
-    back_gap_t = front_gap_t;
+    EACH_LANE each(back_gap_t) = each(front_gap_t);
     back_gap = front_gap;
-    (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_LEAD))) = each((*lanes_at(&work_t, strip + layout__STRIP_LEAD)));
     (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD));
     if (yawed)
     {
-        derivative_strip_runs__gap_beside_t(&v3, &v3_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away, (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) - away_t);
-        back_gap_t = v3_t - own_t;
+        lanes rates_2;
+        EACH_LANE each(rates_2) = each((*lanes_at(&work_t, strip + layout__STRIP_LEAD))) - each(away_t);
+        derivative_strip_runs__gap_beside_t(&v3, &v3_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)) - away, rates_2);
+        EACH_LANE each(back_gap_t) = each(v3_t) - each(own_t);
         back_gap = v3 - own;
         v4 = -strip_lengths__MOVED;
         v5 = front + front_gap - back - back_gap;
@@ -3364,48 +3421,50 @@ static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d 
         v7 = 4.0 * (*cspan_at(&work, strip + layout__STRIP_A));
         v8 = v7 * away;
         v9 = v6 / v8;
-        move_t = (v4 * (front_t + front_gap_t - back_t - back_gap_t) - v9 * (4.0 * (*cspan_at(&work_t, strip + layout__STRIP_A)) * away + v7 * away_t)) / v8;
+        EACH_LANE each(move_t) = (v4 * (each(front_t) + each(front_gap_t) - each(back_t) - each(back_gap_t)) - v9 * (4.0 * each((*lanes_at(&work_t, strip + layout__STRIP_A))) * away + v7 * each(away_t))) / v8;
         move = v9;
-        derivative_pressed__limited_t(&v10, &v10_t, move, move_t, strip_lengths__FARTHEST_MOVE * half, strip_lengths__FARTHEST_MOVE * half_t);
-        (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) + v10_t;
+        lanes rates_3;
+        EACH_LANE each(rates_3) = strip_lengths__FARTHEST_MOVE * each(half_t);
+        derivative_pressed__limited_t(&v10, &v10_t, move, move_t, strip_lengths__FARTHEST_MOVE * half, rates_3);
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_LEAD))) = each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_LEAD))) + each(v10_t);
         (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) + v10;
     }
     derivative_strip_pressures__local_displacement_t(&v11, &v11_t, work, work_t, tables, first, i);
-    local_t = v11_t;
+    EACH_LANE each(local_t) = each(v11_t);
     local = v11;
     v12 = front_gap + back_gap;
     v13 = strip_lengths__FLATTEST * (*cspan_at(&work, strip + layout__STRIP_A));
     v14 = v13 * away;
     v15 = v14 * away;
     v16 = 0.5 * v12;
-    v16_t = 0.5 * (front_gap_t + back_gap_t);
+    EACH_LANE each(v16_t) = 0.5 * (each(front_gap_t) + each(back_gap_t));
     if (v15 > v16)
     {
         v16 = v15;
-        v16_t = (strip_lengths__FLATTEST * (*cspan_at(&work_t, strip + layout__STRIP_A)) * away + v13 * away_t) * away + v14 * away_t;
+        EACH_LANE each(v16_t) = (strip_lengths__FLATTEST * each((*lanes_at(&work_t, strip + layout__STRIP_A))) * away + v13 * each(away_t)) * away + v14 * each(away_t);
     }
-    rise_t = v16_t;
+    EACH_LANE each(rise_t) = each(v16_t);
     rise = v16;
     v17 = front + back;
     v18 = (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration - (*cspan_at(&work, strip + layout__STRIP_GAP)) - local - 0.5 * v17;
     v19 = v18 / rise;
     v20 = 0.0;
-    v20_t = 0.0;
+    v20_t = all_lanes(0.0);
     if (v19 > v20)
     {
         v20 = v19;
-        v20_t = ((*cspan_at(&work_t, strip + layout__STRIP_SHARE)) * penetration + (*cspan_at(&work, strip + layout__STRIP_SHARE)) * penetration_t - (*cspan_at(&work_t, strip + layout__STRIP_GAP)) - local_t - 0.5 * (front_t + back_t) - v19 * rise_t) / rise;
+        EACH_LANE each(v20_t) = (each((*lanes_at(&work_t, strip + layout__STRIP_SHARE))) * penetration + (*cspan_at(&work, strip + layout__STRIP_SHARE)) * each(penetration_t) - each((*lanes_at(&work_t, strip + layout__STRIP_GAP))) - each(local_t) - 0.5 * (each(front_t) + each(back_t)) - v19 * each(rise_t)) / rise;
     }
-    ratio_t = v20_t;
+    EACH_LANE each(ratio_t) = each(v20_t);
     ratio = v20;
-    derivative_strip_lengths__corrected_t(&v21, &v21_t, ratio, ratio_t, strip_lengths__POWER, 0.0);
-    (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS)) = (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) * v21 + (*cspan_at(&work, strip + layout__STRIP_AXIS)) * v21_t;
+    derivative_strip_lengths__corrected_t(&v21, &v21_t, ratio, ratio_t, strip_lengths__POWER, all_lanes(0.0));
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_AXIS))) = each((*lanes_at(&work_t, strip + layout__STRIP_AXIS))) * v21 + (*cspan_at(&work, strip + layout__STRIP_AXIS)) * each(v21_t);
     (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = (*cspan_at(&work, strip + layout__STRIP_AXIS)) * v21;
     return INT64_C(0);
 }
 
 /* Derivative of ``correct_lengths``. */
-static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double penetration, double penetration_t, bool yawed, double relaxed, double relaxed_t)
+static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double penetration, lanes penetration_t, bool yawed, double share, lanes share_t)
 {
     int64_t waves;
     int64_t k_end;
@@ -3427,260 +3486,264 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
         }
         derivative_strip_lengths__end_axis_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(2)));
         derivative_strip_lengths__end_axis_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(2)));
-        derivative_strip_lengths__move_edges_t(tables, work, work_t, waves, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k, first, relaxed, relaxed_t);
+        derivative_strip_lengths__move_edges_t(tables, work, work_t, waves, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k, first, share, share_t);
         derivative_strip_lengths__finish_strips_t(work, work_t, tables, k);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``end_axis``. */
-static inline int64_t derivative_strip_lengths__end_axis_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t inner, int64_t second)
+static inline int64_t derivative_strip_lengths__end_axis_t(array_double_1d work, array_lanes_1d work_t, int64_t strip, int64_t inner, int64_t second)
 {
-    double axis_t;
+    lanes axis_t;
     double axis;
     double v1;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     double v4;
-    double v4_t;
-    axis_t = 1.5 * (*cspan_at(&work_t, inner + layout__STRIP_NEXT_AXIS)) - 0.5 * (*cspan_at(&work_t, second + layout__STRIP_NEXT_AXIS));
+    lanes v4_t;
+    EACH_LANE each(axis_t) = 1.5 * each((*lanes_at(&work_t, inner + layout__STRIP_NEXT_AXIS))) - 0.5 * each((*lanes_at(&work_t, second + layout__STRIP_NEXT_AXIS)));
     axis = 1.5 * (*cspan_at(&work, inner + layout__STRIP_NEXT_AXIS)) - 0.5 * (*cspan_at(&work, second + layout__STRIP_NEXT_AXIS));
     v1 = strip_lengths__LEAST_END * (*cspan_at(&work, inner + layout__STRIP_NEXT_AXIS));
     v2 = axis;
-    v2_t = axis_t;
+    EACH_LANE each(v2_t) = each(axis_t);
     if (v1 > v2)
     {
         v2 = v1;
-        v2_t = strip_lengths__LEAST_END * (*cspan_at(&work_t, inner + layout__STRIP_NEXT_AXIS));
+        EACH_LANE each(v2_t) = strip_lengths__LEAST_END * each((*lanes_at(&work_t, inner + layout__STRIP_NEXT_AXIS)));
     }
     v3 = strip_lengths__MOST_END * (*cspan_at(&work, inner + layout__STRIP_NEXT_AXIS));
     v4 = v2;
-    v4_t = v2_t;
+    EACH_LANE each(v4_t) = each(v2_t);
     if (v3 < v4)
     {
         v4 = v3;
-        v4_t = strip_lengths__MOST_END * (*cspan_at(&work_t, inner + layout__STRIP_NEXT_AXIS));
+        EACH_LANE each(v4_t) = strip_lengths__MOST_END * each((*lanes_at(&work_t, inner + layout__STRIP_NEXT_AXIS)));
     }
-    (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS)) = v4_t;
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_AXIS))) = each(v4_t);
     (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = v4;
-    (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) + (*cspan_at(&work_t, inner + layout__STRIP_NEXT_LEAD)) - (*cspan_at(&work_t, inner + layout__STRIP_LEAD));
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_LEAD))) = each((*lanes_at(&work_t, strip + layout__STRIP_LEAD))) + each((*lanes_at(&work_t, inner + layout__STRIP_NEXT_LEAD))) - each((*lanes_at(&work_t, inner + layout__STRIP_LEAD)));
     (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) = (*cspan_at(&work, strip + layout__STRIP_LEAD)) + (*cspan_at(&work, inner + layout__STRIP_NEXT_LEAD)) - (*cspan_at(&work, inner + layout__STRIP_LEAD));
     return INT64_C(0);
 }
 
 /* Derivative of ``move_edges``. */
-static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t first, double relaxed, double relaxed_t)
+static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t run, int64_t first, double share, lanes share_t)
 {
     int64_t count;
-    double start_t;
+    lanes start_t;
     double start;
-    double stop_t;
+    lanes stop_t;
     double stop;
     int64_t i;
-    double product_t;
+    lanes product_t;
     double product;
-    double largest_t;
+    lanes largest_t;
     double largest;
-    double low_t;
+    lanes low_t;
     double low;
-    double high_t;
+    lanes high_t;
     double high;
     double sine;
     double v1;
     double v2;
-    double wrong_t;
+    lanes wrong_t;
     double wrong;
     double v3;
     double v4;
-    double root_t;
+    lanes root_t;
     double root;
     double v5;
     double v6;
-    double v6_t;
+    lanes v6_t;
     double v7;
-    double v7_t;
-    double least_t;
+    lanes v7_t;
+    lanes least_t;
     double least;
     double v8;
-    double half_t;
+    lanes half_t;
     double half;
     double v10;
     double v11;
-    double v11_t;
+    lanes v11_t;
     double v12;
     double v9;
-    double v9_t;
+    lanes v9_t;
     double v14;
     double v15;
-    double v15_t;
+    lanes v15_t;
     double v16;
     double v13;
-    double v13_t;
+    lanes v13_t;
     int64_t k17;
     double v18;
-    double v18_t;
+    lanes v18_t;
     int64_t k19;
     double v20;
-    double v20_t;
+    lanes v20_t;
     count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    start_t = 0.0;
+    start_t = all_lanes(0.0);
     start = 0.0;
-    stop_t = 0.0;
+    stop_t = all_lanes(0.0);
     stop = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
-        product_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+        EACH_LANE each(product_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y))) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
         product = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-        start_t = start_t + (*cspan_at(&tables, waves + layout__WAVES_START + i)) * product_t;
+        EACH_LANE each(start_t) = each(start_t) + (*cspan_at(&tables, waves + layout__WAVES_START + i)) * each(product_t);
         start = start + (*cspan_at(&tables, waves + layout__WAVES_START + i)) * product;
-        stop_t = stop_t + (*cspan_at(&tables, waves + layout__WAVES_STOP + i)) * product_t;
+        EACH_LANE each(stop_t) = each(stop_t) + (*cspan_at(&tables, waves + layout__WAVES_STOP + i)) * each(product_t);
         stop = stop + (*cspan_at(&tables, waves + layout__WAVES_STOP + i)) * product;
     }
-    largest_t = 0.0;
+    largest_t = all_lanes(0.0);
     largest = 0.0;
-    low_t = 0.0;
+    low_t = all_lanes(0.0);
     low = 0.0;
-    high_t = 0.0;
+    high_t = all_lanes(0.0);
     high = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         sine = (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
         v1 = start - stop;
         v2 = start + stop + v1 * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
-        wrong_t = 0.5 * (start_t + stop_t + (start_t - stop_t) * (*cspan_at(&tables, waves + layout__WAVES_COS + i)));
+        EACH_LANE each(wrong_t) = 0.5 * (each(start_t) + each(stop_t) + (each(start_t) - each(stop_t)) * (*cspan_at(&tables, waves + layout__WAVES_COS + i)));
         wrong = 0.5 * v2;
         v3 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * sine - wrong;
         v4 = sine * sine;
-        root_t = ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) * sine - wrong_t) / v4;
+        EACH_LANE each(root_t) = (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y))) * sine - each(wrong_t)) / v4;
         root = v3 / v4;
         v5 = -root;
         v6 = root;
-        v6_t = root_t;
+        EACH_LANE each(v6_t) = each(root_t);
         if (v5 > v6)
         {
             v6 = v5;
-            v6_t = -root_t;
+            EACH_LANE each(v6_t) = -each(root_t);
         }
         v7 = largest;
-        v7_t = largest_t;
+        EACH_LANE each(v7_t) = each(largest_t);
         if (v6 > v7)
         {
             v7 = v6;
-            v7_t = v6_t;
+            EACH_LANE each(v7_t) = each(v6_t);
         }
-        largest_t = v7_t;
+        EACH_LANE each(largest_t) = each(v7_t);
         largest = v7;
         if (i == INT64_C(1))
         {
-            low_t = root_t;
+            EACH_LANE each(low_t) = each(root_t);
             low = root;
         }
         if (i == count - INT64_C(2))
         {
-            high_t = root_t;
+            EACH_LANE each(high_t) = each(root_t);
             high = root;
         }
     }
-    least_t = strip_lengths__LEAST_ROOT * largest_t;
+    EACH_LANE each(least_t) = strip_lengths__LEAST_ROOT * each(largest_t);
     least = strip_lengths__LEAST_ROOT * largest;
     v8 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
-    half_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START)));
+    EACH_LANE each(half_t) = 0.5 * (each((*lanes_at(&work_t, run + layout__STRIP_RUN_STOP))) - each((*lanes_at(&work_t, run + layout__STRIP_RUN_START))));
     half = 0.5 * v8;
-    v10 = relaxed * start;
+    v10 = share * start;
     v11 = low;
-    v11_t = low_t;
+    EACH_LANE each(v11_t) = each(low_t);
     if (least > v11)
     {
         v11 = least;
-        v11_t = least_t;
+        EACH_LANE each(v11_t) = each(least_t);
     }
     v12 = v10 / v11;
-    derivative_strip_lengths__edge_move_t(&v9, &v9_t, half, half_t, v12, (relaxed_t * start + relaxed * start_t - v12 * v11_t) / v11);
-    (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)) = (*cspan_at(&work_t, run + layout__STRIP_RUN_START)) - v9_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = (each(share_t) * start + share * each(start_t) - v12 * each(v11_t)) / v11;
+    derivative_strip_lengths__edge_move_t(&v9, &v9_t, half, half_t, v12, rates_1);
+    EACH_LANE each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START))) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_START))) - each(v9_t);
     (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = (*cspan_at(&work, run + layout__STRIP_RUN_START)) - v9;
-    v14 = relaxed * stop;
+    v14 = share * stop;
     v15 = high;
-    v15_t = high_t;
+    EACH_LANE each(v15_t) = each(high_t);
     if (least > v15)
     {
         v15 = least;
-        v15_t = least_t;
+        EACH_LANE each(v15_t) = each(least_t);
     }
     v16 = v14 / v15;
-    derivative_strip_lengths__edge_move_t(&v13, &v13_t, half, half_t, v16, (relaxed_t * stop + relaxed * stop_t - v16 * v15_t) / v15);
-    (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) + v13_t;
+    lanes rates_2;
+    EACH_LANE each(rates_2) = (each(share_t) * stop + share * each(stop_t) - v16 * each(v15_t)) / v15;
+    derivative_strip_lengths__edge_move_t(&v13, &v13_t, half, half_t, v16, rates_2);
+    EACH_LANE each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP))) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_STOP))) + each(v13_t);
     (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) + v13;
     k17 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START;
     v18 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
-    v18_t = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START));
+    EACH_LANE each(v18_t) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START)));
     if ((*cspan_at(&work, k17)) > v18)
     {
         v18 = (*cspan_at(&work, k17));
-        v18_t = (*cspan_at(&work_t, k17));
+        EACH_LANE each(v18_t) = each((*lanes_at(&work_t, k17)));
     }
-    (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)) = v18_t;
+    EACH_LANE each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START))) = each(v18_t);
     (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = v18;
     k19 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_STOP;
     v20 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
-    v20_t = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP));
+    EACH_LANE each(v20_t) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)));
     if ((*cspan_at(&work, k19)) < v20)
     {
         v20 = (*cspan_at(&work, k19));
-        v20_t = (*cspan_at(&work_t, k19));
+        EACH_LANE each(v20_t) = each((*lanes_at(&work_t, k19)));
     }
-    (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) = v20_t;
+    EACH_LANE each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP))) = each(v20_t);
     (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = v20;
     return INT64_C(0);
 }
 
 /* Derivative of ``edge_move``. */
-static inline int64_t derivative_strip_lengths__edge_move_t(double* v5, double* result_1, double half, double half_t, double away, double away_t)
+static inline int64_t derivative_strip_lengths__edge_move_t(double* v5, lanes* result_1, double half, lanes half_t, double away, lanes away_t)
 {
-    double share_t;
-    double share;
+    lanes far_t;
+    double far;
     double v1;
     double v2;
     double v3;
     double v4;
-    share_t = away_t / strip_lengths__FARTHEST_EDGE;
-    share = away / strip_lengths__FARTHEST_EDGE;
+    EACH_LANE each(far_t) = each(away_t) / strip_lengths__FARTHEST_EDGE;
+    far = away / strip_lengths__FARTHEST_EDGE;
     v1 = strip_lengths__FARTHEST_EDGE * half;
-    v2 = v1 * share;
-    v3 = 1.0 + share * share;
+    v2 = v1 * far;
+    v3 = 1.0 + far * far;
     v4 = sqrt(v3);
     (*v5) = v2 / v4;
-    (*result_1) = (strip_lengths__FARTHEST_EDGE * half_t * share + v1 * share_t - (*v5) * derivative_rates__root_rate(v4, share_t * share + share * share_t)) / v4;
+    EACH_LANE each((*result_1)) = (strip_lengths__FARTHEST_EDGE * each(half_t) * far + v1 * each(far_t) - (*v5) * derivative_rates__root_rate(v4, each(far_t) * far + far * each(far_t))) / v4;
     return 0;
 }
 
 /* Derivative of ``finish_strips``. */
-static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t k)
+static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t k)
 {
     int64_t waves;
     int64_t run;
     int64_t first;
-    double largest_t;
+    lanes largest_t;
     double largest;
     int64_t i_end;
     int64_t i;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
     double v3;
     double v4;
-    double grown_t;
+    lanes grown_t;
     double grown;
     double v5;
-    double middle_t;
+    lanes middle_t;
     double middle;
     double v6;
-    double half_t;
+    lanes half_t;
     double half;
     int64_t strip;
     double v7;
     double v8;
-    double v8_t;
+    lanes v8_t;
     double v9;
     double v10;
     double v11;
@@ -3688,31 +3751,31 @@ static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d 
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    largest_t = 0.0;
+    largest_t = all_lanes(0.0);
     largest = 0.0;
     i_end = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
     for (i = first; i < i_end; i += INT64_C(1))
     {
         v1 = largest;
-        v1_t = largest_t;
+        EACH_LANE each(v1_t) = each(largest_t);
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS)) > v1)
         {
             v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS));
-            v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS));
+            EACH_LANE each(v1_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS)));
         }
-        largest_t = v1_t;
+        EACH_LANE each(largest_t) = each(v1_t);
         largest = v1;
     }
     v2 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
     v3 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
     v4 = v2 / v3;
-    grown_t = ((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START)) - v4 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)))) / v3;
+    EACH_LANE each(grown_t) = (each((*lanes_at(&work_t, run + layout__STRIP_RUN_STOP))) - each((*lanes_at(&work_t, run + layout__STRIP_RUN_START))) - v4 * (each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP))) - each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START))))) / v3;
     grown = v4;
     v5 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
-    middle_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)));
+    EACH_LANE each(middle_t) = 0.5 * (each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START))) + each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP))));
     middle = 0.5 * v5;
     v6 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
-    half_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)));
+    EACH_LANE each(half_t) = 0.5 * (each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP))) - each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START))));
     half = 0.5 * v6;
     i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
@@ -3720,23 +3783,23 @@ static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d 
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
         v7 = strip_lengths__FLAT * largest;
         v8 = (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
-        v8_t = (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS));
+        EACH_LANE each(v8_t) = each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_AXIS)));
         if (v7 > v8)
         {
             v8 = v7;
-            v8_t = strip_lengths__FLAT * largest_t;
+            EACH_LANE each(v8_t) = strip_lengths__FLAT * each(largest_t);
         }
-        (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS)) = v8_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_AXIS))) = each(v8_t);
         (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = v8;
-        (*cspan_at(&work_t, strip + layout__STRIP_NEXT_HALF)) = (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_HALF))) = each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_AXIS))) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
         (*cspan_at(&work, strip + layout__STRIP_NEXT_HALF)) = (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-        (*cspan_at(&work_t, strip + layout__STRIP_NEXT_STATION)) = middle_t - half_t * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_STATION))) = each(middle_t) - each(half_t) * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
         (*cspan_at(&work, strip + layout__STRIP_NEXT_STATION)) = middle - half * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
         v9 = M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
         v10 = v9 * (*cspan_at(&work, strip + layout__STRIP_Y));
         v11 = v10 * (*cspan_at(&work, strip + layout__STRIP_AXIS));
         v12 = v11 / (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
-        (*cspan_at(&work_t, strip + layout__STRIP_PRESSURE)) = (v9 * (*cspan_at(&work_t, strip + layout__STRIP_Y)) * (*cspan_at(&work, strip + layout__STRIP_AXIS)) + v10 * (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) - v12 * (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS))) / (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) * grown + v12 * grown_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_PRESSURE))) = (v9 * each((*lanes_at(&work_t, strip + layout__STRIP_Y))) * (*cspan_at(&work, strip + layout__STRIP_AXIS)) + v10 * each((*lanes_at(&work_t, strip + layout__STRIP_AXIS))) - v12 * each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_AXIS)))) / (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) * grown + v12 * each(grown_t);
         (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = v12 * grown;
     }
     return INT64_C(0);
@@ -3749,7 +3812,7 @@ static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d 
  */
 
 /* Derivative of ``fill_from_strips``. */
-static inline int64_t derivative_strip_patches__fill_from_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, int64_t count)
+static inline int64_t derivative_strip_patches__fill_from_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t count)
 {
     int64_t index;
     int64_t k_end;
@@ -3772,7 +3835,7 @@ static inline int64_t derivative_strip_patches__fill_from_strips_t(array_double_
 }
 
 /* Derivative of ``fill_run``. */
-static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, int64_t k)
+static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t k)
 {
     int64_t waves;
     int64_t run;
@@ -3790,23 +3853,23 @@ static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work,
     double v2;
     double v3;
     double v4;
-    double spread_t;
+    lanes spread_t;
     double spread;
     int64_t strip;
     double v5;
     double v6;
-    double load_t;
+    lanes load_t;
     double load;
     double v7;
     double v8;
     double v9;
-    double v9_t;
+    lanes v9_t;
     double v10;
-    double v10_t;
+    lanes v10_t;
     double v11;
-    double v11_t;
+    lanes v11_t;
     double v12;
-    double v12_t;
+    lanes v12_t;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
@@ -3829,7 +3892,7 @@ static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work,
     }
     if (!meets)
     {
-        n1 = derivative_filling__begin_patch_t(work, work_t, side, region, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)), k * fine, layout__RULE_STRAIGHT);
+        n1 = derivative_filling__begin_patch_t(work, work_t, side, region, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START)), k * fine, layout__RULE_STRAIGHT);
         index = n1;
     }
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
@@ -3837,7 +3900,7 @@ static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work,
     v2 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
     v3 = v2 * M_PI;
     v4 = (double)((int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
-    spread_t = ((*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START))) * M_PI / v4;
+    EACH_LANE each(spread_t) = (each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP))) - each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START)))) * M_PI / v4;
     spread = v3 / v4;
     i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
@@ -3845,92 +3908,94 @@ static inline int64_t derivative_strip_patches__fill_run_t(array_double_1d work,
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
         v5 = scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
         v6 = v5 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        load_t = (scale * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v5 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH))) * (*cspan_at(&work, strip + layout__STRIP_Y)) + v6 * (*cspan_at(&work_t, strip + layout__STRIP_Y));
+        EACH_LANE each(load_t) = (scale * each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v5 * each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH)))) * (*cspan_at(&work, strip + layout__STRIP_Y)) + v6 * each((*lanes_at(&work_t, strip + layout__STRIP_Y)));
         load = v6 * (*cspan_at(&work, strip + layout__STRIP_Y));
-        derivative_filling__add_load_t(work, work_t, patch, (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))), load, load_t, load * (*cspan_at(&work, strip + layout__STRIP_STATION)), load_t * (*cspan_at(&work, strip + layout__STRIP_STATION)) + load * (*cspan_at(&work_t, strip + layout__STRIP_STATION)));
+        lanes rates_1;
+        EACH_LANE each(rates_1) = each(load_t) * (*cspan_at(&work, strip + layout__STRIP_STATION)) + load * each((*lanes_at(&work_t, strip + layout__STRIP_STATION)));
+        derivative_filling__add_load_t(work, work_t, patch, (int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))), load, load_t, load * (*cspan_at(&work, strip + layout__STRIP_STATION)), rates_1);
         v7 = spread * (*cspan_at(&work, strip + layout__STRIP_NEXT_HALF));
         v8 = v7 * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-        (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + ((spread_t * (*cspan_at(&work, strip + layout__STRIP_NEXT_HALF)) + spread * (*cspan_at(&work_t, strip + layout__STRIP_NEXT_HALF))) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH)) + v8 * (*cspan_at(&work_t, strip + layout__STRIP_STRETCH)));
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) + ((each(spread_t) * (*cspan_at(&work, strip + layout__STRIP_NEXT_HALF)) + spread * each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_HALF)))) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH)) + v8 * each((*lanes_at(&work_t, strip + layout__STRIP_STRETCH))));
         (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + v8 * (*cspan_at(&work, strip + layout__STRIP_STRETCH));
     }
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP))) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)));
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
-    (*cspan_at(&work_t, patch + layout__PATCH_LAST)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_LAST)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)((k + INT64_C(1)) * fine - INT64_C(1));
     derivative_strip_patches__fill_fine_strips_t(work, work_t, tables, k);
     derivative_strip_patches__largest_square_t(&v9, &v9_t, work, work_t, k * fine, (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 1);
     v10 = (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE));
-    v10_t = (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE));
+    EACH_LANE each(v10_t) = each((*lanes_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)));
     if (v9 > v10)
     {
         v10 = v9;
-        v10_t = v9_t;
+        EACH_LANE each(v10_t) = each(v9_t);
     }
-    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = v10_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE))) = each(v10_t);
     (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = v10;
     derivative_strip_patches__largest_square_t(&v11, &v11_t, work, work_t, k * fine, (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))), 0);
     v12 = (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE));
-    v12_t = (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE));
+    EACH_LANE each(v12_t) = each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)));
     if (v11 > v12)
     {
         v12 = v11;
-        v12_t = v11_t;
+        EACH_LANE each(v12_t) = each(v11_t);
     }
-    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v12_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE))) = each(v12_t);
     (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = v12;
     derivative_filling__finish_patch_t(work, work_t, side);
     return INT64_C(0);
 }
 
 /* Derivative of ``fill_fine_strips``. */
-static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t k)
+static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t k)
 {
     int64_t waves;
     int64_t run;
     int64_t first;
     int64_t fine;
     double v1;
-    double middle_t;
+    lanes middle_t;
     double middle;
     double v2;
-    double half_t;
+    lanes half_t;
     double half;
-    double least_t;
+    lanes least_t;
     double least;
-    double stretch_t;
+    lanes stretch_t;
     double stretch;
     int64_t i_end;
     int64_t i;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
     double v6;
     double v7;
     double v8;
-    double rigid_t;
+    lanes rigid_t;
     double rigid;
     int64_t g;
-    double axis_t;
+    lanes axis_t;
     double axis;
-    double raised_t;
+    lanes raised_t;
     double raised;
     int64_t strip;
     double weight;
     double sine;
     double v9;
     double v10;
-    double v10_t;
-    double length_t;
+    lanes v10_t;
+    lanes length_t;
     double length;
-    double pressure_t;
+    lanes pressure_t;
     double pressure;
     double v11;
-    double v11_t;
+    lanes v11_t;
     double v12;
     double v13;
-    double v13_t;
+    lanes v13_t;
     int64_t to;
     double v14;
     double v15;
@@ -3941,12 +4006,12 @@ static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_
     double v17;
     double v18;
     double v19;
-    double u_t;
+    lanes u_t;
     double u;
     double v20;
-    double v20_t;
+    lanes v20_t;
     double v21;
-    double v21_t;
+    lanes v21_t;
     double v22;
     double v23;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
@@ -3954,97 +4019,97 @@ static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_
     first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
     fine = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
     v1 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
-    middle_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)));
+    EACH_LANE each(middle_t) = 0.5 * (each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START))) + each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP))));
     middle = 0.5 * v1;
     v2 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
-    half_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)));
+    EACH_LANE each(half_t) = 0.5 * (each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP))) - each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START))));
     half = 0.5 * v2;
-    least_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_NEXT_AXIS));
+    EACH_LANE each(least_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_NEXT_AXIS)));
     least = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first + layout__STRIP_NEXT_AXIS));
-    stretch_t = 0.0;
+    stretch_t = all_lanes(0.0);
     stretch = 0.0;
     i_end = first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
     for (i = first; i < i_end; i += INT64_C(1))
     {
         v3 = least;
-        v3_t = least_t;
+        EACH_LANE each(v3_t) = each(least_t);
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS)) < v3)
         {
             v3 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS));
-            v3_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS));
+            EACH_LANE each(v3_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_NEXT_AXIS)));
         }
-        least_t = v3_t;
+        EACH_LANE each(least_t) = each(v3_t);
         least = v3;
-        stretch_t = stretch_t + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STRETCH));
+        EACH_LANE each(stretch_t) = each(stretch_t) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STRETCH)));
         stretch = stretch + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STRETCH));
         v4 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
-        v4_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE));
+        EACH_LANE each(v4_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)));
         if (0.0 > v4)
         {
             v4 = 0.0;
-            v4_t = 0.0;
+            v4_t = all_lanes(0.0);
         }
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SMOOTH)) = v4_t / (*cspan_at(&tables, waves + layout__WAVES_SIN + (i - first)));
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SMOOTH))) = each(v4_t) / (*cspan_at(&tables, waves + layout__WAVES_SIN + (i - first)));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SMOOTH)) = v4 / (*cspan_at(&tables, waves + layout__WAVES_SIN + (i - first)));
     }
     v5 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * (double)((int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
     v6 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
     v7 = v6 * stretch;
     v8 = v5 / v7;
-    rigid_t = (-v8) * (((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START))) * stretch + v6 * stretch_t) / v7;
+    EACH_LANE each(rigid_t) = (-v8) * ((each((*lanes_at(&work_t, run + layout__STRIP_RUN_STOP))) - each((*lanes_at(&work_t, run + layout__STRIP_RUN_START)))) * stretch + v6 * each(stretch_t)) / v7;
     rigid = v8;
     for (g = INT64_C(0); g < fine; g += INT64_C(1))
     {
-        axis_t = 0.0;
+        axis_t = all_lanes(0.0);
         axis = 0.0;
-        raised_t = 0.0;
+        raised_t = all_lanes(0.0);
         raised = 0.0;
         i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
         for (i = INT64_C(0); i < i_end; i += INT64_C(1))
         {
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
             weight = (*cspan_at(&tables, waves + layout__WAVES_REFINING + INT64_C(16) * g + i));
-            axis_t = axis_t + weight * (*cspan_at(&work_t, strip + layout__STRIP_NEXT_AXIS));
+            EACH_LANE each(axis_t) = each(axis_t) + weight * each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_AXIS)));
             axis = axis + weight * (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
-            raised_t = raised_t + weight * (*cspan_at(&work_t, strip + layout__STRIP_SMOOTH));
+            EACH_LANE each(raised_t) = each(raised_t) + weight * each((*lanes_at(&work_t, strip + layout__STRIP_SMOOTH)));
             raised = raised + weight * (*cspan_at(&work, strip + layout__STRIP_SMOOTH));
         }
         sine = (*cspan_at(&tables, waves + layout__WAVES_FINE_SIN + g));
         v9 = strip_patches__NARROWED * least;
         v10 = axis;
-        v10_t = axis_t;
+        EACH_LANE each(v10_t) = each(axis_t);
         if (v9 > v10)
         {
             v10 = v9;
-            v10_t = strip_patches__NARROWED * least_t;
+            EACH_LANE each(v10_t) = strip_patches__NARROWED * each(least_t);
         }
-        length_t = v10_t * sine;
+        EACH_LANE each(length_t) = each(v10_t) * sine;
         length = v10 * sine;
-        pressure_t = raised_t * sine;
+        EACH_LANE each(pressure_t) = each(raised_t) * sine;
         pressure = raised * sine;
         if ((g >= strip_patches__SMOOTH_ENDS) && (g < fine - strip_patches__SMOOTH_ENDS))
         {
             derivative_strip_patches__roughness_t(&v11, &v11_t, tables, work, work_t, waves, run, g);
             v12 = rigid * v11;
-            pressure_t = pressure_t - (rigid_t * v11 + rigid * v11_t) / sine;
+            EACH_LANE each(pressure_t) = each(pressure_t) - (each(rigid_t) * v11 + rigid * each(v11_t)) / sine;
             pressure = pressure - v12 / sine;
         }
         v13 = pressure;
-        v13_t = pressure_t;
+        EACH_LANE each(v13_t) = each(pressure_t);
         if (0.0 > v13)
         {
             v13 = 0.0;
-            v13_t = 0.0;
+            v13_t = all_lanes(0.0);
         }
-        pressure_t = v13_t;
+        EACH_LANE each(pressure_t) = each(v13_t);
         pressure = v13;
         to = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (k * fine + g);
-        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_STATION)) = middle_t - half_t * (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + g));
+        EACH_LANE each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_STATION))) = each(middle_t) - each(half_t) * (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + g));
         (*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) = middle - half * (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + g));
         v14 = half * sine;
         v15 = v14 * M_PI;
         v16 = (double)(fine);
-        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_WIDTH)) = half_t * sine * M_PI / v16;
+        EACH_LANE each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_WIDTH))) = each(half_t) * sine * M_PI / v16;
         (*cspan_at(&work, to + layout__SOLVED_STRIP_WIDTH)) = v15 / v16;
         near = int64_t_min(2, py_floor_div_int64_t(int64_t_max(2, g - INT64_C(1), INT64_C(0)), layout__FINE_WAVES), (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(2));
         low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + near);
@@ -4052,96 +4117,100 @@ static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_
         v17 = (*cspan_at(&work, to + layout__SOLVED_STRIP_STATION)) - (*cspan_at(&work, low + layout__STRIP_NEXT_STATION));
         v18 = (*cspan_at(&work, high + layout__STRIP_NEXT_STATION)) - (*cspan_at(&work, low + layout__STRIP_NEXT_STATION));
         v19 = v17 / v18;
-        u_t = ((*cspan_at(&work_t, to + layout__SOLVED_STRIP_STATION)) - (*cspan_at(&work_t, low + layout__STRIP_NEXT_STATION)) - v19 * ((*cspan_at(&work_t, high + layout__STRIP_NEXT_STATION)) - (*cspan_at(&work_t, low + layout__STRIP_NEXT_STATION)))) / v18;
+        EACH_LANE each(u_t) = (each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_STATION))) - each((*lanes_at(&work_t, low + layout__STRIP_NEXT_STATION))) - v19 * (each((*lanes_at(&work_t, high + layout__STRIP_NEXT_STATION))) - each((*lanes_at(&work_t, low + layout__STRIP_NEXT_STATION))))) / v18;
         u = v19;
-        derivative_strip_surfaces__between_t(&v20, &v20_t, (*cspan_at(&work, low + layout__STRIP_X)) + (*cspan_at(&work, low + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work_t, low + layout__STRIP_X)) + (*cspan_at(&work_t, low + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work, high + layout__STRIP_X)) + (*cspan_at(&work, high + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work_t, high + layout__STRIP_X)) + (*cspan_at(&work_t, high + layout__STRIP_NEXT_LEAD)), u, u_t);
-        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_X)) = v20_t;
+        lanes rates_1;
+        EACH_LANE each(rates_1) = each((*lanes_at(&work_t, low + layout__STRIP_X))) + each((*lanes_at(&work_t, low + layout__STRIP_NEXT_LEAD)));
+        lanes rates_2;
+        EACH_LANE each(rates_2) = each((*lanes_at(&work_t, high + layout__STRIP_X))) + each((*lanes_at(&work_t, high + layout__STRIP_NEXT_LEAD)));
+        derivative_strip_surfaces__between_t(&v20, &v20_t, (*cspan_at(&work, low + layout__STRIP_X)) + (*cspan_at(&work, low + layout__STRIP_NEXT_LEAD)), rates_1, (*cspan_at(&work, high + layout__STRIP_X)) + (*cspan_at(&work, high + layout__STRIP_NEXT_LEAD)), rates_2, u, u_t);
+        EACH_LANE each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_X))) = each(v20_t);
         (*cspan_at(&work, to + layout__SOLVED_STRIP_X)) = v20;
-        derivative_strip_surfaces__between_t(&v21, &v21_t, (*cspan_at(&work, low + layout__STRIP_A)), (*cspan_at(&work_t, low + layout__STRIP_A)), (*cspan_at(&work, high + layout__STRIP_A)), (*cspan_at(&work_t, high + layout__STRIP_A)), u, u_t);
-        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * v21_t;
+        derivative_strip_surfaces__between_t(&v21, &v21_t, (*cspan_at(&work, low + layout__STRIP_A)), (*lanes_at(&work_t, low + layout__STRIP_A)), (*cspan_at(&work, high + layout__STRIP_A)), (*lanes_at(&work_t, high + layout__STRIP_A)), u, u_t);
+        EACH_LANE each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_CURVATURE))) = 2.0 * each(v21_t);
         (*cspan_at(&work, to + layout__SOLVED_STRIP_CURVATURE)) = 2.0 * v21;
         v22 = 0.5 * M_PI;
         v23 = v22 * length;
-        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_LINE_LOAD)) = v22 * length_t * pressure + v23 * pressure_t;
+        EACH_LANE each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_LINE_LOAD))) = v22 * each(length_t) * pressure + v23 * each(pressure_t);
         (*cspan_at(&work, to + layout__SOLVED_STRIP_LINE_LOAD)) = v23 * pressure;
-        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = length_t * length + length * length_t;
+        EACH_LANE each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE))) = each(length_t) * length + length * each(length_t);
         (*cspan_at(&work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = length * length;
-        (*cspan_at(&work_t, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = pressure_t * pressure + pressure * pressure_t;
+        EACH_LANE each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_PRESSURE_SQUARE))) = each(pressure_t) * pressure + pressure * each(pressure_t);
         (*cspan_at(&work, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = pressure * pressure;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``roughness``. */
-static inline int64_t derivative_strip_patches__roughness_t(double* total, double* total_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t g)
+static inline int64_t derivative_strip_patches__roughness_t(double* total, lanes* total_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t run, int64_t g)
 {
     int64_t m_end;
     int64_t m;
-    (*total_t) = 0.0;
+    (*total_t) = all_lanes(0.0);
     (*total) = 0.0;
     m_end = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
     for (m = INT64_C(0); m < m_end; m += INT64_C(1))
     {
-        (*total_t) = (*total_t) + (*cspan_at(&tables, waves + layout__WAVES_ROUGHNESS + INT64_C(48) * g + m)) * (*cspan_at(&work_t, run + layout__STRIP_RUN_GAPS + m));
+        EACH_LANE each((*total_t)) = each((*total_t)) + (*cspan_at(&tables, waves + layout__WAVES_ROUGHNESS + INT64_C(48) * g + m)) * each((*lanes_at(&work_t, run + layout__STRIP_RUN_GAPS + m)));
         (*total) = (*total) + (*cspan_at(&tables, waves + layout__WAVES_ROUGHNESS + INT64_C(48) * g + m)) * (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + m));
     }
     return 0;
 }
 
 /* Derivative of ``largest_square``. */
-static inline int64_t derivative_strip_patches__largest_square_t(double* largest, double* largest_t, array_double_1d work, array_double_1d work_t, int64_t first, int64_t last, bool pressures)
+static inline int64_t derivative_strip_patches__largest_square_t(double* largest, lanes* largest_t, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last, bool pressures)
 {
     int64_t i;
-    double low_t;
+    lanes low_t;
     double low;
-    double here_t;
+    lanes here_t;
     double here;
-    double high_t;
+    lanes high_t;
     double high;
-    double bend_t;
+    lanes bend_t;
     double bend;
-    double value_t;
+    lanes value_t;
     double value;
     double v1;
     double v2;
     double v3;
     double v4;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
-    double v6_t;
-    double at_t;
+    lanes v6_t;
+    lanes at_t;
     double at;
     double v7;
     double v8;
     double v9;
     double v10;
-    double v10_t;
-    (*largest_t) = 0.0;
+    lanes v10_t;
+    (*largest_t) = all_lanes(0.0);
     (*largest) = 0.0;
     for (i = first + INT64_C(1); i < last; i += INT64_C(1))
     {
         if (pressures)
         {
-            low_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - INT64_C(1)) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+            EACH_LANE each(low_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - INT64_C(1)) + layout__SOLVED_STRIP_PRESSURE_SQUARE)));
             low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - INT64_C(1)) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
-            here_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+            EACH_LANE each(here_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_PRESSURE_SQUARE)));
             here = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_PRESSURE_SQUARE));
-            high_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + INT64_C(1)) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+            EACH_LANE each(high_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + INT64_C(1)) + layout__SOLVED_STRIP_PRESSURE_SQUARE)));
             high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + INT64_C(1)) + layout__SOLVED_STRIP_PRESSURE_SQUARE));
         }
         else
         {
-            low_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - INT64_C(1)) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            EACH_LANE each(low_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - INT64_C(1)) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
             low = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i - INT64_C(1)) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
-            here_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            EACH_LANE each(here_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
             here = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * i + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
-            high_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + INT64_C(1)) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+            EACH_LANE each(high_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + INT64_C(1)) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
             high = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (i + INT64_C(1)) + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
         }
-        bend_t = low_t - 2.0 * here_t + high_t;
+        EACH_LANE each(bend_t) = each(low_t) - 2.0 * each(here_t) + each(high_t);
         bend = low - 2.0 * here + high;
-        value_t = here_t;
+        EACH_LANE each(value_t) = each(here_t);
         value = here;
         if (bend < 0.0)
         {
@@ -4150,76 +4219,76 @@ static inline int64_t derivative_strip_patches__largest_square_t(double* largest
             v3 = v2 / bend;
             v4 = -0.5;
             v5 = v3;
-            v5_t = (0.5 * (low_t - high_t) - v3 * bend_t) / bend;
+            EACH_LANE each(v5_t) = (0.5 * (each(low_t) - each(high_t)) - v3 * each(bend_t)) / bend;
             if (v4 > v5)
             {
                 v5 = v4;
-                v5_t = 0.0;
+                v5_t = all_lanes(0.0);
             }
             v6 = v5;
-            v6_t = v5_t;
+            EACH_LANE each(v6_t) = each(v5_t);
             if (0.5 < v6)
             {
                 v6 = 0.5;
-                v6_t = 0.0;
+                v6_t = all_lanes(0.0);
             }
-            at_t = v6_t;
+            EACH_LANE each(at_t) = each(v6_t);
             at = v6;
             v7 = high - low;
             v8 = 0.5 * at;
             v9 = 0.5 * v7 + v8 * bend;
-            value_t = value_t + (at_t * v9 + at * (0.5 * (high_t - low_t) + (0.5 * at_t * bend + v8 * bend_t)));
+            EACH_LANE each(value_t) = each(value_t) + (each(at_t) * v9 + at * (0.5 * (each(high_t) - each(low_t)) + (0.5 * each(at_t) * bend + v8 * each(bend_t))));
             value = value + at * v9;
         }
         v10 = (*largest);
-        v10_t = (*largest_t);
+        EACH_LANE each(v10_t) = each((*largest_t));
         if (value > v10)
         {
             v10 = value;
-            v10_t = value_t;
+            EACH_LANE each(v10_t) = each(value_t);
         }
-        (*largest_t) = v10_t;
+        EACH_LANE each((*largest_t)) = each(v10_t);
         (*largest) = v10;
     }
     return 0;
 }
 
 /* Derivative of ``load_region``. */
-static inline int64_t derivative_strip_patches__load_region_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t region, int64_t index)
+static inline int64_t derivative_strip_patches__load_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, int64_t index)
 {
-    double load_t;
+    lanes load_t;
     double load;
-    double moment_t;
+    lanes moment_t;
     double moment;
-    double cosines_t;
+    lanes cosines_t;
     double cosines;
-    double sines_t;
+    lanes sines_t;
     double sines;
-    double x_t;
+    lanes x_t;
     double x;
     int64_t i_end;
     int64_t i;
     int64_t strip;
     double v1;
-    double own_t;
+    lanes own_t;
     double own;
     double v2;
     double scale;
     double v3;
     double v4;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
     double v7;
-    load_t = 0.0;
+    load_t = all_lanes(0.0);
     load = 0.0;
-    moment_t = 0.0;
+    moment_t = all_lanes(0.0);
     moment = 0.0;
-    cosines_t = 0.0;
+    cosines_t = all_lanes(0.0);
     cosines = 0.0;
-    sines_t = 0.0;
+    sines_t = all_lanes(0.0);
     sines = 0.0;
-    x_t = 0.0;
+    x_t = all_lanes(0.0);
     x = 0.0;
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
@@ -4228,75 +4297,79 @@ static inline int64_t derivative_strip_patches__load_region_t(array_double_1d wo
         if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
         {
             v1 = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-            own_t = ((*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH))) * (*cspan_at(&work, strip + layout__STRIP_Y)) + v1 * (*cspan_at(&work_t, strip + layout__STRIP_Y));
+            EACH_LANE each(own_t) = (each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH)))) * (*cspan_at(&work, strip + layout__STRIP_Y)) + v1 * each((*lanes_at(&work_t, strip + layout__STRIP_Y)));
             own = v1 * (*cspan_at(&work, strip + layout__STRIP_Y));
-            load_t = load_t + own_t;
+            EACH_LANE each(load_t) = each(load_t) + each(own_t);
             load = load + own;
-            moment_t = moment_t + (own_t * (*cspan_at(&work, strip + layout__STRIP_STATION)) + own * (*cspan_at(&work_t, strip + layout__STRIP_STATION)));
+            EACH_LANE each(moment_t) = each(moment_t) + (each(own_t) * (*cspan_at(&work, strip + layout__STRIP_STATION)) + own * each((*lanes_at(&work_t, strip + layout__STRIP_STATION))));
             moment = moment + own * (*cspan_at(&work, strip + layout__STRIP_STATION));
-            cosines_t = cosines_t + (own_t * (*cspan_at(&work, strip + layout__STRIP_COS)) + own * (*cspan_at(&work_t, strip + layout__STRIP_COS)));
+            EACH_LANE each(cosines_t) = each(cosines_t) + (each(own_t) * (*cspan_at(&work, strip + layout__STRIP_COS)) + own * each((*lanes_at(&work_t, strip + layout__STRIP_COS))));
             cosines = cosines + own * (*cspan_at(&work, strip + layout__STRIP_COS));
-            sines_t = sines_t + (own_t * (*cspan_at(&work, strip + layout__STRIP_SIN)) + own * (*cspan_at(&work_t, strip + layout__STRIP_SIN)));
+            EACH_LANE each(sines_t) = each(sines_t) + (each(own_t) * (*cspan_at(&work, strip + layout__STRIP_SIN)) + own * each((*lanes_at(&work_t, strip + layout__STRIP_SIN))));
             sines = sines + own * (*cspan_at(&work, strip + layout__STRIP_SIN));
             v2 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD));
-            x_t = x_t + (own_t * v2 + own * ((*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD))));
+            EACH_LANE each(x_t) = each(x_t) + (each(own_t) * v2 + own * (each((*lanes_at(&work_t, strip + layout__STRIP_X))) + each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_LEAD)))));
             x = x + own * v2;
         }
     }
     scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
-    (*cspan_at(&work_t, region + layout__REGION_CARRIED)) = scale * load_t;
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_CARRIED))) = scale * each(load_t);
     (*cspan_at(&work, region + layout__REGION_CARRIED)) = scale * load;
-    (*cspan_at(&work_t, region + layout__REGION_MOMENT)) = scale * moment_t;
+    EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_MOMENT))) = scale * each(moment_t);
     (*cspan_at(&work, region + layout__REGION_MOMENT)) = scale * moment;
-    (*cspan_at(&work_t, region + layout__REGION_SLANT)) = 0.0;
+    (*lanes_at(&work_t, region + layout__REGION_SLANT)) = all_lanes(0.0);
     (*cspan_at(&work, region + layout__REGION_SLANT)) = 0.0;
     if (load > 0.0)
     {
         v3 = cosines / load;
-        (*cspan_at(&work_t, region + layout__REGION_COS)) = (cosines_t - v3 * load_t) / load;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_COS))) = (each(cosines_t) - v3 * each(load_t)) / load;
         (*cspan_at(&work, region + layout__REGION_COS)) = v3;
         v4 = sines / load;
-        (*cspan_at(&work_t, region + layout__REGION_SIN)) = (sines_t - v4 * load_t) / load;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SIN))) = (each(sines_t) - v4 * each(load_t)) / load;
         (*cspan_at(&work, region + layout__REGION_SIN)) = v4;
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
         {
-            derivative_rails__upright_share_t(&v5, &v5_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*cspan_at(&work_t, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)), (*cspan_at(&work_t, region + layout__REGION_SIN)));
-            (*cspan_at(&work_t, region + layout__REGION_SHARE)) = v5_t;
+            derivative_rails__upright_share_t(&v5, &v5_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, region + layout__REGION_COS)), (*lanes_at(&work_t, region + layout__REGION_COS)), (*cspan_at(&work, region + layout__REGION_SIN)), (*lanes_at(&work_t, region + layout__REGION_SIN)));
+            EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SHARE))) = each(v5_t);
             (*cspan_at(&work, region + layout__REGION_SHARE)) = v5;
         }
         v6 = moment / load;
         v7 = x / load;
-        derivative_strip_patches__slant_region_t(work, work_t, region, index, v6, (moment_t - v6 * load_t) / load, v7, (x_t - v7 * load_t) / load);
+        lanes rates_1;
+        EACH_LANE each(rates_1) = (each(moment_t) - v6 * each(load_t)) / load;
+        lanes rates_2;
+        EACH_LANE each(rates_2) = (each(x_t) - v7 * each(load_t)) / load;
+        derivative_strip_patches__slant_region_t(work, work_t, region, index, v6, rates_1, v7, rates_2);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``slant_region``. */
-static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d work, array_double_1d work_t, int64_t region, int64_t index, double station, double station_t, double x, double x_t)
+static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t index, double station, lanes station_t, double x, lanes x_t)
 {
-    double along_t;
+    lanes along_t;
     double along;
-    double spread_t;
+    lanes spread_t;
     double spread;
-    double carried_t;
+    lanes carried_t;
     double carried;
     int64_t i_end;
     int64_t i;
     int64_t strip;
     double v1;
-    double own_t;
+    lanes own_t;
     double own;
-    double away_t;
+    lanes away_t;
     double away;
     double v2;
     double v3;
     double v4;
     double v5;
-    along_t = 0.0;
+    along_t = all_lanes(0.0);
     along = 0.0;
-    spread_t = 0.0;
+    spread_t = all_lanes(0.0);
     spread = 0.0;
-    carried_t = 0.0;
+    carried_t = all_lanes(0.0);
     carried = 0.0;
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
@@ -4305,32 +4378,32 @@ static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d w
         if ((int64_t)((*cspan_at(&work, strip + layout__STRIP_REGION))) == index)
         {
             v1 = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-            own_t = ((*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH))) * (*cspan_at(&work, strip + layout__STRIP_Y)) + v1 * (*cspan_at(&work_t, strip + layout__STRIP_Y));
+            EACH_LANE each(own_t) = (each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH)))) * (*cspan_at(&work, strip + layout__STRIP_Y)) + v1 * each((*lanes_at(&work_t, strip + layout__STRIP_Y)));
             own = v1 * (*cspan_at(&work, strip + layout__STRIP_Y));
-            away_t = (*cspan_at(&work_t, strip + layout__STRIP_STATION)) - station_t;
+            EACH_LANE each(away_t) = each((*lanes_at(&work_t, strip + layout__STRIP_STATION))) - each(station_t);
             away = (*cspan_at(&work, strip + layout__STRIP_STATION)) - station;
-            carried_t = carried_t + own_t;
+            EACH_LANE each(carried_t) = each(carried_t) + each(own_t);
             carried = carried + own;
             v2 = own * away;
             v3 = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_NEXT_LEAD)) - x;
-            along_t = along_t + ((own_t * away + own * away_t) * v3 + v2 * ((*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_NEXT_LEAD)) - x_t));
+            EACH_LANE each(along_t) = each(along_t) + ((each(own_t) * away + own * each(away_t)) * v3 + v2 * (each((*lanes_at(&work_t, strip + layout__STRIP_X))) + each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_LEAD))) - each(x_t)));
             along = along + v2 * v3;
             v4 = own * away;
-            spread_t = spread_t + ((own_t * away + own * away_t) * away + v4 * away_t);
+            EACH_LANE each(spread_t) = each(spread_t) + ((each(own_t) * away + own * each(away_t)) * away + v4 * each(away_t));
             spread = spread + v4 * away;
         }
     }
     if (spread > strip_patches__CLOSE * strip_patches__CLOSE * carried)
     {
         v5 = along / spread;
-        (*cspan_at(&work_t, region + layout__REGION_SLANT)) = (along_t - v5 * spread_t) / spread;
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SLANT))) = (each(along_t) - v5 * each(spread_t)) / spread;
         (*cspan_at(&work, region + layout__REGION_SLANT)) = v5;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``add_stiffness``. */
-static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t count)
+static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t count)
 {
     int64_t index;
     double scale;
@@ -4344,7 +4417,7 @@ static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d 
     int64_t k3;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index + layout__REGION_STIFFNESS)) = 0.0;
     }
     scale = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
@@ -4357,7 +4430,7 @@ static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d 
         v1 = scale * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
         v2 = v1 * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
         k3 = row + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-        (*cspan_at(&work_t, region + layout__REGION_STIFFNESS)) = (*cspan_at(&work_t, region + layout__REGION_STIFFNESS)) + ((scale * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v1 * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH))) * (*cspan_at(&work, k3)) + v2 * (*cspan_at(&work_t, k3)));
+        EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_STIFFNESS))) = each((*lanes_at(&work_t, region + layout__REGION_STIFFNESS))) + ((scale * each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + v1 * each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH)))) * (*cspan_at(&work, k3)) + v2 * each((*lanes_at(&work_t, k3))));
         (*cspan_at(&work, region + layout__REGION_STIFFNESS)) = (*cspan_at(&work, region + layout__REGION_STIFFNESS)) + v2 * (*cspan_at(&work, k3));
     }
     return INT64_C(0);
@@ -4370,40 +4443,66 @@ static inline int64_t derivative_strip_patches__add_stiffness_t(array_double_1d 
  */
 
 /* Derivative of ``eliminate``. */
-static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d work, array_double_1d work_t, int64_t size)
+static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d work, array_lanes_1d work_t, int64_t size)
 {
+    int64_t width;
+    int64_t pair;
     int64_t k;
-    int64_t pivot;
+    int64_t first;
+    int64_t second;
     double v1;
-    double inverse_t;
+    lanes inverse_t;
     double inverse;
-    int64_t i;
-    int64_t row;
-    double factor_t;
+    lanes factor_t;
     double factor;
     int64_t j;
-    int64_t back;
-    double one_t;
-    double one;
-    double other_t;
-    double other;
     double v2;
+    lanes next_inverse_t;
+    double next_inverse;
+    int64_t i;
+    int64_t row;
     double v3;
-    for (k = INT64_C(0); k < size - INT64_C(1); k += INT64_C(1))
+    lanes next_factor_t;
+    double next_factor;
+    int64_t back;
+    int64_t pivot;
+    lanes one_t;
+    double one;
+    lanes other_t;
+    double other;
+    double v4;
+    double v5;
+    width = size + INT64_C(2);
+    for (pair = INT64_C(0); pair < py_floor_div_int64_t(size, INT64_C(2)); pair += INT64_C(1))
     {
-        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
-        v1 = 1.0 / (*cspan_at(&work, pivot + k));
-        inverse_t = (-v1) * (*cspan_at(&work_t, pivot + k)) / (*cspan_at(&work, pivot + k));
+        k = INT64_C(2) * pair;
+        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
+        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * (k + INT64_C(1));
+        v1 = 1.0 / (*cspan_at(&work, first + k));
+        EACH_LANE each(inverse_t) = (-v1) * each((*lanes_at(&work_t, first + k))) / (*cspan_at(&work, first + k));
         inverse = v1;
-        for (i = k + INT64_C(1); i < size; i += INT64_C(1))
+        EACH_LANE each(factor_t) = each((*lanes_at(&work_t, second + k))) * inverse + (*cspan_at(&work, second + k)) * each(inverse_t);
+        factor = (*cspan_at(&work, second + k)) * inverse;
+        for (j = k + INT64_C(1); j < width; j += INT64_C(1))
+        {
+            EACH_LANE each((*lanes_at(&work_t, second + j))) = each((*lanes_at(&work_t, second + j))) - (each(factor_t) * (*cspan_at(&work, first + j)) + factor * each((*lanes_at(&work_t, first + j))));
+            (*cspan_at(&work, second + j)) = (*cspan_at(&work, second + j)) - factor * (*cspan_at(&work, first + j));
+        }
+        v2 = 1.0 / (*cspan_at(&work, second + (k + INT64_C(1))));
+        EACH_LANE each(next_inverse_t) = (-v2) * each((*lanes_at(&work_t, second + (k + INT64_C(1))))) / (*cspan_at(&work, second + (k + INT64_C(1))));
+        next_inverse = v2;
+        for (i = k + INT64_C(2); i < size; i += INT64_C(1))
         {
             row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
-            factor_t = (*cspan_at(&work_t, row + k)) * inverse + (*cspan_at(&work, row + k)) * inverse_t;
+            EACH_LANE each(factor_t) = each((*lanes_at(&work_t, row + k))) * inverse + (*cspan_at(&work, row + k)) * each(inverse_t);
             factor = (*cspan_at(&work, row + k)) * inverse;
-            for (j = k + INT64_C(1); j < size + INT64_C(2); j += INT64_C(1))
+            v3 = (*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))));
+            EACH_LANE each(next_factor_t) = (each((*lanes_at(&work_t, row + (k + INT64_C(1))))) - (each(factor_t) * (*cspan_at(&work, first + (k + INT64_C(1)))) + factor * each((*lanes_at(&work_t, first + (k + INT64_C(1))))))) * next_inverse + v3 * each(next_inverse_t);
+            next_factor = v3 * next_inverse;
+            for (j = k + INT64_C(2); j < width; j += INT64_C(1))
             {
-                (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, row + j)) - (factor_t * (*cspan_at(&work, pivot + j)) + factor * (*cspan_at(&work_t, pivot + j)));
-                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, pivot + j));
+                EACH_LANE each((*lanes_at(&work_t, row + j))) = each((*lanes_at(&work_t, row + j))) - (each(factor_t) * (*cspan_at(&work, first + j)) + factor * each((*lanes_at(&work_t, first + j)))) - (each(next_factor_t) * (*cspan_at(&work, second + j)) + next_factor * each((*lanes_at(&work_t, second + j))));
+                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, first + j)) - next_factor * (*cspan_at(&work, second + j));
             }
         }
     }
@@ -4411,30 +4510,30 @@ static inline int64_t derivative_strip_pressures__eliminate_t(array_double_1d wo
     {
         k = size - INT64_C(1) - back;
         pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
-        one_t = (*cspan_at(&work_t, pivot + size));
+        EACH_LANE each(one_t) = each((*lanes_at(&work_t, pivot + size)));
         one = (*cspan_at(&work, pivot + size));
-        other_t = (*cspan_at(&work_t, pivot + (size + INT64_C(1))));
+        EACH_LANE each(other_t) = each((*lanes_at(&work_t, pivot + (size + INT64_C(1)))));
         other = (*cspan_at(&work, pivot + (size + INT64_C(1))));
         for (j = k + INT64_C(1); j < size; j += INT64_C(1))
         {
             row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * j;
-            one_t = one_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, row + size)) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, row + size)));
+            EACH_LANE each(one_t) = each(one_t) - (each((*lanes_at(&work_t, pivot + j))) * (*cspan_at(&work, row + size)) + (*cspan_at(&work, pivot + j)) * each((*lanes_at(&work_t, row + size))));
             one = one - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + size));
-            other_t = other_t - ((*cspan_at(&work_t, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1)))) + (*cspan_at(&work, pivot + j)) * (*cspan_at(&work_t, row + (size + INT64_C(1)))));
+            EACH_LANE each(other_t) = each(other_t) - (each((*lanes_at(&work_t, pivot + j))) * (*cspan_at(&work, row + (size + INT64_C(1)))) + (*cspan_at(&work, pivot + j)) * each((*lanes_at(&work_t, row + (size + INT64_C(1))))));
             other = other - (*cspan_at(&work, pivot + j)) * (*cspan_at(&work, row + (size + INT64_C(1))));
         }
-        v2 = one / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work_t, pivot + size)) = (one_t - v2 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work, pivot + size)) = v2;
-        v3 = other / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work_t, pivot + (size + INT64_C(1)))) = (other_t - v3 * (*cspan_at(&work_t, pivot + k))) / (*cspan_at(&work, pivot + k));
-        (*cspan_at(&work, pivot + (size + INT64_C(1)))) = v3;
+        v4 = one / (*cspan_at(&work, pivot + k));
+        EACH_LANE each((*lanes_at(&work_t, pivot + size))) = (each(one_t) - v4 * each((*lanes_at(&work_t, pivot + k)))) / (*cspan_at(&work, pivot + k));
+        (*cspan_at(&work, pivot + size)) = v4;
+        v5 = other / (*cspan_at(&work, pivot + k));
+        EACH_LANE each((*lanes_at(&work_t, pivot + (size + INT64_C(1))))) = (each(other_t) - v5 * each((*lanes_at(&work_t, pivot + k)))) / (*cspan_at(&work, pivot + k));
+        (*cspan_at(&work, pivot + (size + INT64_C(1)))) = v5;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``nearness``. */
-static inline int64_t derivative_strip_pressures__nearness_t(double* v5, double* v5_t, double distance, double distance_t, double half_length, double half_length_t)
+static inline int64_t derivative_strip_pressures__nearness_t(double* v5, lanes* v5_t, double distance, lanes distance_t, double half_length, lanes half_length_t)
 {
     double v1;
     double v2;
@@ -4445,146 +4544,146 @@ static inline int64_t derivative_strip_pressures__nearness_t(double* v5, double*
     v3 = sqrt(v2);
     v4 = (double)(layout__INFLUENCE_CELLS);
     (*v5) = v3 * v4;
-    (*v5_t) = derivative_rates__root_rate(v3, (distance_t - v2 * (distance_t + half_length_t)) / v1) * v4;
+    EACH_LANE each((*v5_t)) = derivative_rates__root_rate(v3, (each(distance_t) - v2 * (each(distance_t) + each(half_length_t))) / v1) * v4;
     if (strip_pressures__LAST_CELL < (*v5))
     {
         (*v5) = strip_pressures__LAST_CELL;
-        (*v5_t) = 0.0;
+        (*v5_t) = all_lanes(0.0);
     }
     return 0;
 }
 
 /* Derivative of ``influence_at``. */
-static inline int64_t derivative_strip_pressures__influence_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double near, double near_t, double apart, double apart_t, double square, double square_t)
+static inline int64_t derivative_strip_pressures__influence_at_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, double near, lanes near_t, double apart, lanes apart_t, double square, lanes square_t)
 {
     int64_t cell;
-    double x_t;
+    lanes x_t;
     double x;
     double v1;
     double v2;
     double v3;
-    double along_t;
+    lanes along_t;
     double along;
     int64_t column;
     int64_t at;
     int64_t to;
     double v4;
-    double low_t;
+    lanes low_t;
     double low;
     double v5;
-    double high_t;
+    lanes high_t;
     double high;
     double v6;
     double v7;
     cell = (int64_t)(near);
-    x_t = near_t;
+    EACH_LANE each(x_t) = each(near_t);
     x = near - (double)(cell);
     v1 = apart + square;
     v2 = apart / v1;
     v3 = (double)(layout__INFLUENCE_COLUMNS);
-    along_t = (apart_t - v2 * (apart_t + square_t)) / v1 * v3;
+    EACH_LANE each(along_t) = (each(apart_t) - v2 * (each(apart_t) + each(square_t))) / v1 * v3;
     along = v2 * v3;
     column = (int64_t)(along);
     at = layout__INFLUENCE_COLUMN * column + INT64_C(3) * cell;
     to = at + layout__INFLUENCE_COLUMN;
     v4 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
-    low_t = x_t * v4 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+    EACH_LANE each(low_t) = each(x_t) * v4 + x * (each(x_t) * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
     low = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v4;
     v5 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2))));
-    high_t = x_t * v5 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))));
+    EACH_LANE each(high_t) = each(x_t) * v5 + x * (each(x_t) * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (to + INT64_C(2)))));
     high = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + to)) + x * v5;
     v6 = along - (double)(column);
     v7 = high - low;
     (*result_0) = low + v6 * v7;
-    (*result_1) = low_t + (along_t * v7 + v6 * (high_t - low_t));
+    EACH_LANE each((*result_1)) = each(low_t) + (each(along_t) * v7 + v6 * (each(high_t) - each(low_t)));
     return 0;
 }
 
 /* Derivative of ``middle_influence``. */
-static inline int64_t derivative_strip_pressures__middle_influence_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double near, double near_t)
+static inline int64_t derivative_strip_pressures__middle_influence_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, double near, lanes near_t)
 {
     int64_t cell;
-    double x_t;
+    lanes x_t;
     double x;
     int64_t at;
     double v1;
     cell = (int64_t)(near);
-    x_t = near_t;
+    EACH_LANE each(x_t) = each(near_t);
     x = near - (double)(cell);
     at = INT64_C(3) * cell;
     v1 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
     (*result_0) = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v1;
-    (*result_1) = x_t * v1 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+    EACH_LANE each((*result_1)) = each(x_t) * v1 + x * (each(x_t) * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
     return 0;
 }
 
 /* Derivative of ``spacing_at``. */
-static inline int64_t derivative_strip_pressures__spacing_at_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, int64_t first, double slender, double slender_t)
+static inline int64_t derivative_strip_pressures__spacing_at_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t first, double slender, lanes slender_t)
 {
     double v1;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
     double v4;
-    double v4_t;
-    double place_t;
+    lanes v4_t;
+    lanes place_t;
     double place;
     int64_t cell;
-    double x_t;
+    lanes x_t;
     double x;
     int64_t at;
     double v5;
     v1 = slender - strip_pressures__FIRST_SPACING;
     v2 = v1 * strip_pressures__SPACINGS_EACH;
-    v2_t = slender_t * strip_pressures__SPACINGS_EACH;
+    EACH_LANE each(v2_t) = each(slender_t) * strip_pressures__SPACINGS_EACH;
     if (0.0 > v2)
     {
         v2 = 0.0;
-        v2_t = 0.0;
+        v2_t = all_lanes(0.0);
     }
     v3 = (double)(layout__SPACING_CELLS);
     v4 = v2;
-    v4_t = v2_t;
+    EACH_LANE each(v4_t) = each(v2_t);
     if (v3 < v4)
     {
         v4 = v3;
-        v4_t = 0.0;
+        v4_t = all_lanes(0.0);
     }
-    place_t = v4_t;
+    EACH_LANE each(place_t) = each(v4_t);
     place = v4;
     cell = int64_t_min(2, (int64_t)(place), layout__SPACING_CELLS - INT64_C(1));
-    x_t = place_t;
+    EACH_LANE each(x_t) = each(place_t);
     x = place - (double)(cell);
     at = first + INT64_C(3) * cell;
     v5 = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(1)))) + x * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2))));
     (*result_0) = (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + at)) + x * v5;
-    (*result_1) = x_t * v5 + x * (x_t * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
+    EACH_LANE each((*result_1)) = each(x_t) * v5 + x * (each(x_t) * (*cspan_at(&tables, table + layout__INFLUENCE_TABLE_NUMBERS + (at + INT64_C(2)))));
     return 0;
 }
 
 /* Derivative of ``own_influence``. */
-static inline int64_t derivative_strip_pressures__own_influence_t(double* result_0, double* result_1, array_double_1d tables, double slender, double slender_t, int64_t i, double height, double height_t, double constant, double constant_t, int64_t first)
+static inline int64_t derivative_strip_pressures__own_influence_t(double* result_0, lanes* result_1, array_double_1d tables, double slender, lanes slender_t, int64_t i, double height, lanes height_t, double constant, lanes constant_t, int64_t first)
 {
     int64_t waves;
     double v1;
-    double v1_t;
-    double rest_t;
+    lanes v1_t;
+    lanes rest_t;
     double rest;
     double v2;
     double v3;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
     derivative_strip_pressures__spacing_at_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), first, slender, slender_t);
-    rest_t = constant_t + v1_t;
+    EACH_LANE each(rest_t) = each(constant_t) + each(v1_t);
     rest = constant + v1;
     v2 = slender + (*cspan_at(&tables, waves + layout__WAVES_SPREAD + i));
     v3 = 2.0 * v2 + (*cspan_at(&tables, waves + layout__WAVES_SINGULAR + INT64_C(16) * i + i));
     (*result_0) = rest - height * v3;
-    (*result_1) = rest_t - (height_t * v3 + height * (2.0 * slender_t));
+    EACH_LANE each((*result_1)) = each(rest_t) - (each(height_t) * v3 + height * (2.0 * each(slender_t)));
     return 0;
 }
 
 /* Derivative of ``see_pairs``. */
-static inline int64_t derivative_strip_pressures__see_pairs_t(array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_strip_pressures__see_pairs_t(array_double_1d work, array_lanes_1d work_t)
 {
     int64_t i_end;
     int64_t i;
@@ -4594,41 +4693,41 @@ static inline int64_t derivative_strip_pressures__see_pairs_t(array_double_1d wo
     int64_t j;
     int64_t other;
     double v1;
-    double distance_t;
+    lanes distance_t;
     double distance;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
         facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
-        (*cspan_at(&work_t, near + i)) = 0.0;
+        (*lanes_at(&work_t, near + i)) = all_lanes(0.0);
         (*cspan_at(&work, near + i)) = 0.0;
-        (*cspan_at(&work_t, facing + i)) = 0.0;
+        (*lanes_at(&work_t, facing + i)) = all_lanes(0.0);
         (*cspan_at(&work, facing + i)) = 0.0;
         for (j = INT64_C(0); j < i; j += INT64_C(1))
         {
             other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
             v1 = (*cspan_at(&work, strip + layout__STRIP_PLACE)) - (*cspan_at(&work, other + layout__STRIP_PLACE));
-            distance_t = derivative_rates__size_rate(v1, (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) - (*cspan_at(&work_t, other + layout__STRIP_PLACE)));
+            EACH_LANE each(distance_t) = derivative_rates__size_rate(v1, each((*lanes_at(&work_t, strip + layout__STRIP_PLACE))) - each((*lanes_at(&work_t, other + layout__STRIP_PLACE))));
             distance = fabs(v1);
-            cosine_t = (*cspan_at(&work_t, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work_t, other + layout__STRIP_COS)) + ((*cspan_at(&work_t, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work_t, other + layout__STRIP_SIN)));
+            EACH_LANE each(cosine_t) = each((*lanes_at(&work_t, strip + layout__STRIP_COS))) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_COS)) * each((*lanes_at(&work_t, other + layout__STRIP_COS))) + (each((*lanes_at(&work_t, strip + layout__STRIP_SIN))) * (*cspan_at(&work, other + layout__STRIP_SIN)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * each((*lanes_at(&work_t, other + layout__STRIP_SIN))));
             cosine = (*cspan_at(&work, strip + layout__STRIP_COS)) * (*cspan_at(&work, other + layout__STRIP_COS)) + (*cspan_at(&work, strip + layout__STRIP_SIN)) * (*cspan_at(&work, other + layout__STRIP_SIN));
-            derivative_strip_pressures__nearness_t(&v2, &v2_t, distance, distance_t, (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
-            (*cspan_at(&work_t, near + j)) = v2_t;
+            derivative_strip_pressures__nearness_t(&v2, &v2_t, distance, distance_t, (*cspan_at(&work, other + layout__STRIP_HALF_LENGTH)), (*lanes_at(&work_t, other + layout__STRIP_HALF_LENGTH)));
+            EACH_LANE each((*lanes_at(&work_t, near + j))) = each(v2_t);
             (*cspan_at(&work, near + j)) = v2;
-            (*cspan_at(&work_t, facing + j)) = cosine_t * (*cspan_at(&work, other + layout__STRIP_WIDTH)) + cosine * (*cspan_at(&work_t, other + layout__STRIP_WIDTH));
+            EACH_LANE each((*lanes_at(&work_t, facing + j))) = each(cosine_t) * (*cspan_at(&work, other + layout__STRIP_WIDTH)) + cosine * each((*lanes_at(&work_t, other + layout__STRIP_WIDTH)));
             (*cspan_at(&work, facing + j)) = cosine * (*cspan_at(&work, other + layout__STRIP_WIDTH));
-            derivative_strip_pressures__nearness_t(&v3, &v3_t, distance, distance_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * j + i)) = v3_t;
+            derivative_strip_pressures__nearness_t(&v3, &v3_t, distance, distance_t, (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)), (*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * j + i))) = each(v3_t);
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * j + i)) = v3;
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * j + i)) = cosine_t * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + cosine * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH));
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * j + i))) = each(cosine_t) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + cosine * each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH)));
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * j + i)) = cosine * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
         }
     }
@@ -4636,7 +4735,7 @@ static inline int64_t derivative_strip_pressures__see_pairs_t(array_double_1d wo
 }
 
 /* Derivative of ``write_equations``. */
-static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, bool yawed)
+static inline int64_t derivative_strip_pressures__write_equations_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, bool yawed)
 {
     int64_t waves;
     int64_t size;
@@ -4644,15 +4743,15 @@ static inline int64_t derivative_strip_pressures__write_equations_t(array_double
     int64_t row;
     int64_t near;
     int64_t facing;
-    double middle_t;
+    lanes middle_t;
     double middle;
     int64_t j;
-    double away_t;
+    lanes away_t;
     double away;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     int64_t k_end;
     int64_t k;
     int64_t first;
@@ -4662,7 +4761,7 @@ static inline int64_t derivative_strip_pressures__write_equations_t(array_double
     int64_t strip;
     int64_t j_end;
     double v3;
-    double v3_t;
+    lanes v3_t;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
     size = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < size; i += INT64_C(1))
@@ -4672,14 +4771,16 @@ static inline int64_t derivative_strip_pressures__write_equations_t(array_double
         facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
         if (yawed)
         {
-            middle_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE));
+            EACH_LANE each(middle_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE)));
             middle = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE));
             for (j = INT64_C(0); j < size; j += INT64_C(1))
             {
-                away_t = middle_t - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE));
+                EACH_LANE each(away_t) = each(middle_t) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE)));
                 away = middle - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_MIDDLE));
-                derivative_strip_pressures__influence_at_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), away * away, away_t * away + away * away_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE)));
-                (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, facing + j)) * v1 + (*cspan_at(&work, facing + j)) * v1_t;
+                lanes rates_1;
+                EACH_LANE each(rates_1) = each(away_t) * away + away * each(away_t);
+                derivative_strip_pressures__influence_at_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*lanes_at(&work_t, near + j)), away * away, rates_1, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j + layout__STRIP_SQUARE)));
+                EACH_LANE each((*lanes_at(&work_t, row + j))) = each((*lanes_at(&work_t, facing + j))) * v1 + (*cspan_at(&work, facing + j)) * each(v1_t);
                 (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * v1;
             }
         }
@@ -4687,14 +4788,14 @@ static inline int64_t derivative_strip_pressures__write_equations_t(array_double
         {
             for (j = INT64_C(0); j < size; j += INT64_C(1))
             {
-                derivative_strip_pressures__middle_influence_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)));
-                (*cspan_at(&work_t, row + j)) = (*cspan_at(&work_t, facing + j)) * v2 + (*cspan_at(&work, facing + j)) * v2_t;
+                derivative_strip_pressures__middle_influence_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*lanes_at(&work_t, near + j)));
+                EACH_LANE each((*lanes_at(&work_t, row + j))) = each((*lanes_at(&work_t, facing + j))) * v2 + (*cspan_at(&work, facing + j)) * each(v2_t);
                 (*cspan_at(&work, row + j)) = (*cspan_at(&work, facing + j)) * v2;
             }
         }
-        (*cspan_at(&work_t, row + size)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
+        EACH_LANE each((*lanes_at(&work_t, row + size))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE)));
         (*cspan_at(&work, row + size)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SHARE));
-        (*cspan_at(&work_t, row + (size + INT64_C(1)))) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
+        EACH_LANE each((*lanes_at(&work_t, row + (size + INT64_C(1))))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP)));
         (*cspan_at(&work, row + (size + INT64_C(1)))) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_GAP));
     }
     k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
@@ -4711,11 +4812,11 @@ static inline int64_t derivative_strip_pressures__write_equations_t(array_double
             j_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
             for (j = INT64_C(0); j < j_end; j += INT64_C(1))
             {
-                (*cspan_at(&work_t, row + (first + j))) = (*cspan_at(&work_t, row + (first + j))) - (*cspan_at(&tables, singular + j)) * (*cspan_at(&work_t, facing + (first + j)));
+                EACH_LANE each((*lanes_at(&work_t, row + (first + j)))) = each((*lanes_at(&work_t, row + (first + j)))) - (*cspan_at(&tables, singular + j)) * each((*lanes_at(&work_t, facing + (first + j))));
                 (*cspan_at(&work, row + (first + j))) = (*cspan_at(&work, row + (first + j))) - (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j)));
             }
-            derivative_strip_pressures__own_influence_t(&v3, &v3_t, tables, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)), own, 1.0, 0.0, strip_pressures__MIDDLE_CONSTANT, 0.0, layout__INFLUENCE_MAP);
-            (*cspan_at(&work_t, row + (first + own))) = (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) * v3 + (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * v3_t;
+            derivative_strip_pressures__own_influence_t(&v3, &v3_t, tables, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), (*lanes_at(&work_t, strip + layout__STRIP_SLENDER)), own, 1.0, all_lanes(0.0), strip_pressures__MIDDLE_CONSTANT, all_lanes(0.0), layout__INFLUENCE_MAP);
+            EACH_LANE each((*lanes_at(&work_t, row + (first + own)))) = each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH))) * v3 + (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * each(v3_t);
             (*cspan_at(&work, row + (first + own))) = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * v3;
         }
     }
@@ -4723,87 +4824,91 @@ static inline int64_t derivative_strip_pressures__write_equations_t(array_double
 }
 
 /* Derivative of ``local_displacement``. */
-static inline int64_t derivative_strip_pressures__local_displacement_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t first, int64_t own)
+static inline int64_t derivative_strip_pressures__local_displacement_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t first, int64_t own)
 {
     int64_t strip;
     int64_t facing;
     int64_t singular;
-    double left_t;
+    lanes left_t;
     double left;
     int64_t j_end;
     int64_t j;
     double v1;
     double v2;
-    double v2_t;
-    double influence_t;
+    lanes v2_t;
+    lanes influence_t;
     double influence;
     double v3;
     strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + own);
     facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * (first + own);
     singular = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_SINGULAR + INT64_C(16) * own;
-    left_t = 0.0;
+    left_t = all_lanes(0.0);
     left = 0.0;
     j_end = (int64_t)((*cspan_at(&tables, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))) + layout__WAVES_COUNT)));
     for (j = INT64_C(0); j < j_end; j += INT64_C(1))
     {
         v1 = (*cspan_at(&tables, singular + j)) * (*cspan_at(&work, facing + (first + j)));
-        left_t = left_t + ((*cspan_at(&tables, singular + j)) * (*cspan_at(&work_t, facing + (first + j))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y)) + v1 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y)));
+        EACH_LANE each(left_t) = each(left_t) + ((*cspan_at(&tables, singular + j)) * each((*lanes_at(&work_t, facing + (first + j)))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y)) + v1 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y))));
         left = left + v1 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + j) + layout__STRIP_Y));
     }
-    derivative_strip_pressures__own_influence_t(&v2, &v2_t, tables, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)), own, strip_pressures__TESTED_HEIGHT, 0.0, strip_pressures__TESTED_CONSTANT, 0.0, layout__INFLUENCE_MAP + INT64_C(3) * layout__SPACING_CELLS);
-    influence_t = v2_t;
+    derivative_strip_pressures__own_influence_t(&v2, &v2_t, tables, (*cspan_at(&work, strip + layout__STRIP_SLENDER)), (*lanes_at(&work_t, strip + layout__STRIP_SLENDER)), own, strip_pressures__TESTED_HEIGHT, all_lanes(0.0), strip_pressures__TESTED_CONSTANT, all_lanes(0.0), layout__INFLUENCE_MAP + INT64_C(3) * layout__SPACING_CELLS);
+    EACH_LANE each(influence_t) = each(v2_t);
     influence = v2;
     v3 = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_Y));
     (*result_0) = v3 * influence - strip_pressures__TESTED_HEIGHT * left;
-    (*result_1) = ((*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work, strip + layout__STRIP_Y)) + (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * (*cspan_at(&work_t, strip + layout__STRIP_Y))) * influence + v3 * influence_t - strip_pressures__TESTED_HEIGHT * left_t;
+    EACH_LANE each((*result_1)) = (each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH))) * (*cspan_at(&work, strip + layout__STRIP_Y)) + (*cspan_at(&work, strip + layout__STRIP_WIDTH)) * each((*lanes_at(&work_t, strip + layout__STRIP_Y)))) * influence + v3 * each(influence_t) - strip_pressures__TESTED_HEIGHT * each(left_t);
     return 0;
 }
 
 /* Derivative of ``tested_displacements``. */
-static inline int64_t derivative_strip_pressures__tested_displacements_t(double* front, double* front_t, double* back, double* back_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t i, double away, double away_t, bool yawed)
+static inline int64_t derivative_strip_pressures__tested_displacements_t(double* front, lanes* front_t, double* back, lanes* back_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t i, double away, lanes away_t, bool yawed)
 {
     int64_t near;
     int64_t facing;
-    double middle_t;
+    lanes middle_t;
     double middle;
     int64_t j_end;
     int64_t j;
     int64_t other;
-    double pushed_t;
+    lanes pushed_t;
     double pushed;
-    double x_t;
+    lanes x_t;
     double x;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     near = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEAR + INT64_C(96) * i;
     facing = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_FACING + INT64_C(96) * i;
-    (*front_t) = 0.0;
+    (*front_t) = all_lanes(0.0);
     (*front) = 0.0;
-    (*back_t) = 0.0;
+    (*back_t) = all_lanes(0.0);
     (*back) = 0.0;
     if (yawed)
     {
-        middle_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE));
+        EACH_LANE each(middle_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE)));
         middle = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_MIDDLE));
         j_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
         for (j = INT64_C(0); j < j_end; j += INT64_C(1))
         {
             other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            pushed_t = (*cspan_at(&work_t, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y)) + (*cspan_at(&work, facing + j)) * (*cspan_at(&work_t, other + layout__STRIP_Y));
+            EACH_LANE each(pushed_t) = each((*lanes_at(&work_t, facing + j))) * (*cspan_at(&work, other + layout__STRIP_Y)) + (*cspan_at(&work, facing + j)) * each((*lanes_at(&work_t, other + layout__STRIP_Y)));
             pushed = (*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
-            x_t = middle_t - (*cspan_at(&work_t, other + layout__STRIP_MIDDLE)) + away_t;
+            EACH_LANE each(x_t) = each(middle_t) - each((*lanes_at(&work_t, other + layout__STRIP_MIDDLE))) + each(away_t);
             x = middle - (*cspan_at(&work, other + layout__STRIP_MIDDLE)) + away;
-            derivative_strip_pressures__influence_at_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), x * x, x_t * x + x * x_t, (*cspan_at(&work, other + layout__STRIP_SQUARE)), (*cspan_at(&work_t, other + layout__STRIP_SQUARE)));
-            (*front_t) = (*front_t) + (v1_t * pushed + v1 * pushed_t);
+            lanes rates_1;
+            EACH_LANE each(rates_1) = each(x_t) * x + x * each(x_t);
+            derivative_strip_pressures__influence_at_t(&v1, &v1_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*lanes_at(&work_t, near + j)), x * x, rates_1, (*cspan_at(&work, other + layout__STRIP_SQUARE)), (*lanes_at(&work_t, other + layout__STRIP_SQUARE)));
+            EACH_LANE each((*front_t)) = each((*front_t)) + (each(v1_t) * pushed + v1 * each(pushed_t));
             (*front) = (*front) + v1 * pushed;
-            x_t = x_t - 2.0 * away_t;
+            EACH_LANE each(x_t) = each(x_t) - 2.0 * each(away_t);
             x = x - 2.0 * away;
-            derivative_strip_pressures__influence_at_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), x * x, x_t * x + x * x_t, (*cspan_at(&work, other + layout__STRIP_SQUARE)), (*cspan_at(&work_t, other + layout__STRIP_SQUARE)));
-            (*back_t) = (*back_t) + (v2_t * pushed + v2 * pushed_t);
+            lanes rates_2;
+            EACH_LANE each(rates_2) = each(x_t) * x + x * each(x_t);
+            derivative_strip_pressures__influence_at_t(&v2, &v2_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*lanes_at(&work_t, near + j)), x * x, rates_2, (*cspan_at(&work, other + layout__STRIP_SQUARE)), (*lanes_at(&work_t, other + layout__STRIP_SQUARE)));
+            EACH_LANE each((*back_t)) = each((*back_t)) + (each(v2_t) * pushed + v2 * each(pushed_t));
             (*back) = (*back) + v2 * pushed;
         }
     }
@@ -4813,27 +4918,29 @@ static inline int64_t derivative_strip_pressures__tested_displacements_t(double*
         for (j = INT64_C(0); j < j_end; j += INT64_C(1))
         {
             other = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * j;
-            pushed_t = (*cspan_at(&work_t, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y)) + (*cspan_at(&work, facing + j)) * (*cspan_at(&work_t, other + layout__STRIP_Y));
+            EACH_LANE each(pushed_t) = each((*lanes_at(&work_t, facing + j))) * (*cspan_at(&work, other + layout__STRIP_Y)) + (*cspan_at(&work, facing + j)) * each((*lanes_at(&work_t, other + layout__STRIP_Y)));
             pushed = (*cspan_at(&work, facing + j)) * (*cspan_at(&work, other + layout__STRIP_Y));
-            derivative_strip_pressures__influence_at_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*cspan_at(&work_t, near + j)), away * away, away_t * away + away * away_t, (*cspan_at(&work, other + layout__STRIP_SQUARE)), (*cspan_at(&work_t, other + layout__STRIP_SQUARE)));
-            (*front_t) = (*front_t) + (v3_t * pushed + v3 * pushed_t);
+            lanes rates_3;
+            EACH_LANE each(rates_3) = each(away_t) * away + away * each(away_t);
+            derivative_strip_pressures__influence_at_t(&v3, &v3_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_INFLUENCE))), (*cspan_at(&work, near + j)), (*lanes_at(&work_t, near + j)), away * away, rates_3, (*cspan_at(&work, other + layout__STRIP_SQUARE)), (*lanes_at(&work_t, other + layout__STRIP_SQUARE)));
+            EACH_LANE each((*front_t)) = each((*front_t)) + (each(v3_t) * pushed + v3 * each(pushed_t));
             (*front) = (*front) + v3 * pushed;
         }
-        (*back_t) = (*front_t);
+        EACH_LANE each((*back_t)) = each((*front_t));
         (*back) = (*front);
     }
     return 0;
 }
 
 /* Derivative of ``solve_pressures``. */
-static inline int64_t derivative_strip_pressures__solve_pressures_t(double* penetration, double* penetration_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t, bool by_penetration, bool yawed)
+static inline int64_t derivative_strip_pressures__solve_pressures_t(double* penetration, lanes* penetration_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double force, lanes force_t, bool by_penetration, bool yawed)
 {
     int64_t size;
     double v1;
-    double v1_t;
+    lanes v1_t;
     int64_t i;
     int64_t row;
-    (*penetration_t) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    EACH_LANE each((*penetration_t)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)));
     (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     size = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIP_COUNT)) + 1.0;
@@ -4843,39 +4950,39 @@ static inline int64_t derivative_strip_pressures__solve_pressures_t(double* pene
     if (!by_penetration)
     {
         derivative_strip_pressures__equilibrium_penetration_t(&v1, &v1_t, work, work_t, tables, force, force_t);
-        (*penetration_t) = v1_t;
+        EACH_LANE each((*penetration_t)) = each(v1_t);
         (*penetration) = v1;
     }
     for (i = INT64_C(0); i < size; i += INT64_C(1))
     {
         row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = (*penetration_t) * (*cspan_at(&work, row + size)) + (*penetration) * (*cspan_at(&work_t, row + size)) - (*cspan_at(&work_t, row + (size + INT64_C(1))));
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y))) = each((*penetration_t)) * (*cspan_at(&work, row + size)) + (*penetration) * each((*lanes_at(&work_t, row + size))) - each((*lanes_at(&work_t, row + (size + INT64_C(1)))));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) = (*penetration) * (*cspan_at(&work, row + size)) - (*cspan_at(&work, row + (size + INT64_C(1))));
     }
     return 0;
 }
 
 /* Derivative of ``equilibrium_penetration``. */
-static inline int64_t derivative_strip_pressures__equilibrium_penetration_t(double* v6, double* result_1, array_double_1d work, array_double_1d work_t, array_double_1d tables, double force, double force_t)
+static inline int64_t derivative_strip_pressures__equilibrium_penetration_t(double* v6, lanes* result_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double force, lanes force_t)
 {
-    double unit_load_t;
+    lanes unit_load_t;
     double unit_load;
-    double rest_load_t;
+    lanes rest_load_t;
     double rest_load;
     int64_t i_end;
     int64_t i;
     int64_t row;
     int64_t strip;
     double v1;
-    double half_t;
+    lanes half_t;
     double half;
     int64_t k2;
     int64_t k3;
     double v4;
     double v5;
-    unit_load_t = 0.0;
+    unit_load_t = all_lanes(0.0);
     unit_load = 0.0;
-    rest_load_t = 0.0;
+    rest_load_t = all_lanes(0.0);
     rest_load = 0.0;
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
@@ -4883,19 +4990,19 @@ static inline int64_t derivative_strip_pressures__equilibrium_penetration_t(doub
         row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         v1 = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH));
-        half_t = ((*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, strip + layout__STRIP_WIDTH))) * (*cspan_at(&work, strip + layout__STRIP_COUNTED)) + v1 * (*cspan_at(&work_t, strip + layout__STRIP_COUNTED));
+        EACH_LANE each(half_t) = (each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH)))) * (*cspan_at(&work, strip + layout__STRIP_COUNTED)) + v1 * each((*lanes_at(&work_t, strip + layout__STRIP_COUNTED)));
         half = v1 * (*cspan_at(&work, strip + layout__STRIP_COUNTED));
         k2 = row + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
-        unit_load_t = unit_load_t + (half_t * (*cspan_at(&work, k2)) + half * (*cspan_at(&work_t, k2)));
+        EACH_LANE each(unit_load_t) = each(unit_load_t) + (each(half_t) * (*cspan_at(&work, k2)) + half * each((*lanes_at(&work_t, k2))));
         unit_load = unit_load + half * (*cspan_at(&work, k2));
         k3 = row + ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) + INT64_C(1));
-        rest_load_t = rest_load_t + (half_t * (*cspan_at(&work, k3)) + half * (*cspan_at(&work_t, k3)));
+        EACH_LANE each(rest_load_t) = each(rest_load_t) + (each(half_t) * (*cspan_at(&work, k3)) + half * each((*lanes_at(&work_t, k3))));
         rest_load = rest_load + half * (*cspan_at(&work, k3));
     }
     v4 = 0.5 * M_PI * M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
     v5 = force / v4 + rest_load;
     (*v6) = v5 / unit_load;
-    (*result_1) = (force_t / v4 + rest_load_t - (*v6) * unit_load_t) / unit_load;
+    EACH_LANE each((*result_1)) = (each(force_t) / v4 + each(rest_load_t) - (*v6) * each(unit_load_t)) / unit_load;
     return 0;
 }
 
@@ -4906,7 +5013,7 @@ static inline int64_t derivative_strip_pressures__equilibrium_penetration_t(doub
  */
 
 /* Derivative of ``begin_runs``. */
-static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves)
+static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves)
 {
     int64_t low;
     int64_t high;
@@ -4920,16 +5027,16 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
     int64_t i;
     int64_t strip;
     double v1;
-    double v1_t;
-    double station_t;
+    lanes v1_t;
+    lanes station_t;
     double station;
     double v2;
-    double v2_t;
+    lanes v2_t;
     int64_t zone;
     double v4;
     double v3;
-    double v3_t;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
+    lanes v3_t;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
     low = INT64_C(0);
     while(low < (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))))
@@ -4944,7 +5051,7 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
         low = high + INT64_C(1);
     }
     derivative_strip_runs__adopt_runs_t(work, work_t);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT))) * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
     k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
     for (k = INT64_C(0); k < k_end; k += INT64_C(1))
@@ -4956,17 +5063,21 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
         for (i = INT64_C(0); i < i_end; i += INT64_C(1))
         {
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i);
-            derivative_strip_runs__run_station_t(&v1, &v1_t, work, work_t, run, (*cspan_at(&tables, waves + layout__WAVES_COS + i)), 0.0);
-            station_t = v1_t;
+            derivative_strip_runs__run_station_t(&v1, &v1_t, work, work_t, run, (*cspan_at(&tables, waves + layout__WAVES_COS + i)), all_lanes(0.0));
+            EACH_LANE each(station_t) = each(v1_t);
             station = v1;
             j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), station);
             derivative_strip_runs__level_length_t(&v2, &v2_t, work, work_t, j, station, station_t);
-            (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) = v2_t / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_AXIS))) = each(v2_t) / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
             (*cspan_at(&work, strip + layout__STRIP_AXIS)) = v2 / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
             zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_REGION)));
             v4 = station - (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE));
-            derivative_pressed__limited_t(&v3, &v3_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) * v4, (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEAN)) * v4 + (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) * (station_t - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE))), strip_runs__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_AXIS)), strip_runs__FIRST_LEAD * (*cspan_at(&work_t, strip + layout__STRIP_AXIS)));
-            (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = v3_t;
+            lanes rates_1;
+            EACH_LANE each(rates_1) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_LEAN))) * v4 + (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) * (each(station_t) - each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE))));
+            lanes rates_2;
+            EACH_LANE each(rates_2) = strip_runs__FIRST_LEAD * each((*lanes_at(&work_t, strip + layout__STRIP_AXIS)));
+            derivative_pressed__limited_t(&v3, &v3_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) * v4, rates_1, strip_runs__FIRST_LEAD * (*cspan_at(&work, strip + layout__STRIP_AXIS)), rates_2);
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_LEAD))) = each(v3_t);
             (*cspan_at(&work, strip + layout__STRIP_LEAD)) = v3;
         }
         derivative_strip_runs__raise_axes_t(work, work_t, first, (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
@@ -4975,31 +5086,31 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
 }
 
 /* Derivative of ``deepen_levels``. */
-static inline int64_t derivative_strip_runs__deepen_levels_t(double* rise, double* rise_t, array_double_1d work, array_double_1d work_t, double force, double force_t)
+static inline int64_t derivative_strip_runs__deepen_levels_t(double* rise, lanes* rise_t, array_double_1d work, array_lanes_1d work_t, double force, lanes force_t)
 {
     int64_t repeat;
-    double load_t;
+    lanes load_t;
     double load;
-    double stiffness_t;
+    lanes stiffness_t;
     double stiffness;
     int64_t i_end;
     int64_t i;
     int64_t at;
     int64_t zone;
     double v1;
-    double line_t;
+    lanes line_t;
     double line;
-    double level_t;
+    lanes level_t;
     double level;
     double v2;
     double v3;
-    (*rise_t) = 0.0;
+    (*rise_t) = all_lanes(0.0);
     (*rise) = 0.0;
     for (repeat = INT64_C(0); repeat < strip_runs__LEVEL_ITERATIONS; repeat += INT64_C(1))
     {
-        load_t = 0.0;
+        load_t = all_lanes(0.0);
         load = 0.0;
-        stiffness_t = 0.0;
+        stiffness_t = all_lanes(0.0);
         stiffness = 0.0;
         i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
         for (i = INT64_C(0); i < i_end; i += INT64_C(1))
@@ -5007,15 +5118,15 @@ static inline int64_t derivative_strip_runs__deepen_levels_t(double* rise, doubl
             at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
             zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION)));
             v1 = (*cspan_at(&work, zone + layout__STRIP_ZONE_LINE)) * (*cspan_at(&work, at + layout__TRACED_STATION_COUNTED));
-            line_t = ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_LINE)) * (*cspan_at(&work, at + layout__TRACED_STATION_COUNTED)) + (*cspan_at(&work, zone + layout__STRIP_ZONE_LINE)) * (*cspan_at(&work_t, at + layout__TRACED_STATION_COUNTED))) * (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING)) + v1 * (*cspan_at(&work_t, zone + layout__STRIP_ZONE_SPACING));
+            EACH_LANE each(line_t) = (each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_LINE))) * (*cspan_at(&work, at + layout__TRACED_STATION_COUNTED)) + (*cspan_at(&work, zone + layout__STRIP_ZONE_LINE)) * each((*lanes_at(&work_t, at + layout__TRACED_STATION_COUNTED)))) * (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING)) + v1 * each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_SPACING)));
             line = v1 * (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING));
-            level_t = (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL)) + (*rise_t);
+            EACH_LANE each(level_t) = each((*lanes_at(&work_t, at + layout__TRACED_STATION_LEVEL))) + each((*rise_t));
             level = (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) + (*rise);
             if (level > 0.0)
             {
-                load_t = load_t + (line_t * level + line * level_t);
+                EACH_LANE each(load_t) = each(load_t) + (each(line_t) * level + line * each(level_t));
                 load = load + line * level;
-                stiffness_t = stiffness_t + line_t;
+                EACH_LANE each(stiffness_t) = each(stiffness_t) + each(line_t);
                 stiffness = stiffness + line;
             }
         }
@@ -5023,7 +5134,7 @@ static inline int64_t derivative_strip_runs__deepen_levels_t(double* rise, doubl
         {
             v2 = force - load;
             v3 = v2 / stiffness;
-            (*rise_t) = (*rise_t) + (force_t - load_t - v3 * stiffness_t) / stiffness;
+            EACH_LANE each((*rise_t)) = each((*rise_t)) + (each(force_t) - each(load_t) - v3 * each(stiffness_t)) / stiffness;
             (*rise) = (*rise) + v3;
         }
     }
@@ -5031,28 +5142,28 @@ static inline int64_t derivative_strip_runs__deepen_levels_t(double* rise, doubl
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-        (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL)) + (*rise_t);
+        EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_LEVEL))) = each((*lanes_at(&work_t, at + layout__TRACED_STATION_LEVEL))) + each((*rise_t));
         (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) + (*rise);
     }
     return 0;
 }
 
 /* Derivative of ``begin_curve``. */
-static inline int64_t derivative_strip_runs__begin_curve_t(array_double_1d work, array_double_1d work_t, int64_t low, int64_t high)
+static inline int64_t derivative_strip_runs__begin_curve_t(array_double_1d work, array_lanes_1d work_t, int64_t low, int64_t high)
 {
     int64_t i;
     int64_t last;
-    double highest_t;
+    lanes highest_t;
     double highest;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
-    double start_t;
+    lanes v2_t;
+    lanes start_t;
     double start;
     double v3;
-    double v3_t;
-    double stop_t;
+    lanes v3_t;
+    lanes stop_t;
     double stop;
     int64_t zone;
     i = low;
@@ -5061,27 +5172,27 @@ static inline int64_t derivative_strip_runs__begin_curve_t(array_double_1d work,
         last = i;
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_LEVEL)) > 0.0)
         {
-            highest_t = 0.0;
+            highest_t = all_lanes(0.0);
             highest = 0.0;
             while((last <= high) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL)) > 0.0))
             {
                 v1 = highest;
-                v1_t = highest_t;
+                EACH_LANE each(v1_t) = each(highest_t);
                 if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL)) > v1)
                 {
                     v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL));
-                    v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL));
+                    EACH_LANE each(v1_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * last + layout__TRACED_STATION_LEVEL)));
                 }
-                highest_t = v1_t;
+                EACH_LANE each(highest_t) = each(v1_t);
                 highest = v1;
                 last = last + INT64_C(1);
             }
             last = last - INT64_C(1);
             derivative_strip_runs__level_end_t(&v2, &v2_t, work, work_t, i, i - INT64_C(1), low, high);
-            start_t = v2_t;
+            EACH_LANE each(start_t) = each(v2_t);
             start = v2;
             derivative_strip_runs__level_end_t(&v3, &v3_t, work, work_t, last, last + INT64_C(1), low, high);
-            stop_t = v3_t;
+            EACH_LANE each(stop_t) = each(v3_t);
             stop = v3;
             zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i + layout__TRACED_STATION_REGION)));
             if (highest > strip_runs__RAISED * (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)))
@@ -5095,7 +5206,7 @@ static inline int64_t derivative_strip_runs__begin_curve_t(array_double_1d work,
 }
 
 /* Derivative of ``level_end``. */
-static inline int64_t derivative_strip_runs__level_end_t(double* station, double* station_t, array_double_1d work, array_double_1d work_t, int64_t inside, int64_t outside, int64_t low, int64_t high)
+static inline int64_t derivative_strip_runs__level_end_t(double* station, lanes* station_t, array_double_1d work, array_lanes_1d work_t, int64_t inside, int64_t outside, int64_t low, int64_t high)
 {
     int64_t at;
     int64_t beyond;
@@ -5106,7 +5217,7 @@ static inline int64_t derivative_strip_runs__level_end_t(double* station, double
     int64_t k5;
     int64_t k6;
     at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * inside;
-    (*station_t) = (*cspan_at(&work_t, at + layout__TRACED_STATION_STATION));
+    EACH_LANE each((*station_t)) = each((*lanes_at(&work_t, at + layout__TRACED_STATION_STATION)));
     (*station) = (*cspan_at(&work, at + layout__TRACED_STATION_STATION));
     if ((outside >= low) && (outside <= high))
     {
@@ -5115,92 +5226,92 @@ static inline int64_t derivative_strip_runs__level_end_t(double* station, double
         v2 = v1 * (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL));
         v3 = (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) - (*cspan_at(&work, beyond + layout__TRACED_STATION_LEVEL));
         v4 = v2 / v3;
-        (*station_t) = (*station_t) + (((*cspan_at(&work_t, beyond + layout__TRACED_STATION_STATION)) - (*cspan_at(&work_t, at + layout__TRACED_STATION_STATION))) * (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) + v1 * (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL)) - v4 * ((*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL)) - (*cspan_at(&work_t, beyond + layout__TRACED_STATION_LEVEL)))) / v3;
+        EACH_LANE each((*station_t)) = each((*station_t)) + ((each((*lanes_at(&work_t, beyond + layout__TRACED_STATION_STATION))) - each((*lanes_at(&work_t, at + layout__TRACED_STATION_STATION)))) * (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) + v1 * each((*lanes_at(&work_t, at + layout__TRACED_STATION_LEVEL))) - v4 * (each((*lanes_at(&work_t, at + layout__TRACED_STATION_LEVEL))) - each((*lanes_at(&work_t, beyond + layout__TRACED_STATION_LEVEL))))) / v3;
         (*station) = (*station) + v4;
     }
     else if (outside < low)
     {
         k5 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START;
-        (*station_t) = (*cspan_at(&work_t, k5));
+        EACH_LANE each((*station_t)) = each((*lanes_at(&work_t, k5)));
         (*station) = (*cspan_at(&work, k5));
     }
     else
     {
         k6 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_STOP;
-        (*station_t) = (*cspan_at(&work_t, k6));
+        EACH_LANE each((*station_t)) = each((*lanes_at(&work_t, k6)));
         (*station) = (*cspan_at(&work, k6));
     }
     return 0;
 }
 
 /* Derivative of ``level_length``. */
-static inline int64_t derivative_strip_runs__level_length_t(double* v8, double* result_1, array_double_1d work, array_double_1d work_t, int64_t j, double station, double station_t)
+static inline int64_t derivative_strip_runs__level_length_t(double* v8, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t j, double station, lanes station_t)
 {
     int64_t low;
     int64_t high;
     double v1;
-    double v1_t;
-    double u_t;
+    lanes v1_t;
+    lanes u_t;
     double u;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
-    double level_t;
+    lanes v3_t;
+    lanes level_t;
     double level;
     int64_t k4;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
     double v7;
     low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j;
     high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1));
     derivative_strip_surfaces__way_through_t(&v1, &v1_t, work, work_t, j, station, station_t);
-    u_t = v1_t;
+    EACH_LANE each(u_t) = each(v1_t);
     u = v1;
-    derivative_strip_surfaces__between_t(&v2, &v2_t, (*cspan_at(&work, low + layout__TRACED_STATION_LEVEL)), (*cspan_at(&work_t, low + layout__TRACED_STATION_LEVEL)), (*cspan_at(&work, high + layout__TRACED_STATION_LEVEL)), (*cspan_at(&work_t, high + layout__TRACED_STATION_LEVEL)), u, u_t);
+    derivative_strip_surfaces__between_t(&v2, &v2_t, (*cspan_at(&work, low + layout__TRACED_STATION_LEVEL)), (*lanes_at(&work_t, low + layout__TRACED_STATION_LEVEL)), (*cspan_at(&work, high + layout__TRACED_STATION_LEVEL)), (*lanes_at(&work_t, high + layout__TRACED_STATION_LEVEL)), u, u_t);
     v3 = v2;
-    v3_t = v2_t;
+    EACH_LANE each(v3_t) = each(v2_t);
     if (0.0 > v3)
     {
         v3 = 0.0;
-        v3_t = 0.0;
+        v3_t = all_lanes(0.0);
     }
-    level_t = v3_t;
+    EACH_LANE each(level_t) = each(v3_t);
     level = v3;
     k4 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, low + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_ONE_ALPHA;
-    derivative_strip_surfaces__between_t(&v5, &v5_t, (*cspan_at(&work, low + layout__TRACED_STATION_A)), (*cspan_at(&work_t, low + layout__TRACED_STATION_A)), (*cspan_at(&work, high + layout__TRACED_STATION_A)), (*cspan_at(&work_t, high + layout__TRACED_STATION_A)), u, u_t);
+    derivative_strip_surfaces__between_t(&v5, &v5_t, (*cspan_at(&work, low + layout__TRACED_STATION_A)), (*lanes_at(&work_t, low + layout__TRACED_STATION_A)), (*cspan_at(&work, high + layout__TRACED_STATION_A)), (*lanes_at(&work_t, high + layout__TRACED_STATION_A)), u, u_t);
     v6 = (*cspan_at(&work, k4)) * v5;
     v7 = level / v6;
     (*v8) = sqrt(v7);
-    (*result_1) = derivative_rates__root_rate((*v8), (level_t - v7 * ((*cspan_at(&work_t, k4)) * v5 + (*cspan_at(&work, k4)) * v5_t)) / v6);
+    EACH_LANE each((*result_1)) = derivative_rates__root_rate((*v8), (each(level_t) - v7 * (each((*lanes_at(&work_t, k4))) * v5 + (*cspan_at(&work, k4)) * each(v5_t))) / v6);
     return 0;
 }
 
 /* Derivative of ``raise_axes``. */
-static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, array_double_1d work_t, int64_t first, int64_t count)
+static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t count)
 {
-    double largest_t;
+    lanes largest_t;
     double largest;
     int64_t i;
     double v1;
-    double v1_t;
+    lanes v1_t;
     int64_t strip;
     double v2;
     double v3;
-    double v3_t;
-    largest_t = 0.0;
+    lanes v3_t;
+    largest_t = all_lanes(0.0);
     largest = 0.0;
     for (i = first; i < first + count; i += INT64_C(1))
     {
         v1 = largest;
-        v1_t = largest_t;
+        EACH_LANE each(v1_t) = each(largest_t);
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_AXIS)) > v1)
         {
             v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_AXIS));
-            v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_AXIS));
+            EACH_LANE each(v1_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_AXIS)));
         }
-        largest_t = v1_t;
+        EACH_LANE each(largest_t) = each(v1_t);
         largest = v1;
     }
     for (i = first; i < first + count; i += INT64_C(1))
@@ -5208,28 +5319,28 @@ static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, 
         strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
         v2 = strip_runs__FLAT_START * largest;
         v3 = (*cspan_at(&work, strip + layout__STRIP_AXIS));
-        v3_t = (*cspan_at(&work_t, strip + layout__STRIP_AXIS));
+        EACH_LANE each(v3_t) = each((*lanes_at(&work_t, strip + layout__STRIP_AXIS)));
         if (v2 > v3)
         {
             v3 = v2;
-            v3_t = strip_runs__FLAT_START * largest_t;
+            EACH_LANE each(v3_t) = strip_runs__FLAT_START * each(largest_t);
         }
-        (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) = v3_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_AXIS))) = each(v3_t);
         (*cspan_at(&work, strip + layout__STRIP_AXIS)) = v3;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``add_run``. */
-static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, array_double_1d work_t, int64_t low, int64_t high, double start, double start_t, double stop, double stop_t)
+static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, array_lanes_1d work_t, int64_t low, int64_t high, double start, lanes start_t, double stop, lanes stop_t)
 {
     int64_t at;
     bool joins;
     int64_t before;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     int64_t zone;
     bool wide;
     int64_t run;
@@ -5242,24 +5353,24 @@ static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, arr
         {
             joins = 1;
             v1 = (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_START));
-            v1_t = (*cspan_at(&work_t, before + layout__STRIP_RUN_NEXT_START));
+            EACH_LANE each(v1_t) = each((*lanes_at(&work_t, before + layout__STRIP_RUN_NEXT_START)));
             if (start < v1)
             {
                 v1 = start;
-                v1_t = start_t;
+                EACH_LANE each(v1_t) = each(start_t);
             }
-            (*cspan_at(&work_t, before + layout__STRIP_RUN_NEXT_START)) = v1_t;
+            EACH_LANE each((*lanes_at(&work_t, before + layout__STRIP_RUN_NEXT_START))) = each(v1_t);
             (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_START)) = v1;
             v2 = (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_STOP));
-            v2_t = (*cspan_at(&work_t, before + layout__STRIP_RUN_NEXT_STOP));
+            EACH_LANE each(v2_t) = each((*lanes_at(&work_t, before + layout__STRIP_RUN_NEXT_STOP)));
             if (stop > v2)
             {
                 v2 = stop;
-                v2_t = stop_t;
+                EACH_LANE each(v2_t) = each(stop_t);
             }
-            (*cspan_at(&work_t, before + layout__STRIP_RUN_NEXT_STOP)) = v2_t;
+            EACH_LANE each((*lanes_at(&work_t, before + layout__STRIP_RUN_NEXT_STOP))) = each(v2_t);
             (*cspan_at(&work, before + layout__STRIP_RUN_NEXT_STOP)) = v2;
-            (*cspan_at(&work_t, before + layout__STRIP_RUN_ORIGIN)) = 0.0;
+            (*lanes_at(&work_t, before + layout__STRIP_RUN_ORIGIN)) = all_lanes(0.0);
             (*cspan_at(&work, before + layout__STRIP_RUN_ORIGIN)) = (double)(-INT64_C(1));
         }
     }
@@ -5268,24 +5379,24 @@ static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, arr
     if ((!joins) && wide && (at < layout__STRIP_RUN_LIMIT))
     {
         run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * at;
-        (*cspan_at(&work_t, run + layout__STRIP_RUN_LOW)) = 0.0;
+        (*lanes_at(&work_t, run + layout__STRIP_RUN_LOW)) = all_lanes(0.0);
         (*cspan_at(&work, run + layout__STRIP_RUN_LOW)) = (double)(low);
-        (*cspan_at(&work_t, run + layout__STRIP_RUN_HIGH)) = 0.0;
+        (*lanes_at(&work_t, run + layout__STRIP_RUN_HIGH)) = all_lanes(0.0);
         (*cspan_at(&work, run + layout__STRIP_RUN_HIGH)) = (double)(high);
-        (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)) = start_t;
+        EACH_LANE each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START))) = each(start_t);
         (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = start;
-        (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)) = stop_t;
+        EACH_LANE each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP))) = each(stop_t);
         (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = stop;
-        (*cspan_at(&work_t, run + layout__STRIP_RUN_ORIGIN)) = 0.0;
+        (*lanes_at(&work_t, run + layout__STRIP_RUN_ORIGIN)) = all_lanes(0.0);
         (*cspan_at(&work, run + layout__STRIP_RUN_ORIGIN)) = (double)(-INT64_C(1));
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = (double)(at + INT64_C(1));
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``adopt_runs``. */
-static inline int64_t derivative_strip_runs__adopt_runs_t(array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_strip_runs__adopt_runs_t(array_double_1d work, array_lanes_1d work_t)
 {
     int64_t k_end;
     int64_t k;
@@ -5296,22 +5407,22 @@ static inline int64_t derivative_strip_runs__adopt_runs_t(array_double_1d work, 
     {
         for (i_1 = INT64_C(0); i_1 < layout__STRIP_RUN_SIZE; i_1 += INT64_C(1))
         {
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k + i_1)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1));
+            EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k + i_1))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1)));
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k + i_1)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1));
         }
         run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-        (*cspan_at(&work_t, run + layout__STRIP_RUN_START)) = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START));
+        EACH_LANE each((*lanes_at(&work_t, run + layout__STRIP_RUN_START))) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START)));
         (*cspan_at(&work, run + layout__STRIP_RUN_START)) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
-        (*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP));
+        EACH_LANE each((*lanes_at(&work_t, run + layout__STRIP_RUN_STOP))) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)));
         (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
     }
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))));
     return INT64_C(0);
 }
 
 /* Derivative of ``run_station``. */
-static inline int64_t derivative_strip_runs__run_station_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t run, double cosine, double cosine_t)
+static inline int64_t derivative_strip_runs__run_station_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t run, double cosine, lanes cosine_t)
 {
     double v1;
     double v2;
@@ -5320,24 +5431,24 @@ static inline int64_t derivative_strip_runs__run_station_t(double* result_0, dou
     v2 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
     v3 = 0.5 * v2;
     (*result_0) = 0.5 * v1 - v3 * cosine;
-    (*result_1) = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_START)) + (*cspan_at(&work_t, run + layout__STRIP_RUN_STOP))) - (0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START))) * cosine + v3 * cosine_t);
+    EACH_LANE each((*result_1)) = 0.5 * (each((*lanes_at(&work_t, run + layout__STRIP_RUN_START))) + each((*lanes_at(&work_t, run + layout__STRIP_RUN_STOP)))) - (0.5 * (each((*lanes_at(&work_t, run + layout__STRIP_RUN_STOP))) - each((*lanes_at(&work_t, run + layout__STRIP_RUN_START)))) * cosine + v3 * each(cosine_t));
     return 0;
 }
 
 /* Derivative of ``gap_beside``. */
-static inline int64_t derivative_strip_runs__gap_beside_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t strip, double x, double x_t)
+static inline int64_t derivative_strip_runs__gap_beside_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t strip, double x, lanes x_t)
 {
     double v1;
     double v2;
     v1 = x * x;
     v2 = (*cspan_at(&work, strip + layout__STRIP_A)) + (*cspan_at(&work, strip + layout__STRIP_SKEW)) * x;
     (*result_0) = v1 * v2;
-    (*result_1) = (x_t * x + x * x_t) * v2 + v1 * ((*cspan_at(&work_t, strip + layout__STRIP_A)) + ((*cspan_at(&work_t, strip + layout__STRIP_SKEW)) * x + (*cspan_at(&work, strip + layout__STRIP_SKEW)) * x_t));
+    EACH_LANE each((*result_1)) = (each(x_t) * x + x * each(x_t)) * v2 + v1 * (each((*lanes_at(&work_t, strip + layout__STRIP_A))) + (each((*lanes_at(&work_t, strip + layout__STRIP_SKEW))) * x + (*cspan_at(&work, strip + layout__STRIP_SKEW)) * each(x_t)));
     return 0;
 }
 
 /* Derivative of ``lay_strips``. */
-static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, bool smooth)
+static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, bool smooth)
 {
     int64_t count;
     int64_t k_end;
@@ -5348,22 +5459,22 @@ static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables
     double v2;
     double v3;
     double v4;
-    double spread_t;
+    lanes spread_t;
     double spread;
     int64_t i;
     int64_t strip;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
-    double v6_t;
+    lanes v6_t;
     double v7;
     double v9;
     double v8;
-    double v8_t;
+    lanes v8_t;
     double v10;
-    double v10_t;
+    lanes v10_t;
     double v11;
-    double v11_t;
+    lanes v11_t;
     count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
     k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
     for (k = INT64_C(0); k < k_end; k += INT64_C(1))
@@ -5374,32 +5485,34 @@ static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables
         v2 = 0.5 * v1;
         v3 = v2 * M_PI;
         v4 = (double)(count);
-        spread_t = 0.5 * ((*cspan_at(&work_t, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work_t, run + layout__STRIP_RUN_START))) * M_PI / v4;
+        EACH_LANE each(spread_t) = 0.5 * (each((*lanes_at(&work_t, run + layout__STRIP_RUN_STOP))) - each((*lanes_at(&work_t, run + layout__STRIP_RUN_START)))) * M_PI / v4;
         spread = v3 / v4;
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * count + i);
-            derivative_strip_runs__run_station_t(&v5, &v5_t, work, work_t, run, (*cspan_at(&tables, waves + layout__WAVES_COS + i)), 0.0);
-            (*cspan_at(&work_t, strip + layout__STRIP_STATION)) = v5_t;
+            derivative_strip_runs__run_station_t(&v5, &v5_t, work, work_t, run, (*cspan_at(&tables, waves + layout__WAVES_COS + i)), all_lanes(0.0));
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_STATION))) = each(v5_t);
             (*cspan_at(&work, strip + layout__STRIP_STATION)) = v5;
             j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, strip + layout__STRIP_STATION)));
-            derivative_strip_surfaces__way_through_t(&v6, &v6_t, work, work_t, j, (*cspan_at(&work, strip + layout__STRIP_STATION)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)));
+            derivative_strip_surfaces__way_through_t(&v6, &v6_t, work, work_t, j, (*cspan_at(&work, strip + layout__STRIP_STATION)), (*lanes_at(&work_t, strip + layout__STRIP_STATION)));
             derivative_strip_runs__lay_strip_t(work, work_t, strip, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1)), v6, v6_t);
-            (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) = (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) = each((*lanes_at(&work_t, strip + layout__STRIP_AXIS))) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
             (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) = (*cspan_at(&work, strip + layout__STRIP_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-            (*cspan_at(&work_t, strip + layout__STRIP_SQUARE)) = (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH));
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_SQUARE))) = each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) + (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH)));
             (*cspan_at(&work, strip + layout__STRIP_SQUARE)) = (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)) * (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-            (*cspan_at(&work_t, strip + layout__STRIP_MIDDLE)) = (*cspan_at(&work_t, strip + layout__STRIP_X)) + (*cspan_at(&work_t, strip + layout__STRIP_LEAD));
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_MIDDLE))) = each((*lanes_at(&work_t, strip + layout__STRIP_X))) + each((*lanes_at(&work_t, strip + layout__STRIP_LEAD)));
             (*cspan_at(&work, strip + layout__STRIP_MIDDLE)) = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD));
             v7 = spread * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-            (*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) = spread_t * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH)) + v7 * (*cspan_at(&work_t, strip + layout__STRIP_STRETCH));
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH))) = each(spread_t) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH)) + v7 * each((*lanes_at(&work_t, strip + layout__STRIP_STRETCH)));
             (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = v7 * (*cspan_at(&work, strip + layout__STRIP_STRETCH));
             v9 = (*cspan_at(&work, strip + layout__STRIP_WIDTH)) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
-            derivative_powers__log_rule_t(&v8, &v8_t, v9, ((*cspan_at(&work_t, strip + layout__STRIP_WIDTH)) - v9 * (*cspan_at(&work_t, strip + layout__STRIP_HALF_LENGTH))) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
-            (*cspan_at(&work_t, strip + layout__STRIP_SLENDER)) = v8_t;
+            lanes rates_1;
+            EACH_LANE each(rates_1) = (each((*lanes_at(&work_t, strip + layout__STRIP_WIDTH))) - v9 * each((*lanes_at(&work_t, strip + layout__STRIP_HALF_LENGTH)))) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH));
+            derivative_powers__log_rule_t(&v8, &v8_t, v9, rates_1);
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_SLENDER))) = each(v8_t);
             (*cspan_at(&work, strip + layout__STRIP_SLENDER)) = v8;
-            derivative_strip_surfaces__rest_gap_t(&v10, &v10_t, work, work_t, j, (*cspan_at(&work, strip + layout__STRIP_STATION)), (*cspan_at(&work_t, strip + layout__STRIP_STATION)));
-            (*cspan_at(&work_t, strip + layout__STRIP_GAP)) = v10_t;
+            derivative_strip_surfaces__rest_gap_t(&v10, &v10_t, work, work_t, j, (*cspan_at(&work, strip + layout__STRIP_STATION)), (*lanes_at(&work_t, strip + layout__STRIP_STATION)));
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_GAP))) = each(v10_t);
             (*cspan_at(&work, strip + layout__STRIP_GAP)) = v10;
         }
         if (smooth)
@@ -5409,8 +5522,8 @@ static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables
         for (i = k * count; i < (k + INT64_C(1)) * count; i += INT64_C(1))
         {
             strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
-            derivative_strip_runs__gap_beside_t(&v11, &v11_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*cspan_at(&work_t, strip + layout__STRIP_LEAD)));
-            (*cspan_at(&work_t, strip + layout__STRIP_GAP)) = (*cspan_at(&work_t, strip + layout__STRIP_GAP)) + v11_t;
+            derivative_strip_runs__gap_beside_t(&v11, &v11_t, work, work_t, strip, (*cspan_at(&work, strip + layout__STRIP_LEAD)), (*lanes_at(&work_t, strip + layout__STRIP_LEAD)));
+            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_GAP))) = each((*lanes_at(&work_t, strip + layout__STRIP_GAP))) + each(v11_t);
             (*cspan_at(&work, strip + layout__STRIP_GAP)) = (*cspan_at(&work, strip + layout__STRIP_GAP)) + v11;
         }
     }
@@ -5418,117 +5531,117 @@ static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables
 }
 
 /* Derivative of ``smooth_gaps``. */
-static inline int64_t derivative_strip_runs__smooth_gaps_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t run, int64_t first)
+static inline int64_t derivative_strip_runs__smooth_gaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t run, int64_t first)
 {
     int64_t fine;
     int64_t j;
     int64_t i;
     double v1;
-    double v1_t;
-    double station_t;
+    lanes v1_t;
+    lanes station_t;
     double station;
     double v2;
-    double v2_t;
+    lanes v2_t;
     int64_t i_end;
-    double gap_t;
+    lanes gap_t;
     double gap;
     int64_t m;
     fine = layout__FINE_WAVES * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
     j = (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW)));
     for (i = INT64_C(0); i < fine; i += INT64_C(1))
     {
-        derivative_strip_runs__run_station_t(&v1, &v1_t, work, work_t, run, (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + i)), 0.0);
-        station_t = v1_t;
+        derivative_strip_runs__run_station_t(&v1, &v1_t, work, work_t, run, (*cspan_at(&tables, waves + layout__WAVES_FINE_COS + i)), all_lanes(0.0));
+        EACH_LANE each(station_t) = each(v1_t);
         station = v1;
         j = strip_surfaces__interval(work, j, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), station);
         derivative_strip_surfaces__rest_gap_t(&v2, &v2_t, work, work_t, j, station, station_t);
-        (*cspan_at(&work_t, run + layout__STRIP_RUN_GAPS + i)) = v2_t;
+        EACH_LANE each((*lanes_at(&work_t, run + layout__STRIP_RUN_GAPS + i))) = each(v2_t);
         (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + i)) = v2;
     }
     i_end = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
-        gap_t = 0.0;
+        gap_t = all_lanes(0.0);
         gap = 0.0;
         for (m = INT64_C(0); m < fine; m += INT64_C(1))
         {
-            gap_t = gap_t + (*cspan_at(&tables, waves + layout__WAVES_SMOOTHING + INT64_C(48) * i + m)) * (*cspan_at(&work_t, run + layout__STRIP_RUN_GAPS + m));
+            EACH_LANE each(gap_t) = each(gap_t) + (*cspan_at(&tables, waves + layout__WAVES_SMOOTHING + INT64_C(48) * i + m)) * each((*lanes_at(&work_t, run + layout__STRIP_RUN_GAPS + m)));
             gap = gap + (*cspan_at(&tables, waves + layout__WAVES_SMOOTHING + INT64_C(48) * i + m)) * (*cspan_at(&work, run + layout__STRIP_RUN_GAPS + m));
         }
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_GAP)) = gap_t;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_GAP))) = each(gap_t);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_GAP)) = gap;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``lay_strip``. */
-static inline int64_t derivative_strip_runs__lay_strip_t(array_double_1d work, array_double_1d work_t, int64_t strip, int64_t low, int64_t high, double u, double u_t)
+static inline int64_t derivative_strip_runs__lay_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t strip, int64_t low, int64_t high, double u, lanes u_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
-    double v6_t;
+    lanes v6_t;
     double v7;
-    double v7_t;
+    lanes v7_t;
     double v8;
-    double v8_t;
+    lanes v8_t;
     double v9;
-    double v9_t;
-    (*cspan_at(&work_t, strip + layout__STRIP_REGION)) = 0.0;
+    lanes v9_t;
+    (*lanes_at(&work_t, strip + layout__STRIP_REGION)) = all_lanes(0.0);
     (*cspan_at(&work, strip + layout__STRIP_REGION)) = (double)((int64_t)((*cspan_at(&work, low + layout__TRACED_STATION_REGION))));
     if (u > 0.5)
     {
-        (*cspan_at(&work_t, strip + layout__STRIP_REGION)) = 0.0;
+        (*lanes_at(&work_t, strip + layout__STRIP_REGION)) = all_lanes(0.0);
         (*cspan_at(&work, strip + layout__STRIP_REGION)) = (double)((int64_t)((*cspan_at(&work, high + layout__TRACED_STATION_REGION))));
     }
-    derivative_strip_surfaces__between_t(&v1, &v1_t, (*cspan_at(&work, low + layout__TRACED_STATION_PLACE)), (*cspan_at(&work_t, low + layout__TRACED_STATION_PLACE)), (*cspan_at(&work, high + layout__TRACED_STATION_PLACE)), (*cspan_at(&work_t, high + layout__TRACED_STATION_PLACE)), u, u_t);
-    (*cspan_at(&work_t, strip + layout__STRIP_PLACE)) = v1_t;
+    derivative_strip_surfaces__between_t(&v1, &v1_t, (*cspan_at(&work, low + layout__TRACED_STATION_PLACE)), (*lanes_at(&work_t, low + layout__TRACED_STATION_PLACE)), (*cspan_at(&work, high + layout__TRACED_STATION_PLACE)), (*lanes_at(&work_t, high + layout__TRACED_STATION_PLACE)), u, u_t);
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_PLACE))) = each(v1_t);
     (*cspan_at(&work, strip + layout__STRIP_PLACE)) = v1;
-    derivative_strip_surfaces__between_t(&v2, &v2_t, (*cspan_at(&work, low + layout__TRACED_STATION_STRETCH)), (*cspan_at(&work_t, low + layout__TRACED_STATION_STRETCH)), (*cspan_at(&work, high + layout__TRACED_STATION_STRETCH)), (*cspan_at(&work_t, high + layout__TRACED_STATION_STRETCH)), u, u_t);
-    (*cspan_at(&work_t, strip + layout__STRIP_STRETCH)) = v2_t;
+    derivative_strip_surfaces__between_t(&v2, &v2_t, (*cspan_at(&work, low + layout__TRACED_STATION_STRETCH)), (*lanes_at(&work_t, low + layout__TRACED_STATION_STRETCH)), (*cspan_at(&work, high + layout__TRACED_STATION_STRETCH)), (*lanes_at(&work_t, high + layout__TRACED_STATION_STRETCH)), u, u_t);
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_STRETCH))) = each(v2_t);
     (*cspan_at(&work, strip + layout__STRIP_STRETCH)) = v2;
-    derivative_strip_surfaces__between_t(&v3, &v3_t, (*cspan_at(&work, low + layout__TRACED_STATION_COS)), (*cspan_at(&work_t, low + layout__TRACED_STATION_COS)), (*cspan_at(&work, high + layout__TRACED_STATION_COS)), (*cspan_at(&work_t, high + layout__TRACED_STATION_COS)), u, u_t);
-    (*cspan_at(&work_t, strip + layout__STRIP_COS)) = v3_t;
+    derivative_strip_surfaces__between_t(&v3, &v3_t, (*cspan_at(&work, low + layout__TRACED_STATION_COS)), (*lanes_at(&work_t, low + layout__TRACED_STATION_COS)), (*cspan_at(&work, high + layout__TRACED_STATION_COS)), (*lanes_at(&work_t, high + layout__TRACED_STATION_COS)), u, u_t);
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_COS))) = each(v3_t);
     (*cspan_at(&work, strip + layout__STRIP_COS)) = v3;
-    derivative_strip_surfaces__between_t(&v4, &v4_t, (*cspan_at(&work, low + layout__TRACED_STATION_SIN)), (*cspan_at(&work_t, low + layout__TRACED_STATION_SIN)), (*cspan_at(&work, high + layout__TRACED_STATION_SIN)), (*cspan_at(&work_t, high + layout__TRACED_STATION_SIN)), u, u_t);
-    (*cspan_at(&work_t, strip + layout__STRIP_SIN)) = v4_t;
+    derivative_strip_surfaces__between_t(&v4, &v4_t, (*cspan_at(&work, low + layout__TRACED_STATION_SIN)), (*lanes_at(&work_t, low + layout__TRACED_STATION_SIN)), (*cspan_at(&work, high + layout__TRACED_STATION_SIN)), (*lanes_at(&work_t, high + layout__TRACED_STATION_SIN)), u, u_t);
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_SIN))) = each(v4_t);
     (*cspan_at(&work, strip + layout__STRIP_SIN)) = v4;
-    derivative_strip_surfaces__between_t(&v5, &v5_t, (*cspan_at(&work, low + layout__TRACED_STATION_X)), (*cspan_at(&work_t, low + layout__TRACED_STATION_X)), (*cspan_at(&work, high + layout__TRACED_STATION_X)), (*cspan_at(&work_t, high + layout__TRACED_STATION_X)), u, u_t);
-    (*cspan_at(&work_t, strip + layout__STRIP_X)) = v5_t;
+    derivative_strip_surfaces__between_t(&v5, &v5_t, (*cspan_at(&work, low + layout__TRACED_STATION_X)), (*lanes_at(&work_t, low + layout__TRACED_STATION_X)), (*cspan_at(&work, high + layout__TRACED_STATION_X)), (*lanes_at(&work_t, high + layout__TRACED_STATION_X)), u, u_t);
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_X))) = each(v5_t);
     (*cspan_at(&work, strip + layout__STRIP_X)) = v5;
-    derivative_strip_surfaces__between_t(&v6, &v6_t, (*cspan_at(&work, low + layout__TRACED_STATION_A)), (*cspan_at(&work_t, low + layout__TRACED_STATION_A)), (*cspan_at(&work, high + layout__TRACED_STATION_A)), (*cspan_at(&work_t, high + layout__TRACED_STATION_A)), u, u_t);
-    (*cspan_at(&work_t, strip + layout__STRIP_A)) = v6_t;
+    derivative_strip_surfaces__between_t(&v6, &v6_t, (*cspan_at(&work, low + layout__TRACED_STATION_A)), (*lanes_at(&work_t, low + layout__TRACED_STATION_A)), (*cspan_at(&work, high + layout__TRACED_STATION_A)), (*lanes_at(&work_t, high + layout__TRACED_STATION_A)), u, u_t);
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_A))) = each(v6_t);
     (*cspan_at(&work, strip + layout__STRIP_A)) = v6;
-    derivative_strip_surfaces__between_t(&v7, &v7_t, (*cspan_at(&work, low + layout__TRACED_STATION_SKEW)), (*cspan_at(&work_t, low + layout__TRACED_STATION_SKEW)), (*cspan_at(&work, high + layout__TRACED_STATION_SKEW)), (*cspan_at(&work_t, high + layout__TRACED_STATION_SKEW)), u, u_t);
-    (*cspan_at(&work_t, strip + layout__STRIP_SKEW)) = v7_t;
+    derivative_strip_surfaces__between_t(&v7, &v7_t, (*cspan_at(&work, low + layout__TRACED_STATION_SKEW)), (*lanes_at(&work_t, low + layout__TRACED_STATION_SKEW)), (*cspan_at(&work, high + layout__TRACED_STATION_SKEW)), (*lanes_at(&work_t, high + layout__TRACED_STATION_SKEW)), u, u_t);
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_SKEW))) = each(v7_t);
     (*cspan_at(&work, strip + layout__STRIP_SKEW)) = v7;
-    derivative_strip_surfaces__between_t(&v8, &v8_t, (*cspan_at(&work, low + layout__TRACED_STATION_SHARE)), (*cspan_at(&work_t, low + layout__TRACED_STATION_SHARE)), (*cspan_at(&work, high + layout__TRACED_STATION_SHARE)), (*cspan_at(&work_t, high + layout__TRACED_STATION_SHARE)), u, u_t);
-    (*cspan_at(&work_t, strip + layout__STRIP_SHARE)) = v8_t;
+    derivative_strip_surfaces__between_t(&v8, &v8_t, (*cspan_at(&work, low + layout__TRACED_STATION_SHARE)), (*lanes_at(&work_t, low + layout__TRACED_STATION_SHARE)), (*cspan_at(&work, high + layout__TRACED_STATION_SHARE)), (*lanes_at(&work_t, high + layout__TRACED_STATION_SHARE)), u, u_t);
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_SHARE))) = each(v8_t);
     (*cspan_at(&work, strip + layout__STRIP_SHARE)) = v8;
-    derivative_strip_surfaces__between_t(&v9, &v9_t, (*cspan_at(&work, low + layout__TRACED_STATION_COUNTED)), (*cspan_at(&work_t, low + layout__TRACED_STATION_COUNTED)), (*cspan_at(&work, high + layout__TRACED_STATION_COUNTED)), (*cspan_at(&work_t, high + layout__TRACED_STATION_COUNTED)), u, u_t);
-    (*cspan_at(&work_t, strip + layout__STRIP_COUNTED)) = v9_t;
+    derivative_strip_surfaces__between_t(&v9, &v9_t, (*cspan_at(&work, low + layout__TRACED_STATION_COUNTED)), (*lanes_at(&work_t, low + layout__TRACED_STATION_COUNTED)), (*cspan_at(&work, high + layout__TRACED_STATION_COUNTED)), (*lanes_at(&work_t, high + layout__TRACED_STATION_COUNTED)), u, u_t);
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_COUNTED))) = each(v9_t);
     (*cspan_at(&work, strip + layout__STRIP_COUNTED)) = v9;
     return INT64_C(0);
 }
 
 /* Derivative of ``renew_runs``. */
-static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves)
+static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves)
 {
     int64_t count;
-    double largest_t;
+    lanes largest_t;
     double largest;
     int64_t i_end;
     int64_t i;
     double v1;
-    double v1_t;
+    lanes v1_t;
     int64_t k_end;
     int64_t k;
     int64_t after;
@@ -5536,33 +5649,33 @@ static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables
     int64_t k2;
     int64_t k3;
     double v4;
-    double middle_t;
+    lanes middle_t;
     double middle;
     double v5;
     double v6;
-    double station_t;
+    lanes station_t;
     double station;
     double half;
-    double half_t;
+    lanes half_t;
     double lead;
-    double lead_t;
+    lanes lead_t;
     count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
-    largest_t = 0.0;
+    largest_t = all_lanes(0.0);
     largest = 0.0;
     i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)));
     for (i = INT64_C(0); i < i_end; i += INT64_C(1))
     {
         v1 = largest;
-        v1_t = largest_t;
+        EACH_LANE each(v1_t) = each(largest_t);
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)) > v1)
         {
             v1 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y));
-            v1_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y));
+            EACH_LANE each(v1_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_Y)));
         }
-        largest_t = v1_t;
+        EACH_LANE each(largest_t) = each(v1_t);
         largest = v1;
     }
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = 0.0;
     k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
     for (k = INT64_C(0); k < k_end; k += INT64_C(1))
@@ -5579,25 +5692,25 @@ static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables
             if ((int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_ORIGIN))) >= INT64_C(0))
             {
                 k2 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * ((int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_ORIGIN))) * count + i) + layout__STRIP_NEXT_AXIS;
-                (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) = (*cspan_at(&work_t, k2));
+                EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_AXIS))) = each((*lanes_at(&work_t, k2)));
                 (*cspan_at(&work, strip + layout__STRIP_AXIS)) = (*cspan_at(&work, k2));
                 k3 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * ((int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_ORIGIN))) * count + i) + layout__STRIP_NEXT_LEAD;
-                (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = (*cspan_at(&work_t, k3));
+                EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_LEAD))) = each((*lanes_at(&work_t, k3)));
                 (*cspan_at(&work, strip + layout__STRIP_LEAD)) = (*cspan_at(&work, k3));
             }
             else
             {
                 v4 = (*cspan_at(&work, after + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work, after + layout__STRIP_RUN_NEXT_STOP));
-                middle_t = 0.5 * ((*cspan_at(&work_t, after + layout__STRIP_RUN_NEXT_START)) + (*cspan_at(&work_t, after + layout__STRIP_RUN_NEXT_STOP)));
+                EACH_LANE each(middle_t) = 0.5 * (each((*lanes_at(&work_t, after + layout__STRIP_RUN_NEXT_START))) + each((*lanes_at(&work_t, after + layout__STRIP_RUN_NEXT_STOP))));
                 middle = 0.5 * v4;
                 v5 = (*cspan_at(&work, after + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work, after + layout__STRIP_RUN_NEXT_START));
                 v6 = 0.5 * v5;
-                station_t = middle_t - 0.5 * ((*cspan_at(&work_t, after + layout__STRIP_RUN_NEXT_STOP)) - (*cspan_at(&work_t, after + layout__STRIP_RUN_NEXT_START))) * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
+                EACH_LANE each(station_t) = each(middle_t) - 0.5 * (each((*lanes_at(&work_t, after + layout__STRIP_RUN_NEXT_STOP))) - each((*lanes_at(&work_t, after + layout__STRIP_RUN_NEXT_START)))) * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
                 station = middle - v6 * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
                 derivative_strip_runs__sample_strips_t(&half, &half_t, &lead, &lead_t, tables, work, work_t, waves, (int64_t)((*cspan_at(&work, after + layout__STRIP_RUN_LOW))), station, station_t);
-                (*cspan_at(&work_t, strip + layout__STRIP_AXIS)) = half_t / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
+                EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_AXIS))) = each(half_t) / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
                 (*cspan_at(&work, strip + layout__STRIP_AXIS)) = half / (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
-                (*cspan_at(&work_t, strip + layout__STRIP_LEAD)) = lead_t;
+                EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_LEAD))) = each(lead_t);
                 (*cspan_at(&work, strip + layout__STRIP_LEAD)) = lead;
             }
         }
@@ -5607,33 +5720,33 @@ static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables
         }
     }
     derivative_strip_runs__adopt_runs_t(work, work_t);
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT)) = (double)((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT))) * count);
     return INT64_C(0);
 }
 
 /* Derivative of ``part_run``. */
-static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t k, double largest, double largest_t)
+static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t k, double largest, lanes largest_t)
 {
     int64_t run;
     int64_t count;
     int64_t first;
     double v1;
-    double limit_t;
+    lanes limit_t;
     double limit;
     int64_t pulling;
     int64_t i;
     int64_t before;
     int64_t last;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
     first = k * count;
     v1 = -strip_runs__PULLING;
-    limit_t = v1 * largest_t;
+    EACH_LANE each(limit_t) = v1 * each(largest_t);
     limit = v1 * largest;
     pulling = INT64_C(0);
     for (i = INT64_C(2); i < count - INT64_C(2); i += INT64_C(1))
@@ -5646,10 +5759,10 @@ static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, 
     if ((pulling == INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)) + layout__STRIP_Y)) >= limit) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + count - INT64_C(2)) + layout__STRIP_Y)) >= limit))
     {
         before = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
-        derivative_strip_runs__add_run_t(work, work_t, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))), (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)), (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)));
+        derivative_strip_runs__add_run_t(work, work_t, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))), (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)), (*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)));
         if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))) > before)
         {
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before + layout__STRIP_RUN_ORIGIN)) = 0.0;
+            (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before + layout__STRIP_RUN_ORIGIN)) = all_lanes(0.0);
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before + layout__STRIP_RUN_ORIGIN)) = (double)(k);
         }
     }
@@ -5679,75 +5792,75 @@ static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, 
 }
 
 /* Derivative of ``pressed_end``. */
-static inline int64_t derivative_strip_runs__pressed_end_t(double* station, double* station_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t k, int64_t i, int64_t outward)
+static inline int64_t derivative_strip_runs__pressed_end_t(double* station, lanes* station_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t k, int64_t i, int64_t outward)
 {
     int64_t run;
     int64_t beyond;
     int64_t k1;
-    double inner_t;
+    lanes inner_t;
     double inner;
     int64_t k2;
-    double outer_t;
+    lanes outer_t;
     double outer;
     int64_t k3;
     int64_t k4;
-    double way_t;
+    lanes way_t;
     double way;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
     double v7;
-    double v7_t;
+    lanes v7_t;
     double v8;
     double v9;
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     beyond = i + outward;
-    (*station_t) = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_START));
+    EACH_LANE each((*station_t)) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START)));
     (*station) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
     if (beyond >= (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))))
     {
-        (*station_t) = (*cspan_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP));
+        EACH_LANE each((*station_t)) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)));
         (*station) = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
     }
     else if (beyond >= INT64_C(0))
     {
         k1 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + i) + layout__STRIP_Y;
-        inner_t = (*cspan_at(&work_t, k1));
+        EACH_LANE each(inner_t) = each((*lanes_at(&work_t, k1)));
         inner = (*cspan_at(&work, k1));
         k2 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + beyond) + layout__STRIP_Y;
-        outer_t = (*cspan_at(&work_t, k2));
+        EACH_LANE each(outer_t) = each((*lanes_at(&work_t, k2)));
         outer = (*cspan_at(&work, k2));
         k3 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + i) + layout__STRIP_NEXT_STATION;
-        (*station_t) = (*cspan_at(&work_t, k3));
+        EACH_LANE each((*station_t)) = each((*lanes_at(&work_t, k3)));
         (*station) = (*cspan_at(&work, k3));
         k4 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) + beyond) + layout__STRIP_NEXT_STATION;
-        way_t = (*cspan_at(&work_t, k4)) - (*station_t);
+        EACH_LANE each(way_t) = each((*lanes_at(&work_t, k4))) - each((*station_t));
         way = (*cspan_at(&work, k4)) - (*station);
         v5 = inner;
-        v5_t = inner_t;
+        EACH_LANE each(v5_t) = each(inner_t);
         if (0.0 > v5)
         {
             v5 = 0.0;
-            v5_t = 0.0;
+            v5_t = all_lanes(0.0);
         }
         v6 = way * v5;
         v7 = inner;
-        v7_t = inner_t;
+        EACH_LANE each(v7_t) = each(inner_t);
         if (0.0 > v7)
         {
             v7 = 0.0;
-            v7_t = 0.0;
+            v7_t = all_lanes(0.0);
         }
         v8 = v7 - outer;
         v9 = v6 / v8;
-        (*station_t) = (*station_t) + (way_t * v5 + way * v5_t - v9 * (v7_t - outer_t)) / v8;
+        EACH_LANE each((*station_t)) = each((*station_t)) + (each(way_t) * v5 + way * each(v5_t) - v9 * (each(v7_t) - each(outer_t))) / v8;
         (*station) = (*station) + v9;
     }
     return 0;
 }
 
 /* Derivative of ``sample_strips``. */
-static inline int64_t derivative_strip_runs__sample_strips_t(double* v4, double* v4_t, double* v5, double* v5_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t waves, int64_t low, double station, double station_t)
+static inline int64_t derivative_strip_runs__sample_strips_t(double* v4, lanes* v4_t, double* v5, lanes* v5_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t low, double station, lanes station_t)
 {
     int64_t before;
     int64_t after;
@@ -5758,7 +5871,7 @@ static inline int64_t derivative_strip_runs__sample_strips_t(double* v4, double*
     int64_t strip;
     int64_t lower;
     int64_t upper;
-    double u_t;
+    lanes u_t;
     double u;
     double v1;
     double v2;
@@ -5798,18 +5911,18 @@ static inline int64_t derivative_strip_runs__sample_strips_t(double* v4, double*
     }
     lower = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * before;
     upper = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * after;
-    u_t = 0.0;
+    u_t = all_lanes(0.0);
     u = 0.0;
     if ((*cspan_at(&work, upper + layout__STRIP_NEXT_STATION)) > (*cspan_at(&work, lower + layout__STRIP_NEXT_STATION)))
     {
         v1 = station - (*cspan_at(&work, lower + layout__STRIP_NEXT_STATION));
         v2 = (*cspan_at(&work, upper + layout__STRIP_NEXT_STATION)) - (*cspan_at(&work, lower + layout__STRIP_NEXT_STATION));
         v3 = v1 / v2;
-        u_t = (station_t - (*cspan_at(&work_t, lower + layout__STRIP_NEXT_STATION)) - v3 * ((*cspan_at(&work_t, upper + layout__STRIP_NEXT_STATION)) - (*cspan_at(&work_t, lower + layout__STRIP_NEXT_STATION)))) / v2;
+        EACH_LANE each(u_t) = (each(station_t) - each((*lanes_at(&work_t, lower + layout__STRIP_NEXT_STATION))) - v3 * (each((*lanes_at(&work_t, upper + layout__STRIP_NEXT_STATION))) - each((*lanes_at(&work_t, lower + layout__STRIP_NEXT_STATION))))) / v2;
         u = v3;
     }
-    derivative_strip_surfaces__between_t(v4, v4_t, (*cspan_at(&work, lower + layout__STRIP_NEXT_HALF)), (*cspan_at(&work_t, lower + layout__STRIP_NEXT_HALF)), (*cspan_at(&work, upper + layout__STRIP_NEXT_HALF)), (*cspan_at(&work_t, upper + layout__STRIP_NEXT_HALF)), u, u_t);
-    derivative_strip_surfaces__between_t(v5, v5_t, (*cspan_at(&work, lower + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work_t, lower + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work, upper + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work_t, upper + layout__STRIP_NEXT_LEAD)), u, u_t);
+    derivative_strip_surfaces__between_t(v4, v4_t, (*cspan_at(&work, lower + layout__STRIP_NEXT_HALF)), (*lanes_at(&work_t, lower + layout__STRIP_NEXT_HALF)), (*cspan_at(&work, upper + layout__STRIP_NEXT_HALF)), (*lanes_at(&work_t, upper + layout__STRIP_NEXT_HALF)), u, u_t);
+    derivative_strip_surfaces__between_t(v5, v5_t, (*cspan_at(&work, lower + layout__STRIP_NEXT_LEAD)), (*lanes_at(&work_t, lower + layout__STRIP_NEXT_LEAD)), (*cspan_at(&work, upper + layout__STRIP_NEXT_LEAD)), (*lanes_at(&work_t, upper + layout__STRIP_NEXT_LEAD)), u, u_t);
     return 0;
 }
 
@@ -5820,7 +5933,7 @@ static inline int64_t derivative_strip_runs__sample_strips_t(double* v4, double*
  */
 
 /* Derivative of ``find_zones``. */
-static inline int64_t derivative_strip_surfaces__find_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count, double deepest, double deepest_t)
+static inline int64_t derivative_strip_surfaces__find_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count, double deepest, lanes deepest_t)
 {
     int64_t index;
     int64_t region;
@@ -5835,148 +5948,156 @@ static inline int64_t derivative_strip_surfaces__find_zones_t(array_double_1d ta
 }
 
 /* Derivative of ``measure_zone``. */
-static inline int64_t derivative_strip_surfaces__measure_zone_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, double deepest_t)
+static inline int64_t derivative_strip_surfaces__measure_zone_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t zone, double deepest, lanes deepest_t)
 {
     double v1;
     double v2;
-    double v2_t;
-    double level_t;
+    lanes v2_t;
+    lanes level_t;
     double level;
     double v3;
-    double v3_t;
-    double bend_t;
+    lanes v3_t;
+    lanes bend_t;
     double bend;
     double v4;
     double v5;
     double v6;
-    double estimate_t;
+    lanes estimate_t;
     double estimate;
     double v7;
-    double v7_t;
-    double high_t;
+    lanes v7_t;
+    lanes high_t;
     double high;
     double v8;
-    double v8_t;
-    double low_t;
+    lanes v8_t;
+    lanes low_t;
     double low;
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE)) = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
+    EACH_LANE each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE))) = each((*lanes_at(&work_t, region + layout__REGION_OFFSET))) + each((*lanes_at(&work_t, region + layout__REGION_STATION)));
     (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE));
+    EACH_LANE each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_START))) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE)));
     (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE));
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE));
+    EACH_LANE each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_STOP))) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE)));
     (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE));
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    EACH_LANE each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_DEPTH))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
     (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
     v1 = strip_surfaces__OWN_SHALLOW * (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH));
     v2 = strip_surfaces__SHALLOW * deepest;
-    v2_t = strip_surfaces__SHALLOW * deepest_t;
+    EACH_LANE each(v2_t) = strip_surfaces__SHALLOW * each(deepest_t);
     if (v1 < v2)
     {
         v2 = v1;
-        v2_t = strip_surfaces__OWN_SHALLOW * (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH));
+        EACH_LANE each(v2_t) = strip_surfaces__OWN_SHALLOW * each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)));
     }
-    level_t = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)) - v2_t;
+    EACH_LANE each(level_t) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_DEPTH))) - each(v2_t);
     level = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - v2;
     if (level > 0.0)
     {
         v3 = (*cspan_at(&work, region + layout__REGION_BEND));
-        v3_t = (*cspan_at(&work_t, region + layout__REGION_BEND));
+        EACH_LANE each(v3_t) = each((*lanes_at(&work_t, region + layout__REGION_BEND)));
         if ((*cspan_at(&work, region + layout__REGION_CURVATURE)) > v3)
         {
             v3 = (*cspan_at(&work, region + layout__REGION_CURVATURE));
-            v3_t = (*cspan_at(&work_t, region + layout__REGION_CURVATURE));
+            EACH_LANE each(v3_t) = each((*lanes_at(&work_t, region + layout__REGION_CURVATURE)));
         }
-        bend_t = v3_t;
+        EACH_LANE each(bend_t) = each(v3_t);
         bend = v3;
         v4 = 2.0 * level;
         v5 = v4 / bend;
         v6 = sqrt(v5);
-        estimate_t = derivative_rates__root_rate(v6, (2.0 * level_t - v5 * bend_t) / bend);
+        EACH_LANE each(estimate_t) = derivative_rates__root_rate(v6, (2.0 * each(level_t) - v5 * each(bend_t)) / bend);
         estimate = v6;
-        (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
-        derivative_widths__width_rule_t(&v7, &v7_t, tables, work, work_t, pair, region, 1.0, 0.0, level, level_t, estimate, estimate_t);
-        high_t = v7_t;
+        derivative_widths__width_rule_t(&v7, &v7_t, tables, work, work_t, pair, region, 1.0, all_lanes(0.0), level, level_t, estimate, estimate_t);
+        EACH_LANE each(high_t) = each(v7_t);
         high = v7;
-        derivative_widths__width_rule_t(&v8, &v8_t, tables, work, work_t, pair, region, -1.0, 0.0, level, level_t, high, high_t);
-        low_t = v8_t;
+        derivative_widths__width_rule_t(&v8, &v8_t, tables, work, work_t, pair, region, -1.0, all_lanes(0.0), level, level_t, high, high_t);
+        EACH_LANE each(low_t) = each(v8_t);
         low = v8;
-        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) + high_t;
+        EACH_LANE each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_STOP))) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_STOP))) + each(high_t);
         (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) + high;
-        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) - low_t;
+        EACH_LANE each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_START))) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_START))) - each(low_t);
         (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) - low;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``weigh_zone``. */
-static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t zone, double A, double A_t, int64_t first, bool yawed)
+static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t zone, double A, lanes A_t, int64_t first, bool yawed)
 {
     double v1;
-    double v1_t;
-    double low_t;
+    lanes v1_t;
+    lanes low_t;
     double low;
     double v2;
-    double v2_t;
-    double high_t;
+    lanes v2_t;
+    lanes high_t;
     double high;
     double v3;
     double v4;
-    double B_t;
+    lanes B_t;
     double B;
     double one_alpha;
-    double one_alpha_t;
+    lanes one_alpha_t;
     double one_beta;
-    double one_beta_t;
+    lanes one_beta_t;
     double nr;
-    double nr_t;
+    lanes nr_t;
     double v6;
     double v5;
-    double v5_t;
-    double low_beta_t;
+    lanes v5_t;
+    lanes low_beta_t;
     double low_beta;
     double v8;
     double v7;
-    double v7_t;
-    double high_beta_t;
+    lanes v7_t;
+    lanes high_beta_t;
     double high_beta;
     int64_t start;
     int64_t stop;
     double v9;
     double v10;
     double v11;
-    double slant_t;
+    lanes slant_t;
     double slant;
     double beta;
-    double beta_t;
+    lanes beta_t;
     double v12;
-    double v12_t;
+    lanes v12_t;
     double v13;
     double v14;
     double v15;
     int64_t i;
     int64_t at;
     double v16;
-    derivative_strip_surfaces__zone_curvature_t(&v1, &v1_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE)) - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)), A, A_t);
-    low_t = v1_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE))) - each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_START)));
+    derivative_strip_surfaces__zone_curvature_t(&v1, &v1_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)), (*lanes_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START)), rates_1, A, A_t);
+    EACH_LANE each(low_t) = each(v1_t);
     low = v1;
-    derivative_strip_surfaces__zone_curvature_t(&v2, &v2_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)), (*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE)), A, A_t);
-    high_t = v2_t;
+    lanes rates_2;
+    EACH_LANE each(rates_2) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_STOP))) - each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_MIDDLE)));
+    derivative_strip_surfaces__zone_curvature_t(&v2, &v2_t, (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)), (*lanes_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)), (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)), rates_2, A, A_t);
+    EACH_LANE each(high_t) = each(v2_t);
     high = v2;
     v3 = low * high;
     v4 = sqrt(v3);
-    B_t = derivative_rates__root_rate(v4, low_t * high + low * high_t);
+    EACH_LANE each(B_t) = derivative_rates__root_rate(v4, each(low_t) * high + low * each(high_t));
     B = v4;
     derivative_coefficients__hertz_coefficients_t(&one_alpha, &one_alpha_t, &one_beta, &one_beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t);
     v6 = A / low;
-    derivative_coefficients__table_value_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v6, (A_t - v6 * low_t) / low);
-    low_beta_t = v5_t;
+    lanes rates_3;
+    EACH_LANE each(rates_3) = (each(A_t) - v6 * each(low_t)) / low;
+    derivative_coefficients__table_value_t(&v5, &v5_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v6, rates_3);
+    EACH_LANE each(low_beta_t) = each(v5_t);
     low_beta = v5;
     v8 = A / high;
-    derivative_coefficients__table_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v8, (A_t - v8 * high_t) / high);
-    high_beta_t = v7_t;
+    lanes rates_4;
+    EACH_LANE each(rates_4) = (each(A_t) - v8 * each(high_t)) / high;
+    derivative_coefficients__table_value_t(&v7, &v7_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), INT64_C(0), v8, rates_4);
+    EACH_LANE each(high_beta_t) = each(v7_t);
     high_beta = v7;
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEAN)) = 0.0;
+    (*lanes_at(&work_t, zone + layout__STRIP_ZONE_LEAN)) = all_lanes(0.0);
     (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) = 0.0;
     if (yawed)
     {
@@ -5985,79 +6106,79 @@ static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d ta
         v9 = (*cspan_at(&work, stop + layout__TRACED_STATION_X)) - (*cspan_at(&work, start + layout__TRACED_STATION_X));
         v10 = (*cspan_at(&work, stop + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, start + layout__TRACED_STATION_STATION));
         v11 = v9 / v10;
-        slant_t = ((*cspan_at(&work_t, stop + layout__TRACED_STATION_X)) - (*cspan_at(&work_t, start + layout__TRACED_STATION_X)) - v11 * ((*cspan_at(&work_t, stop + layout__TRACED_STATION_STATION)) - (*cspan_at(&work_t, start + layout__TRACED_STATION_STATION)))) / v10;
+        EACH_LANE each(slant_t) = (each((*lanes_at(&work_t, stop + layout__TRACED_STATION_X))) - each((*lanes_at(&work_t, start + layout__TRACED_STATION_X))) - v11 * (each((*lanes_at(&work_t, stop + layout__TRACED_STATION_STATION))) - each((*lanes_at(&work_t, start + layout__TRACED_STATION_STATION))))) / v10;
         slant = v11;
         derivative_coefficients__skewed_coefficients_t(&one_alpha, &one_alpha_t, &beta, &beta_t, &nr, &nr_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, slant, slant_t);
         derivative_coefficients__middle_slant_t(&v12, &v12_t, tables, (int64_t)((*cspan_at(&tables, layout__TABLES_HERTZ))), A, A_t, B, B_t, slant, slant_t);
-        (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LEAN)) = v12_t - slant_t;
+        EACH_LANE each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_LEAN))) = each(v12_t) - each(slant_t);
         (*cspan_at(&work, zone + layout__STRIP_ZONE_LEAN)) = v12 - slant;
         v13 = beta / one_beta;
-        low_beta_t = low_beta_t * v13 + low_beta * ((beta_t - v13 * one_beta_t) / one_beta);
+        EACH_LANE each(low_beta_t) = each(low_beta_t) * v13 + low_beta * ((each(beta_t) - v13 * each(one_beta_t)) / one_beta);
         low_beta = low_beta * v13;
         v14 = beta / one_beta;
-        high_beta_t = high_beta_t * v14 + high_beta * ((beta_t - v14 * one_beta_t) / one_beta);
+        EACH_LANE each(high_beta_t) = each(high_beta_t) * v14 + high_beta * ((each(beta_t) - v14 * each(one_beta_t)) / one_beta);
         high_beta = high_beta * v14;
     }
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_ONE_ALPHA)) = one_alpha_t;
+    EACH_LANE each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_ONE_ALPHA))) = each(one_alpha_t);
     (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) = one_alpha;
     v15 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) / nr;
-    (*cspan_at(&work_t, zone + layout__STRIP_ZONE_LINE)) = (-v15) * nr_t / nr;
+    EACH_LANE each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_LINE))) = (-v15) * each(nr_t) / nr;
     (*cspan_at(&work, zone + layout__STRIP_ZONE_LINE)) = v15;
     for (i = first; i < first + strip_surfaces__ZONE_STATIONS; i += INT64_C(1))
     {
         at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-        beta_t = low_beta_t;
+        EACH_LANE each(beta_t) = each(low_beta_t);
         beta = low_beta;
         if ((*cspan_at(&work, at + layout__TRACED_STATION_STATION)) > (*cspan_at(&work, zone + layout__STRIP_ZONE_MIDDLE)))
         {
-            beta_t = high_beta_t;
+            EACH_LANE each(beta_t) = each(high_beta_t);
             beta = high_beta;
         }
         v16 = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP));
-        (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)) - (beta_t * v16 + beta * ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)) - (*cspan_at(&work_t, at + layout__TRACED_STATION_OVERLAP))));
+        EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_LEVEL))) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_DEPTH))) - (each(beta_t) * v16 + beta * (each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_DEPTH))) - each((*lanes_at(&work_t, at + layout__TRACED_STATION_OVERLAP)))));
         (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH)) - beta * v16;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``zone_curvature``. */
-static inline int64_t derivative_strip_surfaces__zone_curvature_t(double* B, double* B_t, double depth, double depth_t, double width, double width_t, double A, double A_t)
+static inline int64_t derivative_strip_surfaces__zone_curvature_t(double* B, lanes* B_t, double depth, lanes depth_t, double width, lanes width_t, double A, lanes A_t)
 {
     double v1;
     double v2;
     double v3;
     double v4;
-    double v4_t;
-    (*B_t) = strip_surfaces__SHARPEST_ZONE * A_t;
+    lanes v4_t;
+    EACH_LANE each((*B_t)) = strip_surfaces__SHARPEST_ZONE * each(A_t);
     (*B) = strip_surfaces__SHARPEST_ZONE * A;
     if (depth < (*B) * width * width)
     {
         v1 = width * width;
         v2 = depth / v1;
-        (*B_t) = (depth_t - v2 * (width_t * width + width * width_t)) / v1;
+        EACH_LANE each((*B_t)) = (each(depth_t) - v2 * (each(width_t) * width + width * each(width_t))) / v1;
         (*B) = v2;
     }
     v3 = strip_surfaces__FLATTEST_ZONE * A;
     v4 = (*B);
-    v4_t = (*B_t);
+    EACH_LANE each(v4_t) = each((*B_t));
     if (v3 > v4)
     {
         v4 = v3;
-        v4_t = strip_surfaces__FLATTEST_ZONE * A_t;
+        EACH_LANE each(v4_t) = strip_surfaces__FLATTEST_ZONE * each(A_t);
     }
-    (*B_t) = v4_t;
+    EACH_LANE each((*B_t)) = each(v4_t);
     (*B) = v4;
     return 0;
 }
 
 /* Derivative of ``trace_zones``. */
-static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t count)
+static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count)
 {
     int64_t index;
     int64_t zone;
     int64_t region;
     int64_t first;
-    double apart_t;
+    lanes apart_t;
     double apart;
     double v1;
     double v2;
@@ -6065,7 +6186,7 @@ static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d t
     int64_t at;
     double v3;
     int64_t i_end;
-    (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = 0.0;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
@@ -6076,33 +6197,35 @@ static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d t
             first = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)));
             if ((index > INT64_C(0)) && (first > INT64_C(0)))
             {
-                apart_t = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (index - INT64_C(1)) + layout__STRIP_ZONE_STOP));
+                EACH_LANE each(apart_t) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_START))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (index - INT64_C(1)) + layout__STRIP_ZONE_STOP)));
                 apart = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (index - INT64_C(1)) + layout__STRIP_ZONE_STOP));
-                (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - INT64_C(1)) + layout__TRACED_STATION_JOINED)) = 0.0;
+                (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - INT64_C(1)) + layout__TRACED_STATION_JOINED)) = all_lanes(0.0);
                 (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first - INT64_C(1)) + layout__TRACED_STATION_JOINED)) = (double)(apart < strip_surfaces__TOUCHING * ((*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START))));
             }
             derivative_frame__enter_plane_t(work, work_t, region, index);
-            derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*cspan_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*cspan_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*cspan_at(&work_t, region + layout__REGION_WHEEL)));
-            derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, 0.0);
+            derivative_traces__start_traces_t(work, work_t, (*cspan_at(&work, region + layout__REGION_STATION)), (*lanes_at(&work_t, region + layout__REGION_STATION)), (*cspan_at(&work, region + layout__REGION_RAIL)), (*lanes_at(&work_t, region + layout__REGION_RAIL)), (*cspan_at(&work, region + layout__REGION_WHEEL)), (*lanes_at(&work_t, region + layout__REGION_WHEEL)));
+            derivative_curves__open_origin_t(tables, work, work_t, pair, region, 0.0, all_lanes(0.0));
             v1 = (*cspan_at(&work, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work, zone + layout__STRIP_ZONE_START));
             v2 = (double)(strip_surfaces__ZONE_STATIONS - INT64_C(1)) + 2.0 * strip_surfaces__INSET;
-            (*cspan_at(&work_t, zone + layout__STRIP_ZONE_SPACING)) = ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_STOP)) - (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START))) / v2;
+            EACH_LANE each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_SPACING))) = (each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_STOP))) - each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_START)))) / v2;
             (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING)) = v1 / v2;
             for (i = INT64_C(0); i < strip_surfaces__ZONE_STATIONS; i += INT64_C(1))
             {
                 at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (first + i);
                 v3 = (double)(i) + strip_surfaces__INSET;
-                (*cspan_at(&work_t, at + layout__TRACED_STATION_STATION)) = (*cspan_at(&work_t, zone + layout__STRIP_ZONE_START)) + v3 * (*cspan_at(&work_t, zone + layout__STRIP_ZONE_SPACING));
+                EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_STATION))) = each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_START))) + v3 * each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_SPACING)));
                 (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) = (*cspan_at(&work, zone + layout__STRIP_ZONE_START)) + v3 * (*cspan_at(&work, zone + layout__STRIP_ZONE_SPACING));
-                (*cspan_at(&work_t, at + layout__TRACED_STATION_REGION)) = 0.0;
+                (*lanes_at(&work_t, at + layout__TRACED_STATION_REGION)) = all_lanes(0.0);
                 (*cspan_at(&work, at + layout__TRACED_STATION_REGION)) = (double)(index);
-                (*cspan_at(&work_t, at + layout__TRACED_STATION_JOINED)) = 0.0;
+                (*lanes_at(&work_t, at + layout__TRACED_STATION_JOINED)) = all_lanes(0.0);
                 (*cspan_at(&work, at + layout__TRACED_STATION_JOINED)) = (double)(i < strip_surfaces__ZONE_STATIONS - INT64_C(1));
                 derivative_strip_surfaces__trace_station_t(tables, work, work_t, pair, region, at);
             }
-            (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = 0.0;
+            (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = all_lanes(0.0);
             (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT)) = (double)(first + strip_surfaces__ZONE_STATIONS);
-            derivative_strip_surfaces__weigh_zone_t(tables, work, work_t, pair, zone, 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE)), 0.5 * (*cspan_at(&work_t, region + layout__REGION_CURVATURE)), first, frame__is_yawed(work));
+            lanes rates_1;
+            EACH_LANE each(rates_1) = 0.5 * each((*lanes_at(&work_t, region + layout__REGION_CURVATURE)));
+            derivative_strip_surfaces__weigh_zone_t(tables, work, work_t, pair, zone, 0.5 * (*cspan_at(&work, region + layout__REGION_CURVATURE)), rates_1, first, frame__is_yawed(work));
             derivative_frame__leave_plane_t(work, work_t, region);
         }
     }
@@ -6116,64 +6239,66 @@ static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d t
 }
 
 /* Derivative of ``trace_station``. */
-static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t region, int64_t at)
+static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t at)
 {
     double gap;
-    double gap_t;
+    lanes gap_t;
     double rate;
-    double rate_t;
+    lanes rate_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double curvature;
-    double curvature_t;
+    lanes curvature_t;
     double height;
-    double height_t;
+    lanes height_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double v1;
     double v2;
     double v3;
     double v4;
-    double v4_t;
-    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), (*cspan_at(&work_t, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work_t, region + layout__REGION_OFFSET)), strip_surfaces__STRIP_TRACE, 0.0);
-    (*cspan_at(&work_t, at + layout__TRACED_STATION_RISE)) = 0.0;
+    lanes v4_t;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, at + layout__TRACED_STATION_STATION))) - each((*lanes_at(&work_t, region + layout__REGION_OFFSET)));
+    derivative_separation__separation_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, region + layout__REGION_OFFSET)), rates_1, strip_surfaces__STRIP_TRACE, all_lanes(0.0));
+    (*lanes_at(&work_t, at + layout__TRACED_STATION_RISE)) = all_lanes(0.0);
     (*cspan_at(&work, at + layout__TRACED_STATION_RISE)) = 0.0;
-    (*cspan_at(&work_t, at + layout__TRACED_STATION_OVERLAP)) = 0.0;
+    (*lanes_at(&work_t, at + layout__TRACED_STATION_OVERLAP)) = all_lanes(0.0);
     (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) = 0.0;
     if (gap < frame__NO_GAP)
     {
-        (*cspan_at(&work_t, at + layout__TRACED_STATION_OVERLAP)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap_t;
+        EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_OVERLAP))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED))) + each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))) - each(gap_t);
         (*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAISED)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - gap;
-        (*cspan_at(&work_t, at + layout__TRACED_STATION_RISE)) = -rate_t;
+        EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_RISE))) = -each(rate_t);
         (*cspan_at(&work, at + layout__TRACED_STATION_RISE)) = -rate;
     }
-    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
+    derivative_tables__height_slope_t(&height, &height_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__RAIL + layout__TRACE_ABSCISSA)));
     v1 = 1.0 + slope * slope;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    (*cspan_at(&work_t, at + layout__TRACED_STATION_COS)) = (-v3) * derivative_rates__root_rate(v2, slope_t * slope + slope * slope_t) / v2;
+    EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_COS))) = (-v3) * derivative_rates__root_rate(v2, each(slope_t) * slope + slope * each(slope_t)) / v2;
     (*cspan_at(&work, at + layout__TRACED_STATION_COS)) = v3;
-    (*cspan_at(&work_t, at + layout__TRACED_STATION_SIN)) = slope_t * (*cspan_at(&work, at + layout__TRACED_STATION_COS)) + slope * (*cspan_at(&work_t, at + layout__TRACED_STATION_COS));
+    EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_SIN))) = each(slope_t) * (*cspan_at(&work, at + layout__TRACED_STATION_COS)) + slope * each((*lanes_at(&work_t, at + layout__TRACED_STATION_COS)));
     (*cspan_at(&work, at + layout__TRACED_STATION_SIN)) = slope * (*cspan_at(&work, at + layout__TRACED_STATION_COS));
-    (*cspan_at(&work_t, at + layout__TRACED_STATION_X)) = 0.0;
+    (*lanes_at(&work_t, at + layout__TRACED_STATION_X)) = all_lanes(0.0);
     (*cspan_at(&work, at + layout__TRACED_STATION_X)) = 0.0;
-    (*cspan_at(&work_t, at + layout__TRACED_STATION_A)) = 0.5 * curvature_t;
+    EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_A))) = 0.5 * each(curvature_t);
     (*cspan_at(&work, at + layout__TRACED_STATION_A)) = 0.5 * curvature;
-    (*cspan_at(&work_t, at + layout__TRACED_STATION_SKEW)) = 0.0;
+    (*lanes_at(&work_t, at + layout__TRACED_STATION_SKEW)) = all_lanes(0.0);
     (*cspan_at(&work, at + layout__TRACED_STATION_SKEW)) = 0.0;
-    (*cspan_at(&work_t, at + layout__TRACED_STATION_WHEEL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
+    EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_WHEEL))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA)));
     (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     if (frame__is_yawed(work))
     {
-        derivative_locus__outline_x_t(&v4, &v4_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)), (*cspan_at(&work_t, at + layout__TRACED_STATION_WHEEL)));
-        (*cspan_at(&work_t, at + layout__TRACED_STATION_X)) = v4_t;
+        derivative_locus__outline_x_t(&v4, &v4_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)), (*lanes_at(&work_t, at + layout__TRACED_STATION_WHEEL)));
+        EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_X))) = each(v4_t);
         (*cspan_at(&work, at + layout__TRACED_STATION_X)) = v4;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``measure_ridges``. */
-static inline int64_t derivative_strip_surfaces__measure_ridges_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place)
+static inline int64_t derivative_strip_surfaces__measure_ridges_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place)
 {
     int64_t i_end;
     int64_t i;
@@ -6181,8 +6306,8 @@ static inline int64_t derivative_strip_surfaces__measure_ridges_t(array_double_1
     int64_t zone;
     double v1;
     double v2;
-    double v2_t;
-    double level_t;
+    lanes v2_t;
+    lanes level_t;
     double level;
     double v3;
     double v4;
@@ -6194,83 +6319,85 @@ static inline int64_t derivative_strip_surfaces__measure_ridges_t(array_double_1
         zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, at + layout__TRACED_STATION_REGION)));
         v1 = strip_surfaces__LEAST_LEVEL * (*cspan_at(&work, zone + layout__STRIP_ZONE_DEPTH));
         v2 = (*cspan_at(&work, at + layout__TRACED_STATION_LEVEL));
-        v2_t = (*cspan_at(&work_t, at + layout__TRACED_STATION_LEVEL));
+        EACH_LANE each(v2_t) = each((*lanes_at(&work_t, at + layout__TRACED_STATION_LEVEL)));
         if (v1 > v2)
         {
             v2 = v1;
-            v2_t = strip_surfaces__LEAST_LEVEL * (*cspan_at(&work_t, zone + layout__STRIP_ZONE_DEPTH));
+            EACH_LANE each(v2_t) = strip_surfaces__LEAST_LEVEL * each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_DEPTH)));
         }
-        level_t = v2_t;
+        EACH_LANE each(level_t) = each(v2_t);
         level = v2;
         v3 = (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work, at + layout__TRACED_STATION_A));
         v4 = level / v3;
         v5 = sqrt(v4);
-        derivative_strip_surfaces__measure_ridge_t(tables, work, work_t, pair, place, at, strip_pressures__TESTED * v5, strip_pressures__TESTED * derivative_rates__root_rate(v5, (level_t - v4 * ((*cspan_at(&work_t, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work, at + layout__TRACED_STATION_A)) + (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) * (*cspan_at(&work_t, at + layout__TRACED_STATION_A)))) / v3));
+        lanes rates_1;
+        EACH_LANE each(rates_1) = strip_pressures__TESTED * derivative_rates__root_rate(v5, (each(level_t) - v4 * (each((*lanes_at(&work_t, zone + layout__STRIP_ZONE_ONE_ALPHA))) * (*cspan_at(&work, at + layout__TRACED_STATION_A)) + (*cspan_at(&work, zone + layout__STRIP_ZONE_ONE_ALPHA)) * each((*lanes_at(&work_t, at + layout__TRACED_STATION_A))))) / v3);
+        derivative_strip_surfaces__measure_ridge_t(tables, work, work_t, pair, place, at, strip_pressures__TESTED * v5, rates_1);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``profile_within``. */
-static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, double* z_t, array_double_1d tables, int64_t pair, double y, double y_t)
+static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, lanes* z_t, array_double_1d tables, int64_t pair, double y, lanes y_t)
 {
     int64_t wheel;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     wheel = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL)));
     v1 = y;
-    v1_t = y_t;
+    EACH_LANE each(v1_t) = each(y_t);
     if ((*cspan_at(&tables, wheel + layout__PROFILE_START)) > v1)
     {
         v1 = (*cspan_at(&tables, wheel + layout__PROFILE_START));
-        v1_t = 0.0;
+        v1_t = all_lanes(0.0);
     }
     v2 = v1;
-    v2_t = v1_t;
+    EACH_LANE each(v2_t) = each(v1_t);
     if ((*cspan_at(&tables, wheel + layout__PROFILE_STOP)) < v2)
     {
         v2 = (*cspan_at(&tables, wheel + layout__PROFILE_STOP));
-        v2_t = 0.0;
+        v2_t = all_lanes(0.0);
     }
-    y_t = v2_t;
+    EACH_LANE each(y_t) = each(v2_t);
     y = v2;
     derivative_tables__height_slope_t(z, z_t, &slope, &slope_t, tables, wheel, y, y_t);
     return 0;
 }
 
 /* Derivative of ``measure_ridge``. */
-static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, int64_t at, double away, double away_t)
+static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t at, double away, lanes away_t)
 {
     double v1;
-    double across_t;
+    lanes across_t;
     double across;
     double z;
-    double z_t;
+    lanes z_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double v2;
-    double v2_t;
-    double before_t;
+    lanes v2_t;
+    lanes before_t;
     double before;
     double v3;
-    double v3_t;
-    double after_t;
+    lanes v3_t;
+    lanes after_t;
     double after;
-    double mean_t;
+    lanes mean_t;
     double mean;
-    double square_t;
+    lanes square_t;
     double square;
     double v4;
     double v5;
     double v6;
-    double v6_t;
+    lanes v6_t;
     double v7;
-    double odd_t;
+    lanes odd_t;
     double odd;
     double v8;
     double v9;
@@ -6281,31 +6408,35 @@ static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) != layout__LONGITUDINAL_BASIC)
     {
         v1 = away * (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
-        across_t = (away_t * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) + away * (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW))) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
+        EACH_LANE each(across_t) = (each(away_t) * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) + away * each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW)))) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL)));
         across = v1 * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-        derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)), (*cspan_at(&work_t, at + layout__TRACED_STATION_WHEEL)));
-        derivative_strip_surfaces__profile_within_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)) - across, (*cspan_at(&work_t, at + layout__TRACED_STATION_WHEEL)) - across_t);
-        before_t = v2_t;
+        derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)), (*lanes_at(&work_t, at + layout__TRACED_STATION_WHEEL)));
+        lanes rates_1;
+        EACH_LANE each(rates_1) = each((*lanes_at(&work_t, at + layout__TRACED_STATION_WHEEL))) - each(across_t);
+        derivative_strip_surfaces__profile_within_t(&v2, &v2_t, tables, pair, (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)) - across, rates_1);
+        EACH_LANE each(before_t) = each(v2_t);
         before = v2;
-        derivative_strip_surfaces__profile_within_t(&v3, &v3_t, tables, pair, (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)) + across, (*cspan_at(&work_t, at + layout__TRACED_STATION_WHEEL)) + across_t);
-        after_t = v3_t;
+        lanes rates_2;
+        EACH_LANE each(rates_2) = each((*lanes_at(&work_t, at + layout__TRACED_STATION_WHEEL))) + each(across_t);
+        derivative_strip_surfaces__profile_within_t(&v3, &v3_t, tables, pair, (*cspan_at(&work, at + layout__TRACED_STATION_WHEEL)) + across, rates_2);
+        EACH_LANE each(after_t) = each(v3_t);
         after = v3;
-        mean_t = bend_t;
+        EACH_LANE each(mean_t) = each(bend_t);
         mean = bend;
-        square_t = across_t * across + across * across_t;
+        EACH_LANE each(square_t) = each(across_t) * across + across * each(across_t);
         square = across * across;
         if (square > 0.0)
         {
             v4 = before + after - 2.0 * z;
             v5 = v4 / square;
-            mean_t = (before_t + after_t - 2.0 * z_t - v5 * square_t) / square;
+            EACH_LANE each(mean_t) = (each(before_t) + each(after_t) - 2.0 * each(z_t) - v5 * each(square_t)) / square;
             mean = v5;
         }
         derivative_curvature__longitudinal_curvature_t(&v6, &v6_t, work, work_t, tables, place, z, z_t, slope, slope_t, mean, mean_t);
-        (*cspan_at(&work_t, at + layout__TRACED_STATION_A)) = 0.5 * v6_t;
+        EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_A))) = 0.5 * each(v6_t);
         (*cspan_at(&work, at + layout__TRACED_STATION_A)) = 0.5 * v6;
         v7 = after - before;
-        odd_t = 0.5 * (after_t - before_t) - (slope_t * across + slope * across_t);
+        EACH_LANE each(odd_t) = 0.5 * (each(after_t) - each(before_t)) - (each(slope_t) * across + slope * each(across_t));
         odd = 0.5 * v7 - slope * across;
         v8 = 1.0 + slope * slope;
         v9 = sqrt(v8);
@@ -6313,27 +6444,27 @@ static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d
         v11 = v10 * away;
         v12 = v11 * away;
         v13 = odd / v12;
-        (*cspan_at(&work_t, at + layout__TRACED_STATION_SKEW)) = (odd_t - v13 * (((derivative_rates__root_rate(v9, slope_t * slope + slope * slope_t) * away + v9 * away_t) * away + v10 * away_t) * away + v11 * away_t)) / v12;
+        EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_SKEW))) = (each(odd_t) - v13 * (((derivative_rates__root_rate(v9, each(slope_t) * slope + slope * each(slope_t)) * away + v9 * each(away_t)) * away + v10 * each(away_t)) * away + v11 * each(away_t))) / v12;
         (*cspan_at(&work, at + layout__TRACED_STATION_SKEW)) = v13;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``place_on_middle``. */
-static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_lanes_1d work_t)
 {
     int64_t i_end;
     int64_t i;
     int64_t at;
     int64_t before;
     int64_t after;
-    double turned_t;
+    lanes turned_t;
     double turned;
     double v1;
     double v2;
     double v3;
     double v4;
-    double way_t;
+    lanes way_t;
     double way;
     double v5;
     double v6;
@@ -6351,9 +6482,9 @@ static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_
         {
             after = i + INT64_C(1);
         }
-        turned_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS)) - ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS)) * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN)));
+        EACH_LANE each(turned_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN)) * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS))) - (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN)) + (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS)) * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN))));
         turned = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_SIN)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_COS)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_COS)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_SIN));
-        (*cspan_at(&work_t, at + layout__TRACED_STATION_STRETCH)) = 0.0;
+        (*lanes_at(&work_t, at + layout__TRACED_STATION_STRETCH)) = all_lanes(0.0);
         (*cspan_at(&work, at + layout__TRACED_STATION_STRETCH)) = 1.0;
         if ((*cspan_at(&work, at + layout__TRACED_STATION_OVERLAP)) > 0.0)
         {
@@ -6361,18 +6492,18 @@ static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_
             v2 = v1 * turned;
             v3 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_STATION));
             v4 = v2 / v3;
-            (*cspan_at(&work_t, at + layout__TRACED_STATION_STRETCH)) = (*cspan_at(&work_t, at + layout__TRACED_STATION_STRETCH)) - (0.5 * (*cspan_at(&work_t, at + layout__TRACED_STATION_OVERLAP)) * turned + v1 * turned_t - v4 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_STATION)))) / v3;
+            EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_STRETCH))) = each((*lanes_at(&work_t, at + layout__TRACED_STATION_STRETCH))) - (0.5 * each((*lanes_at(&work_t, at + layout__TRACED_STATION_OVERLAP))) * turned + v1 * each(turned_t) - v4 * (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * after + layout__TRACED_STATION_STATION))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * before + layout__TRACED_STATION_STATION))))) / v3;
             (*cspan_at(&work, at + layout__TRACED_STATION_STRETCH)) = (*cspan_at(&work, at + layout__TRACED_STATION_STRETCH)) - v4;
         }
-        (*cspan_at(&work_t, at + layout__TRACED_STATION_PLACE)) = (*cspan_at(&work_t, at + layout__TRACED_STATION_STATION));
+        EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_PLACE))) = each((*lanes_at(&work_t, at + layout__TRACED_STATION_STATION)));
         (*cspan_at(&work, at + layout__TRACED_STATION_PLACE)) = (*cspan_at(&work, at + layout__TRACED_STATION_STATION));
         if (i > INT64_C(0))
         {
-            way_t = (*cspan_at(&work_t, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_STATION));
+            EACH_LANE each(way_t) = each((*lanes_at(&work_t, at + layout__TRACED_STATION_STATION))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_STATION)));
             way = (*cspan_at(&work, at + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_STATION));
             v5 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_STRETCH)) + (*cspan_at(&work, at + layout__TRACED_STATION_STRETCH));
             v6 = 0.5 * v5;
-            (*cspan_at(&work_t, at + layout__TRACED_STATION_PLACE)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_PLACE)) + (0.5 * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_STRETCH)) + (*cspan_at(&work_t, at + layout__TRACED_STATION_STRETCH))) * way + v6 * way_t);
+            EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_PLACE))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_PLACE))) + (0.5 * (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_STRETCH))) + each((*lanes_at(&work_t, at + layout__TRACED_STATION_STRETCH)))) * way + v6 * each(way_t));
             (*cspan_at(&work, at + layout__TRACED_STATION_PLACE)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i - INT64_C(1)) + layout__TRACED_STATION_PLACE)) + v6 * way;
         }
     }
@@ -6380,89 +6511,89 @@ static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_
 }
 
 /* Derivative of ``incline_station``. */
-static inline int64_t derivative_strip_surfaces__incline_station_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t at)
+static inline int64_t derivative_strip_surfaces__incline_station_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t at)
 {
-    double half_t;
+    lanes half_t;
     double half;
     double v1;
     double v2;
     double v3;
-    double scale_t;
+    lanes scale_t;
     double scale;
     double v4;
     double v5;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
     double v6;
     double v7;
-    double v7_t;
-    half_t = 0.5 * (*cspan_at(&work_t, at + layout__TRACED_STATION_RISE));
+    lanes v7_t;
+    EACH_LANE each(half_t) = 0.5 * each((*lanes_at(&work_t, at + layout__TRACED_STATION_RISE)));
     half = 0.5 * (*cspan_at(&work, at + layout__TRACED_STATION_RISE));
     v1 = 1.0 + half * half;
     v2 = sqrt(v1);
     v3 = 1.0 / v2;
-    scale_t = (-v3) * derivative_rates__root_rate(v2, half_t * half + half * half_t) / v2;
+    EACH_LANE each(scale_t) = (-v3) * derivative_rates__root_rate(v2, each(half_t) * half + half * each(half_t)) / v2;
     scale = v3;
     v4 = (*cspan_at(&work, at + layout__TRACED_STATION_COS)) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-    (*cspan_at(&work_t, at + layout__TRACED_STATION_SHARE)) = ((*cspan_at(&work_t, at + layout__TRACED_STATION_COS)) - v4 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+    EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_SHARE))) = (each((*lanes_at(&work_t, at + layout__TRACED_STATION_COS))) - v4 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
     (*cspan_at(&work, at + layout__TRACED_STATION_SHARE)) = v4;
     v5 = (*cspan_at(&work, at + layout__TRACED_STATION_COS)) - half * (*cspan_at(&work, at + layout__TRACED_STATION_SIN));
-    cosine_t = ((*cspan_at(&work_t, at + layout__TRACED_STATION_COS)) - (half_t * (*cspan_at(&work, at + layout__TRACED_STATION_SIN)) + half * (*cspan_at(&work_t, at + layout__TRACED_STATION_SIN)))) * scale + v5 * scale_t;
+    EACH_LANE each(cosine_t) = (each((*lanes_at(&work_t, at + layout__TRACED_STATION_COS))) - (each(half_t) * (*cspan_at(&work, at + layout__TRACED_STATION_SIN)) + half * each((*lanes_at(&work_t, at + layout__TRACED_STATION_SIN))))) * scale + v5 * each(scale_t);
     cosine = v5 * scale;
     v6 = (*cspan_at(&work, at + layout__TRACED_STATION_SIN)) + half * (*cspan_at(&work, at + layout__TRACED_STATION_COS));
-    (*cspan_at(&work_t, at + layout__TRACED_STATION_SIN)) = ((*cspan_at(&work_t, at + layout__TRACED_STATION_SIN)) + (half_t * (*cspan_at(&work, at + layout__TRACED_STATION_COS)) + half * (*cspan_at(&work_t, at + layout__TRACED_STATION_COS)))) * scale + v6 * scale_t;
+    EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_SIN))) = (each((*lanes_at(&work_t, at + layout__TRACED_STATION_SIN))) + (each(half_t) * (*cspan_at(&work, at + layout__TRACED_STATION_COS)) + half * each((*lanes_at(&work_t, at + layout__TRACED_STATION_COS))))) * scale + v6 * each(scale_t);
     (*cspan_at(&work, at + layout__TRACED_STATION_SIN)) = v6 * scale;
-    (*cspan_at(&work_t, at + layout__TRACED_STATION_COS)) = cosine_t;
+    EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_COS))) = each(cosine_t);
     (*cspan_at(&work, at + layout__TRACED_STATION_COS)) = cosine;
-    (*cspan_at(&work_t, at + layout__TRACED_STATION_COUNTED)) = 0.0;
+    (*lanes_at(&work_t, at + layout__TRACED_STATION_COUNTED)) = all_lanes(0.0);
     (*cspan_at(&work, at + layout__TRACED_STATION_COUNTED)) = 1.0;
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL)
     {
-        derivative_rails__upright_share_t(&v7, &v7_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, cosine_t, (*cspan_at(&work, at + layout__TRACED_STATION_SIN)), (*cspan_at(&work_t, at + layout__TRACED_STATION_SIN)));
-        (*cspan_at(&work_t, at + layout__TRACED_STATION_COUNTED)) = v7_t;
+        derivative_rails__upright_share_t(&v7, &v7_t, work, work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, cosine_t, (*cspan_at(&work, at + layout__TRACED_STATION_SIN)), (*lanes_at(&work_t, at + layout__TRACED_STATION_SIN)));
+        EACH_LANE each((*lanes_at(&work_t, at + layout__TRACED_STATION_COUNTED))) = each(v7_t);
         (*cspan_at(&work, at + layout__TRACED_STATION_COUNTED)) = v7;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``way_through``. */
-static inline int64_t derivative_strip_surfaces__way_through_t(double* v3, double* result_1, array_double_1d work, array_double_1d work_t, int64_t j, double station, double station_t)
+static inline int64_t derivative_strip_surfaces__way_through_t(double* v3, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t j, double station, lanes station_t)
 {
-    double start_t;
+    lanes start_t;
     double start;
     double v1;
     double v2;
-    start_t = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_STATION));
+    EACH_LANE each(start_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_STATION)));
     start = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_STATION));
     v1 = station - start;
     v2 = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1)) + layout__TRACED_STATION_STATION)) - start;
     (*v3) = v1 / v2;
-    (*result_1) = (station_t - start_t - (*v3) * ((*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1)) + layout__TRACED_STATION_STATION)) - start_t)) / v2;
+    EACH_LANE each((*result_1)) = (each(station_t) - each(start_t) - (*v3) * (each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1)) + layout__TRACED_STATION_STATION))) - each(start_t))) / v2;
     return 0;
 }
 
 /* Derivative of ``between``. */
-static inline int64_t derivative_strip_surfaces__between_t(double* result_0, double* result_1, double low, double low_t, double high, double high_t, double u, double u_t)
+static inline int64_t derivative_strip_surfaces__between_t(double* result_0, lanes* result_1, double low, lanes low_t, double high, lanes high_t, double u, lanes u_t)
 {
     double v1;
     v1 = high - low;
     (*result_0) = low + u * v1;
-    (*result_1) = low_t + (u_t * v1 + u * (high_t - low_t));
+    EACH_LANE each((*result_1)) = each(low_t) + (each(u_t) * v1 + u * (each(high_t) - each(low_t)));
     return 0;
 }
 
 /* Derivative of ``rest_gap``. */
-static inline int64_t derivative_strip_surfaces__rest_gap_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t j, double station, double station_t)
+static inline int64_t derivative_strip_surfaces__rest_gap_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t j, double station, lanes station_t)
 {
     int64_t low;
     int64_t high;
-    double way_t;
+    lanes way_t;
     double way;
     double v1;
     double v2;
-    double u_t;
+    lanes u_t;
     double u;
-    double v_t;
+    lanes v_t;
     double v;
     double v3;
     double v4;
@@ -6473,19 +6604,19 @@ static inline int64_t derivative_strip_surfaces__rest_gap_t(double* result_0, do
     double v9;
     double v10;
     double v11;
-    double overlap_t;
+    lanes overlap_t;
     double overlap;
     double v12;
-    double v12_t;
+    lanes v12_t;
     low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j;
     high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1));
-    way_t = (*cspan_at(&work_t, high + layout__TRACED_STATION_STATION)) - (*cspan_at(&work_t, low + layout__TRACED_STATION_STATION));
+    EACH_LANE each(way_t) = each((*lanes_at(&work_t, high + layout__TRACED_STATION_STATION))) - each((*lanes_at(&work_t, low + layout__TRACED_STATION_STATION)));
     way = (*cspan_at(&work, high + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, low + layout__TRACED_STATION_STATION));
     v1 = station - (*cspan_at(&work, low + layout__TRACED_STATION_STATION));
     v2 = v1 / way;
-    u_t = (station_t - (*cspan_at(&work_t, low + layout__TRACED_STATION_STATION)) - v2 * way_t) / way;
+    EACH_LANE each(u_t) = (each(station_t) - each((*lanes_at(&work_t, low + layout__TRACED_STATION_STATION))) - v2 * each(way_t)) / way;
     u = v2;
-    v_t = -u_t;
+    EACH_LANE each(v_t) = -each(u_t);
     v = 1.0 - u;
     v3 = 1.0 + 2.0 * u;
     v4 = v3 * v;
@@ -6496,10 +6627,10 @@ static inline int64_t derivative_strip_surfaces__rest_gap_t(double* result_0, do
     v9 = u * v;
     v10 = v9 * way;
     v11 = v * (*cspan_at(&work, low + layout__TRACED_STATION_RISE)) - u * (*cspan_at(&work, high + layout__TRACED_STATION_RISE));
-    overlap_t = ((2.0 * u_t * v + v3 * v_t) * v + v4 * v_t) * (*cspan_at(&work, low + layout__TRACED_STATION_OVERLAP)) + v5 * (*cspan_at(&work_t, low + layout__TRACED_STATION_OVERLAP)) + (((u_t * u + u * u_t) * v7 + v6 * (-(2.0 * u_t))) * (*cspan_at(&work, high + layout__TRACED_STATION_OVERLAP)) + v8 * (*cspan_at(&work_t, high + layout__TRACED_STATION_OVERLAP))) + (((u_t * v + u * v_t) * way + v9 * way_t) * v11 + v10 * (v_t * (*cspan_at(&work, low + layout__TRACED_STATION_RISE)) + v * (*cspan_at(&work_t, low + layout__TRACED_STATION_RISE)) - (u_t * (*cspan_at(&work, high + layout__TRACED_STATION_RISE)) + u * (*cspan_at(&work_t, high + layout__TRACED_STATION_RISE)))));
+    EACH_LANE each(overlap_t) = ((2.0 * each(u_t) * v + v3 * each(v_t)) * v + v4 * each(v_t)) * (*cspan_at(&work, low + layout__TRACED_STATION_OVERLAP)) + v5 * each((*lanes_at(&work_t, low + layout__TRACED_STATION_OVERLAP))) + (((each(u_t) * u + u * each(u_t)) * v7 + v6 * (-(2.0 * each(u_t)))) * (*cspan_at(&work, high + layout__TRACED_STATION_OVERLAP)) + v8 * each((*lanes_at(&work_t, high + layout__TRACED_STATION_OVERLAP)))) + (((each(u_t) * v + u * each(v_t)) * way + v9 * each(way_t)) * v11 + v10 * (each(v_t) * (*cspan_at(&work, low + layout__TRACED_STATION_RISE)) + v * each((*lanes_at(&work_t, low + layout__TRACED_STATION_RISE))) - (each(u_t) * (*cspan_at(&work, high + layout__TRACED_STATION_RISE)) + u * each((*lanes_at(&work_t, high + layout__TRACED_STATION_RISE))))));
     overlap = v5 * (*cspan_at(&work, low + layout__TRACED_STATION_OVERLAP)) + v8 * (*cspan_at(&work, high + layout__TRACED_STATION_OVERLAP)) + v10 * v11;
-    derivative_strip_surfaces__between_t(&v12, &v12_t, (*cspan_at(&work, low + layout__TRACED_STATION_SHARE)), (*cspan_at(&work_t, low + layout__TRACED_STATION_SHARE)), (*cspan_at(&work, high + layout__TRACED_STATION_SHARE)), (*cspan_at(&work_t, high + layout__TRACED_STATION_SHARE)), u, u_t);
+    derivative_strip_surfaces__between_t(&v12, &v12_t, (*cspan_at(&work, low + layout__TRACED_STATION_SHARE)), (*lanes_at(&work_t, low + layout__TRACED_STATION_SHARE)), (*cspan_at(&work, high + layout__TRACED_STATION_SHARE)), (*lanes_at(&work_t, high + layout__TRACED_STATION_SHARE)), u, u_t);
     (*result_0) = v12 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - overlap;
-    (*result_1) = v12_t * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) + v12 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - overlap_t;
+    EACH_LANE each((*result_1)) = each(v12_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) + v12 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION))) - each(overlap_t);
     return 0;
 }

@@ -8,21 +8,21 @@
  */
 
 /* Derivative of ``clear_patches``. */
-static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, array_double_1d work_t, int64_t side)
+static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side)
 {
     int64_t i_1;
-    (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PATCH_COUNT)) = 0.0;
+    (*lanes_at(&work_t, side + layout__SIDE_SEARCH_PATCH_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = 0.0;
     for (i_1 = INT64_C(0); i_1 < layout__PATCH_TOTALS_SIZE; i_1 += INT64_C(1))
     {
-        (*cspan_at(&work_t, side + layout__SIDE_SEARCH_TOTALS + i_1)) = 0.0;
+        (*lanes_at(&work_t, side + layout__SIDE_SEARCH_TOTALS + i_1)) = all_lanes(0.0);
         (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + i_1)) = 0.0;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``begin_patch``. */
-static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t region, double start, double start_t, int64_t first, int64_t rule)
+static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t region, double start, lanes start_t, int64_t first, int64_t rule)
 {
     int64_t patch;
     int64_t index;
@@ -31,35 +31,35 @@ static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, ar
     {
         return index - INT64_C(1);
     }
-    (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PATCH_COUNT)) = 0.0;
+    (*lanes_at(&work_t, side + layout__SIDE_SEARCH_PATCH_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = (double)(index + INT64_C(1));
     patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
     derivative_filling__forget_t(work, work_t, patch);
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)) = start_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START))) = each(start_t);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)) = start;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = start_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP))) = each(start_t);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = start;
-    (*cspan_at(&work_t, patch + layout__PATCH_RAIL)) = (*cspan_at(&work_t, region + layout__REGION_RAIL));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_RAIL))) = each((*lanes_at(&work_t, region + layout__REGION_RAIL)));
     (*cspan_at(&work, patch + layout__PATCH_RAIL)) = (*cspan_at(&work, region + layout__REGION_RAIL));
-    (*cspan_at(&work_t, patch + layout__PATCH_WHEEL)) = (*cspan_at(&work_t, region + layout__REGION_WHEEL));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_WHEEL))) = each((*lanes_at(&work_t, region + layout__REGION_WHEEL)));
     (*cspan_at(&work, patch + layout__PATCH_WHEEL)) = (*cspan_at(&work, region + layout__REGION_WHEEL));
-    (*cspan_at(&work_t, patch + layout__PATCH_STATION)) = (*cspan_at(&work_t, region + layout__REGION_OFFSET)) + (*cspan_at(&work_t, region + layout__REGION_STATION));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_STATION))) = each((*lanes_at(&work_t, region + layout__REGION_OFFSET))) + each((*lanes_at(&work_t, region + layout__REGION_STATION)));
     (*cspan_at(&work, patch + layout__PATCH_STATION)) = (*cspan_at(&work, region + layout__REGION_OFFSET)) + (*cspan_at(&work, region + layout__REGION_STATION));
-    (*cspan_at(&work_t, patch + layout__PATCH_X)) = (*cspan_at(&work_t, region + layout__REGION_X_TRACK));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_X))) = each((*lanes_at(&work_t, region + layout__REGION_X_TRACK)));
     (*cspan_at(&work, patch + layout__PATCH_X)) = (*cspan_at(&work, region + layout__REGION_X_TRACK));
-    (*cspan_at(&work_t, patch + layout__PATCH_SLANT)) = (*cspan_at(&work_t, region + layout__REGION_SLANT));
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_SLANT))) = each((*lanes_at(&work_t, region + layout__REGION_SLANT)));
     (*cspan_at(&work, patch + layout__PATCH_SLANT)) = (*cspan_at(&work, region + layout__REGION_SLANT));
-    (*cspan_at(&work_t, patch + layout__PATCH_RULE)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_RULE)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_RULE)) = (double)(rule);
-    (*cspan_at(&work_t, patch + layout__PATCH_FIRST)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_FIRST)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_FIRST)) = (double)(first);
-    (*cspan_at(&work_t, patch + layout__PATCH_LAST)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_LAST)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_LAST)) = (double)(first - INT64_C(1));
     return index;
 }
 
 /* Derivative of ``forget``. */
-static inline int64_t derivative_filling__forget_t(array_double_1d work, array_double_1d work_t, int64_t patch)
+static inline int64_t derivative_filling__forget_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
 {
     int64_t i_1;
     int64_t i_2;
@@ -67,83 +67,83 @@ static inline int64_t derivative_filling__forget_t(array_double_1d work, array_d
     int64_t i_4;
     for (i_1 = INT64_C(0); i_1 < layout__PATCH_TOTALS_SIZE; i_1 += INT64_C(1))
     {
-        (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + i_1)) = 0.0;
+        (*lanes_at(&work_t, patch + layout__PATCH_TOTALS + i_1)) = all_lanes(0.0);
         (*cspan_at(&work, patch + layout__PATCH_TOTALS + i_1)) = 0.0;
     }
-    (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = 0.0;
     for (i_2 = INT64_C(0); i_2 < INT64_C(3); i_2 += INT64_C(1))
     {
-        (*cspan_at(&work_t, patch + layout__PATCH_LOADS + i_2)) = 0.0;
+        (*lanes_at(&work_t, patch + layout__PATCH_LOADS + i_2)) = all_lanes(0.0);
         (*cspan_at(&work, patch + layout__PATCH_LOADS + i_2)) = 0.0;
     }
     for (i_3 = INT64_C(0); i_3 < INT64_C(3); i_3 += INT64_C(1))
     {
-        (*cspan_at(&work_t, patch + layout__PATCH_MOMENTS + i_3)) = 0.0;
+        (*lanes_at(&work_t, patch + layout__PATCH_MOMENTS + i_3)) = all_lanes(0.0);
         (*cspan_at(&work, patch + layout__PATCH_MOMENTS + i_3)) = 0.0;
     }
-    (*cspan_at(&work_t, patch + layout__PATCH_RANK)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_RANK)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_RANK)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_PENETRATION)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_PENETRATION)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_PENETRATION)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_X_TRACK)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) = 0.0;
     for (i_4 = INT64_C(0); i_4 < INT64_C(3); i_4 += INT64_C(1))
     {
-        (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i_4)) = 0.0;
+        (*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i_4)) = all_lanes(0.0);
         (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i_4)) = 0.0;
     }
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_SPIN)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_SPIN)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_SPIN)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_SPEED)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_SPEED)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_SPEED)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_CREEP_X)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR)) = 0.0;
-    (*cspan_at(&work_t, patch + layout__PATCH_SATURATION)) = 0.0;
+    (*lanes_at(&work_t, patch + layout__PATCH_SATURATION)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_SATURATION)) = 0.0;
     return INT64_C(0);
 }
 
 /* Derivative of ``add_load``. */
-static inline int64_t derivative_filling__add_load_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t region, double load, double load_t, double moment, double moment_t)
+static inline int64_t derivative_filling__add_load_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t region, double load, lanes load_t, double moment, lanes moment_t)
 {
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + load_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) + each(load_t);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + load;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) + moment_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT))) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT))) + each(moment_t);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) + moment;
-    (*cspan_at(&work_t, patch + layout__PATCH_LOADS + region)) = (*cspan_at(&work_t, patch + layout__PATCH_LOADS + region)) + load_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_LOADS + region))) = each((*lanes_at(&work_t, patch + layout__PATCH_LOADS + region))) + each(load_t);
     (*cspan_at(&work, patch + layout__PATCH_LOADS + region)) = (*cspan_at(&work, patch + layout__PATCH_LOADS + region)) + load;
-    (*cspan_at(&work_t, patch + layout__PATCH_MOMENTS + region)) = (*cspan_at(&work_t, patch + layout__PATCH_MOMENTS + region)) + moment_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_MOMENTS + region))) = each((*lanes_at(&work_t, patch + layout__PATCH_MOMENTS + region))) + each(moment_t);
     (*cspan_at(&work, patch + layout__PATCH_MOMENTS + region)) = (*cspan_at(&work, patch + layout__PATCH_MOMENTS + region)) + moment;
     return INT64_C(0);
 }
 
 /* Derivative of ``finish_patch``. */
-static inline int64_t derivative_filling__finish_patch_t(array_double_1d work, array_double_1d work_t, int64_t side)
+static inline int64_t derivative_filling__finish_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t side)
 {
     int64_t patch;
     double v1;
@@ -152,10 +152,10 @@ static inline int64_t derivative_filling__finish_patch_t(array_double_1d work, a
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) - INT64_C(1));
         v1 = sqrt((*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)));
-        (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = derivative_rates__root_rate(v1, (*cspan_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE)));
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE))) = derivative_rates__root_rate(v1, each((*lanes_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE))));
         (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE)) = v1;
         v2 = sqrt((*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)));
-        (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = derivative_rates__root_rate(v2, (*cspan_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)));
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH))) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE))));
         (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = v2;
         derivative_filling__complete_totals_t(work, work_t, patch + layout__PATCH_TOTALS);
     }
@@ -163,22 +163,22 @@ static inline int64_t derivative_filling__finish_patch_t(array_double_1d work, a
 }
 
 /* Derivative of ``complete_totals``. */
-static inline int64_t derivative_filling__complete_totals_t(array_double_1d work, array_double_1d work_t, int64_t totals)
+static inline int64_t derivative_filling__complete_totals_t(array_double_1d work, array_lanes_1d work_t, int64_t totals)
 {
     double v1;
-    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP)) - (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_START));
+    EACH_LANE each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_STOP))) - each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_START)));
     (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)) - (*cspan_at(&work, totals + layout__PATCH_TOTALS_START));
     if ((*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) > 0.0)
     {
         v1 = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) / (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
-        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_CENTROID)) = ((*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) - v1 * (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD))) / (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
+        EACH_LANE each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_CENTROID))) = (each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT))) - v1 * each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)))) / (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
         (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID)) = v1;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``remove_unloaded``. */
-static inline int64_t derivative_filling__remove_unloaded_t(array_double_1d work, array_double_1d work_t, int64_t side)
+static inline int64_t derivative_filling__remove_unloaded_t(array_double_1d work, array_lanes_1d work_t, int64_t side)
 {
     int64_t index;
     index = INT64_C(0);
@@ -198,7 +198,7 @@ static inline int64_t derivative_filling__remove_unloaded_t(array_double_1d work
 }
 
 /* Derivative of ``remove_patch``. */
-static inline int64_t derivative_filling__remove_patch_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t index)
+static inline int64_t derivative_filling__remove_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t index)
 {
     int64_t beside;
     int64_t heir;
@@ -214,28 +214,28 @@ static inline int64_t derivative_filling__remove_patch_t(array_double_1d work, a
     }
     heir = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * beside;
     removed = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
-    (*cspan_at(&work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work_t, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    EACH_LANE each((*lanes_at(&work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) = each((*lanes_at(&work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) + each((*lanes_at(&work_t, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
     (*cspan_at(&work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    (*cspan_at(&work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) + (*cspan_at(&work_t, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT));
+    EACH_LANE each((*lanes_at(&work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT))) = each((*lanes_at(&work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT))) + each((*lanes_at(&work_t, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)));
     (*cspan_at(&work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) + (*cspan_at(&work, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT));
-    (*cspan_at(&work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + (*cspan_at(&work_t, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    EACH_LANE each((*lanes_at(&work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) = each((*lanes_at(&work_t, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) + each((*lanes_at(&work_t, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)));
     (*cspan_at(&work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, heir + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) + (*cspan_at(&work, removed + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
     derivative_filling__complete_totals_t(work, work_t, heir + layout__PATCH_TOTALS);
     for (region = INT64_C(0); region < layout__REGION_LIMIT; region += INT64_C(1))
     {
-        (*cspan_at(&work_t, heir + layout__PATCH_LOADS + region)) = (*cspan_at(&work_t, heir + layout__PATCH_LOADS + region)) + (*cspan_at(&work_t, removed + layout__PATCH_LOADS + region));
+        EACH_LANE each((*lanes_at(&work_t, heir + layout__PATCH_LOADS + region))) = each((*lanes_at(&work_t, heir + layout__PATCH_LOADS + region))) + each((*lanes_at(&work_t, removed + layout__PATCH_LOADS + region)));
         (*cspan_at(&work, heir + layout__PATCH_LOADS + region)) = (*cspan_at(&work, heir + layout__PATCH_LOADS + region)) + (*cspan_at(&work, removed + layout__PATCH_LOADS + region));
-        (*cspan_at(&work_t, heir + layout__PATCH_MOMENTS + region)) = (*cspan_at(&work_t, heir + layout__PATCH_MOMENTS + region)) + (*cspan_at(&work_t, removed + layout__PATCH_MOMENTS + region));
+        EACH_LANE each((*lanes_at(&work_t, heir + layout__PATCH_MOMENTS + region))) = each((*lanes_at(&work_t, heir + layout__PATCH_MOMENTS + region))) + each((*lanes_at(&work_t, removed + layout__PATCH_MOMENTS + region)));
         (*cspan_at(&work, heir + layout__PATCH_MOMENTS + region)) = (*cspan_at(&work, heir + layout__PATCH_MOMENTS + region)) + (*cspan_at(&work, removed + layout__PATCH_MOMENTS + region));
     }
-    (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PATCH_COUNT)) = 0.0;
+    (*lanes_at(&work_t, side + layout__SIDE_SEARCH_PATCH_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) - INT64_C(1));
     following_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (following = index; following < following_end; following += INT64_C(1))
     {
         for (i_1 = INT64_C(0); i_1 < layout__PATCH_SIZE; i_1 += INT64_C(1))
         {
-            (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * following + i_1)) = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (following + INT64_C(1)) + i_1));
+            EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * following + i_1))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (following + INT64_C(1)) + i_1)));
             (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * following + i_1)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (following + INT64_C(1)) + i_1));
         }
     }
@@ -243,7 +243,7 @@ static inline int64_t derivative_filling__remove_patch_t(array_double_1d work, a
 }
 
 /* Derivative of ``finish_patches``. */
-static inline int64_t derivative_filling__finish_patches_t(array_double_1d work, array_double_1d work_t, int64_t side)
+static inline int64_t derivative_filling__finish_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side)
 {
     int64_t rank_end;
     int64_t rank;
@@ -258,7 +258,7 @@ static inline int64_t derivative_filling__finish_patches_t(array_double_1d work,
         if (heaviest >= INT64_C(0))
         {
             ranked = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * heaviest;
-            (*cspan_at(&work_t, ranked + layout__PATCH_RANK)) = 0.0;
+            (*lanes_at(&work_t, ranked + layout__PATCH_RANK)) = all_lanes(0.0);
             (*cspan_at(&work, ranked + layout__PATCH_RANK)) = (double)(rank);
         }
     }
@@ -266,57 +266,57 @@ static inline int64_t derivative_filling__finish_patches_t(array_double_1d work,
 }
 
 /* Derivative of ``total_patches``. */
-static inline int64_t derivative_filling__total_patches_t(array_double_1d work, array_double_1d work_t, int64_t side)
+static inline int64_t derivative_filling__total_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side)
 {
     int64_t totals;
     int64_t index_end;
     int64_t index;
     int64_t one;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     totals = side + layout__SIDE_SEARCH_TOTALS;
-    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)) = 0.0;
+    (*lanes_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)) = all_lanes(0.0);
     (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) = 0.0;
-    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) = 0.0;
+    (*lanes_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) = all_lanes(0.0);
     (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) = 0.0;
-    (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) = 0.0;
+    (*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) = all_lanes(0.0);
     (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) = 0.0;
     index_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (index = INT64_C(0); index < index_end; index += INT64_C(1))
     {
         one = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index + layout__PATCH_TOTALS;
-        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work_t, one + layout__PATCH_TOTALS_LOAD));
+        EACH_LANE each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_LOAD))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_LOAD))) + each((*lanes_at(&work_t, one + layout__PATCH_TOTALS_LOAD)));
         (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, one + layout__PATCH_TOTALS_LOAD));
-        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA)) + (*cspan_at(&work_t, one + layout__PATCH_TOTALS_AREA));
+        EACH_LANE each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_AREA))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_AREA))) + each((*lanes_at(&work_t, one + layout__PATCH_TOTALS_AREA)));
         (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA)) + (*cspan_at(&work, one + layout__PATCH_TOTALS_AREA));
-        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT)) + (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MOMENT));
+        EACH_LANE each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MOMENT))) + each((*lanes_at(&work_t, one + layout__PATCH_TOTALS_MOMENT)));
         (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MOMENT)) + (*cspan_at(&work, one + layout__PATCH_TOTALS_MOMENT));
         v1 = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
-        v1_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+        EACH_LANE each(v1_t) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)));
         if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE)) > v1)
         {
             v1 = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_PRESSURE));
-            v1_t = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MAX_PRESSURE));
+            EACH_LANE each(v1_t) = each((*lanes_at(&work_t, one + layout__PATCH_TOTALS_MAX_PRESSURE)));
         }
-        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = v1_t;
+        EACH_LANE each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE))) = each(v1_t);
         (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = v1;
         v2 = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-        v2_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+        EACH_LANE each(v2_t) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)));
         if ((*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) > v2)
         {
             v2 = (*cspan_at(&work, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-            v2_t = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+            EACH_LANE each(v2_t) = each((*lanes_at(&work_t, one + layout__PATCH_TOTALS_MAX_HALF_LENGTH)));
         }
-        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = v2_t;
+        EACH_LANE each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH))) = each(v2_t);
         (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = v2;
         if (index == INT64_C(0))
         {
-            (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_START)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_START));
+            EACH_LANE each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_START))) = each((*lanes_at(&work_t, one + layout__PATCH_TOTALS_START)));
             (*cspan_at(&work, totals + layout__PATCH_TOTALS_START)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_START));
         }
-        (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work_t, one + layout__PATCH_TOTALS_STOP));
+        EACH_LANE each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_STOP))) = each((*lanes_at(&work_t, one + layout__PATCH_TOTALS_STOP)));
         (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP)) = (*cspan_at(&work, one + layout__PATCH_TOTALS_STOP));
     }
     derivative_filling__complete_totals_t(work, work_t, totals);
@@ -330,20 +330,20 @@ static inline int64_t derivative_filling__total_patches_t(array_double_1d work, 
  */
 
 /* Derivative of ``curved_at``. */
-static inline int64_t derivative_outline__curved_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t count, double station, double station_t)
+static inline int64_t derivative_outline__curved_at_t(double* half_length, lanes* half_length_t, double* pressure, lanes* pressure_t, array_double_1d work, array_lanes_1d work_t, int64_t count, double station, lanes station_t)
 {
     int64_t index;
     int64_t region;
-    double own_t;
+    lanes own_t;
     double own;
-    (*half_length_t) = 0.0;
+    (*half_length_t) = all_lanes(0.0);
     (*half_length) = 0.0;
-    (*pressure_t) = 0.0;
+    (*pressure_t) = all_lanes(0.0);
     (*pressure) = 0.0;
     for (index = INT64_C(0); index < count; index += INT64_C(1))
     {
         region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * index;
-        own_t = station_t - (*cspan_at(&work_t, region + layout__REGION_OFFSET));
+        EACH_LANE each(own_t) = each(station_t) - each((*lanes_at(&work_t, region + layout__REGION_OFFSET)));
         own = station - (*cspan_at(&work, region + layout__REGION_OFFSET));
         if ((own >= (*cspan_at(&work, region + layout__REGION_LOW))) && (own <= (*cspan_at(&work, region + layout__REGION_HIGH))) && ((*half_length) == 0.0))
         {
@@ -354,38 +354,38 @@ static inline int64_t derivative_outline__curved_at_t(double* half_length, doubl
 }
 
 /* Derivative of ``between_strips``. */
-static inline int64_t derivative_outline__between_strips_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t region, double own, double own_t)
+static inline int64_t derivative_outline__between_strips_t(double* half_length, lanes* half_length_t, double* pressure, lanes* pressure_t, array_double_1d work, array_lanes_1d work_t, int64_t region, double own, lanes own_t)
 {
     double v1;
     double v2;
-    double u_t;
+    lanes u_t;
     double u;
     bool inside;
     int64_t outward;
     int64_t low;
-    double x_t;
+    lanes x_t;
     double x;
     int64_t inner;
     int64_t before;
     int64_t here;
     int64_t after;
     double v3;
-    double v3_t;
-    double length_t;
+    lanes v3_t;
+    lanes length_t;
     double length;
     double v4;
-    double v4_t;
-    double square_t;
+    lanes v4_t;
+    lanes square_t;
     double square;
     double v5;
     double v6;
-    (*half_length_t) = 0.0;
+    (*half_length_t) = all_lanes(0.0);
     (*half_length) = 0.0;
-    (*pressure_t) = 0.0;
+    (*pressure_t) = all_lanes(0.0);
     (*pressure) = 0.0;
     v1 = own - (*cspan_at(&work, region + layout__REGION_STATION));
     v2 = v1 / (*cspan_at(&work, region + layout__REGION_SPACING));
-    u_t = (own_t - (*cspan_at(&work_t, region + layout__REGION_STATION)) - v2 * (*cspan_at(&work_t, region + layout__REGION_SPACING))) / (*cspan_at(&work, region + layout__REGION_SPACING));
+    EACH_LANE each(u_t) = (each(own_t) - each((*lanes_at(&work_t, region + layout__REGION_STATION))) - v2 * each((*lanes_at(&work_t, region + layout__REGION_SPACING)))) / (*cspan_at(&work, region + layout__REGION_SPACING));
     u = v2;
     inside = (u > (int64_t)((*cspan_at(&work, region + layout__REGION_FIRST)))) && (u < (int64_t)((*cspan_at(&work, region + layout__REGION_LAST))));
     if (((*cspan_at(&work, region + layout__REGION_LOCAL_PENETRATION)) > 0.0) && inside)
@@ -394,29 +394,29 @@ static inline int64_t derivative_outline__between_strips_t(double* half_length, 
         if (u < 0.0)
         {
             outward = -INT64_C(1);
-            u_t = -u_t;
+            EACH_LANE each(u_t) = -each(u_t);
             u = -u;
         }
         low = (int64_t)(u);
-        x_t = u_t;
+        EACH_LANE each(x_t) = each(u_t);
         x = u - (double)(low);
         inner = (int64_t)((*cspan_at(&work, region + layout__REGION_STRIP))) + outward * low;
         before = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (inner - outward);
         here = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * inner;
         after = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (inner + outward);
-        derivative_quadrature__quadratic_value_t(&v3, &v3_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, after + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work_t, after + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), x, x_t);
-        length_t = v3_t;
+        derivative_quadrature__quadratic_value_t(&v3, &v3_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, before + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, here + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*cspan_at(&work, after + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), (*lanes_at(&work_t, after + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)), x, x_t);
+        EACH_LANE each(length_t) = each(v3_t);
         length = v3;
-        derivative_quadrature__quadratic_value_t(&v4, &v4_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work_t, before + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work_t, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, after + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work_t, after + layout__SOLVED_STRIP_PRESSURE_SQUARE)), x, x_t);
-        square_t = v4_t;
+        derivative_quadrature__quadratic_value_t(&v4, &v4_t, (*cspan_at(&work, before + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*lanes_at(&work_t, before + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*lanes_at(&work_t, here + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*cspan_at(&work, after + layout__SOLVED_STRIP_PRESSURE_SQUARE)), (*lanes_at(&work_t, after + layout__SOLVED_STRIP_PRESSURE_SQUARE)), x, x_t);
+        EACH_LANE each(square_t) = each(v4_t);
         square = v4;
         if ((length > 0.0) && (square > 0.0))
         {
             v5 = sqrt(length);
-            (*half_length_t) = derivative_rates__root_rate(v5, length_t);
+            EACH_LANE each((*half_length_t)) = derivative_rates__root_rate(v5, each(length_t));
             (*half_length) = v5;
             v6 = sqrt(square);
-            (*pressure_t) = derivative_rates__root_rate(v6, square_t);
+            EACH_LANE each((*pressure_t)) = derivative_rates__root_rate(v6, each(square_t));
             (*pressure) = v6;
         }
     }
@@ -424,26 +424,26 @@ static inline int64_t derivative_outline__between_strips_t(double* half_length, 
 }
 
 /* Derivative of ``straight_at``. */
-static inline int64_t derivative_outline__straight_at_t(double* half_length, double* half_length_t, double* pressure, double* pressure_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t after, double station, double station_t)
+static inline int64_t derivative_outline__straight_at_t(double* half_length, lanes* half_length_t, double* pressure, lanes* pressure_t, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t after, double station, lanes station_t)
 {
-    double low_t;
+    lanes low_t;
     double low;
-    double low_length_t;
+    lanes low_length_t;
     double low_length;
-    double low_pressure_t;
+    lanes low_pressure_t;
     double low_pressure;
     int64_t inner;
-    double high_t;
+    lanes high_t;
     double high;
-    double high_length_t;
+    lanes high_length_t;
     double high_length;
-    double high_pressure_t;
+    lanes high_pressure_t;
     double high_pressure;
     int64_t outer;
     double v1;
     double v2;
     double v3;
-    double share_t;
+    lanes share_t;
     double share;
     double v4;
     double v5;
@@ -451,58 +451,58 @@ static inline int64_t derivative_outline__straight_at_t(double* half_length, dou
     double v7;
     double v8;
     double v9;
-    low_t = (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START));
+    EACH_LANE each(low_t) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)));
     low = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START));
-    low_length_t = 0.0;
+    low_length_t = all_lanes(0.0);
     low_length = 0.0;
-    low_pressure_t = 0.0;
+    low_pressure_t = all_lanes(0.0);
     low_pressure = 0.0;
     if (after > (int64_t)((*cspan_at(&work, patch + layout__PATCH_FIRST))))
     {
         inner = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * (after - INT64_C(1));
-        low_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_STATION));
+        EACH_LANE each(low_t) = each((*lanes_at(&work_t, inner + layout__SOLVED_STRIP_STATION)));
         low = (*cspan_at(&work, inner + layout__SOLVED_STRIP_STATION));
-        low_length_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+        EACH_LANE each(low_length_t) = each((*lanes_at(&work_t, inner + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
         low_length = (*cspan_at(&work, inner + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
-        low_pressure_t = (*cspan_at(&work_t, inner + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+        EACH_LANE each(low_pressure_t) = each((*lanes_at(&work_t, inner + layout__SOLVED_STRIP_PRESSURE_SQUARE)));
         low_pressure = (*cspan_at(&work, inner + layout__SOLVED_STRIP_PRESSURE_SQUARE));
     }
-    high_t = (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP));
+    EACH_LANE each(high_t) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)));
     high = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP));
-    high_length_t = 0.0;
+    high_length_t = all_lanes(0.0);
     high_length = 0.0;
-    high_pressure_t = 0.0;
+    high_pressure_t = all_lanes(0.0);
     high_pressure = 0.0;
     if (after <= (int64_t)((*cspan_at(&work, patch + layout__PATCH_LAST))))
     {
         outer = layout__WORK_CONTACT + layout__CONTACT_STRIPS + layout__SOLVED_STRIP_SIZE * after;
-        high_t = (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_STATION));
+        EACH_LANE each(high_t) = each((*lanes_at(&work_t, outer + layout__SOLVED_STRIP_STATION)));
         high = (*cspan_at(&work, outer + layout__SOLVED_STRIP_STATION));
-        high_length_t = (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
+        EACH_LANE each(high_length_t) = each((*lanes_at(&work_t, outer + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)));
         high_length = (*cspan_at(&work, outer + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE));
-        high_pressure_t = (*cspan_at(&work_t, outer + layout__SOLVED_STRIP_PRESSURE_SQUARE));
+        EACH_LANE each(high_pressure_t) = each((*lanes_at(&work_t, outer + layout__SOLVED_STRIP_PRESSURE_SQUARE)));
         high_pressure = (*cspan_at(&work, outer + layout__SOLVED_STRIP_PRESSURE_SQUARE));
     }
     v1 = station - low;
     v2 = high - low;
     v3 = v1 / v2;
-    share_t = (station_t - low_t - v3 * (high_t - low_t)) / v2;
+    EACH_LANE each(share_t) = (each(station_t) - each(low_t) - v3 * (each(high_t) - each(low_t))) / v2;
     share = v3;
     v4 = high_length - low_length;
     v5 = low_length + share * v4;
     v6 = sqrt(v5);
-    (*half_length_t) = derivative_rates__root_rate(v6, low_length_t + (share_t * v4 + share * (high_length_t - low_length_t)));
+    EACH_LANE each((*half_length_t)) = derivative_rates__root_rate(v6, each(low_length_t) + (each(share_t) * v4 + share * (each(high_length_t) - each(low_length_t))));
     (*half_length) = v6;
     v7 = high_pressure - low_pressure;
     v8 = low_pressure + share * v7;
     v9 = sqrt(v8);
-    (*pressure_t) = derivative_rates__root_rate(v9, low_pressure_t + (share_t * v7 + share * (high_pressure_t - low_pressure_t)));
+    EACH_LANE each((*pressure_t)) = derivative_rates__root_rate(v9, each(low_pressure_t) + (each(share_t) * v7 + share * (each(high_pressure_t) - each(low_pressure_t))));
     (*pressure) = v9;
     return 0;
 }
 
 /* Derivative of ``write_outline``. */
-static inline int64_t derivative_outline__write_outline_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t side, int64_t count)
+static inline int64_t derivative_outline__write_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t side, int64_t count)
 {
     int64_t rule;
     if ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0))
@@ -525,70 +525,70 @@ static inline int64_t derivative_outline__write_outline_t(array_double_1d work, 
 }
 
 /* Derivative of ``write_ellipse``. */
-static inline int64_t derivative_outline__write_ellipse_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t totals)
+static inline int64_t derivative_outline__write_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t totals)
 {
-    double half_length_t;
+    lanes half_length_t;
     double half_length;
-    double half_width_t;
+    lanes half_width_t;
     double half_width;
-    double pressure_t;
+    lanes pressure_t;
     double pressure;
     int64_t j;
     double share;
     double height;
-    half_length_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    EACH_LANE each(half_length_t) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)));
     half_length = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    half_width_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP));
+    EACH_LANE each(half_width_t) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_STOP)));
     half_width = (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP));
-    pressure_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+    EACH_LANE each(pressure_t) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)));
     pressure = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
     for (j = INT64_C(0); j < stations; j += INT64_C(1))
     {
         share = 2.0 * (double)(j) / (double)(stations - INT64_C(1)) - 1.0;
         height = sqrt(1.0 - share * share);
-        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + j)) = share * half_width_t;
+        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + j))) = share * each(half_width_t);
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = share * half_width;
-        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length_t * height;
+        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (stations + j)))) = each(half_length_t) * height;
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length * height;
-        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure_t * height;
+        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j)))) = each(pressure_t) * height;
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure * height;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``write_quadratic``. */
-static inline int64_t derivative_outline__write_quadratic_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t totals, int64_t count)
+static inline int64_t derivative_outline__write_quadratic_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t totals, int64_t count)
 {
-    double start_t;
+    lanes start_t;
     double start;
-    double stop_t;
+    lanes stop_t;
     double stop;
-    double largest_t;
+    lanes largest_t;
     double largest;
-    double peak_t;
+    lanes peak_t;
     double peak;
     int64_t j;
     double v1;
     double v2;
     double v3;
     double v4;
-    double station_t;
+    lanes station_t;
     double station;
-    double half_length_t;
+    lanes half_length_t;
     double half_length;
-    double pressure_t;
+    lanes pressure_t;
     double pressure;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
-    double v6_t;
-    start_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_START));
+    lanes v6_t;
+    EACH_LANE each(start_t) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_START)));
     start = (*cspan_at(&work, totals + layout__PATCH_TOTALS_START));
-    stop_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_STOP));
+    EACH_LANE each(stop_t) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_STOP)));
     stop = (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP));
-    largest_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    EACH_LANE each(largest_t) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)));
     largest = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    peak_t = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+    EACH_LANE each(peak_t) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)));
     peak = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
     for (j = INT64_C(0); j < stations; j += INT64_C(1))
     {
@@ -596,50 +596,50 @@ static inline int64_t derivative_outline__write_quadratic_t(array_double_1d work
         v2 = (double)(j);
         v3 = v1 * v2;
         v4 = (double)(stations - INT64_C(1));
-        station_t = start_t + (stop_t - start_t) * v2 / v4;
+        EACH_LANE each(station_t) = each(start_t) + (each(stop_t) - each(start_t)) * v2 / v4;
         station = start + v3 / v4;
-        half_length_t = 0.0;
+        half_length_t = all_lanes(0.0);
         half_length = 0.0;
-        pressure_t = 0.0;
+        pressure_t = all_lanes(0.0);
         pressure = 0.0;
         if ((j > INT64_C(0)) && (j < stations - INT64_C(1)))
         {
             derivative_outline__curved_at_t(&half_length, &half_length_t, &pressure, &pressure_t, work, work_t, count, station, station_t);
         }
         v5 = half_length;
-        v5_t = half_length_t;
+        EACH_LANE each(v5_t) = each(half_length_t);
         if (largest < v5)
         {
             v5 = largest;
-            v5_t = largest_t;
+            EACH_LANE each(v5_t) = each(largest_t);
         }
-        half_length_t = v5_t;
+        EACH_LANE each(half_length_t) = each(v5_t);
         half_length = v5;
         v6 = pressure;
-        v6_t = pressure_t;
+        EACH_LANE each(v6_t) = each(pressure_t);
         if (peak < v6)
         {
             v6 = peak;
-            v6_t = peak_t;
+            EACH_LANE each(v6_t) = each(peak_t);
         }
-        pressure_t = v6_t;
+        EACH_LANE each(pressure_t) = each(v6_t);
         pressure = v6;
-        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + j)) = station_t;
+        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + j))) = each(station_t);
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = station;
-        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length_t;
+        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (stations + j)))) = each(half_length_t);
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length;
-        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure_t;
+        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j)))) = each(pressure_t);
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure;
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``write_straight``. */
-static inline int64_t derivative_outline__write_straight_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t side)
+static inline int64_t derivative_outline__write_straight_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t side)
 {
-    double start_t;
+    lanes start_t;
     double start;
-    double stop_t;
+    lanes stop_t;
     double stop;
     int64_t index;
     int64_t strip;
@@ -648,16 +648,16 @@ static inline int64_t derivative_outline__write_straight_t(array_double_1d work,
     double v2;
     double v3;
     double v4;
-    double station_t;
+    lanes station_t;
     double station;
-    double half_length_t;
+    lanes half_length_t;
     double half_length;
-    double pressure_t;
+    lanes pressure_t;
     double pressure;
     int64_t patch;
-    start_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_START));
+    EACH_LANE each(start_t) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_START)));
     start = (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_START));
-    stop_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_STOP));
+    EACH_LANE each(stop_t) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_STOP)));
     stop = (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + layout__PATCH_TOTALS_STOP));
     index = INT64_C(0);
     strip = INT64_C(0);
@@ -667,11 +667,11 @@ static inline int64_t derivative_outline__write_straight_t(array_double_1d work,
         v2 = (double)(j);
         v3 = v1 * v2;
         v4 = (double)(stations - INT64_C(1));
-        station_t = start_t + (stop_t - start_t) * v2 / v4;
+        EACH_LANE each(station_t) = each(start_t) + (each(stop_t) - each(start_t)) * v2 / v4;
         station = start + v3 / v4;
-        half_length_t = 0.0;
+        half_length_t = all_lanes(0.0);
         half_length = 0.0;
-        pressure_t = 0.0;
+        pressure_t = all_lanes(0.0);
         pressure = 0.0;
         index = outline__patch_beside(work, side, index, station);
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
@@ -684,11 +684,11 @@ static inline int64_t derivative_outline__write_straight_t(array_double_1d work,
             }
             derivative_outline__straight_at_t(&half_length, &half_length_t, &pressure, &pressure_t, work, work_t, patch, strip, station, station_t);
         }
-        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + j)) = station_t;
+        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + j))) = each(station_t);
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = station;
-        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length_t;
+        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (stations + j)))) = each(half_length_t);
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length;
-        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure_t;
+        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j)))) = each(pressure_t);
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure;
     }
     return INT64_C(0);
@@ -701,76 +701,76 @@ static inline int64_t derivative_outline__write_straight_t(array_double_1d work,
  */
 
 /* Derivative of ``bend_of``. */
-static inline int64_t derivative_quadrature__bend_of_t(double* bend, double* bend_t, double before, double before_t, double low, double low_t, double high, double high_t)
+static inline int64_t derivative_quadrature__bend_of_t(double* bend, lanes* bend_t, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t)
 {
     double v1;
     double v2;
-    double limit_t;
+    lanes limit_t;
     double limit;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
     double v5;
-    double v5_t;
+    lanes v5_t;
     v1 = before - 2.0 * low + high;
-    (*bend_t) = 0.5 * (before_t - 2.0 * low_t + high_t);
+    EACH_LANE each((*bend_t)) = 0.5 * (each(before_t) - 2.0 * each(low_t) + each(high_t));
     (*bend) = 0.5 * v1;
     v2 = fabs(low) + fabs(high);
-    limit_t = 0.5 * (derivative_rates__size_rate(low, low_t) + derivative_rates__size_rate(high, high_t));
+    EACH_LANE each(limit_t) = 0.5 * (derivative_rates__size_rate(low, each(low_t)) + derivative_rates__size_rate(high, each(high_t)));
     limit = 0.5 * v2;
     v3 = (*bend);
-    v3_t = (*bend_t);
+    EACH_LANE each(v3_t) = each((*bend_t));
     if (limit < v3)
     {
         v3 = limit;
-        v3_t = limit_t;
+        EACH_LANE each(v3_t) = each(limit_t);
     }
     v4 = -limit;
     v5 = v3;
-    v5_t = v3_t;
+    EACH_LANE each(v5_t) = each(v3_t);
     if (v4 > v5)
     {
         v5 = v4;
-        v5_t = -limit_t;
+        EACH_LANE each(v5_t) = -each(limit_t);
     }
-    (*bend_t) = v5_t;
+    EACH_LANE each((*bend_t)) = each(v5_t);
     (*bend) = v5;
     return 0;
 }
 
 /* Derivative of ``quadratic_value``. */
-static inline int64_t derivative_quadrature__quadratic_value_t(double* result_0, double* result_1, double before, double before_t, double low, double low_t, double high, double high_t, double x, double x_t)
+static inline int64_t derivative_quadrature__quadratic_value_t(double* result_0, lanes* result_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double x, lanes x_t)
 {
     double v1;
-    double v1_t;
-    double bend_t;
+    lanes v1_t;
+    lanes bend_t;
     double bend;
     double v2;
     derivative_quadrature__bend_of_t(&v1, &v1_t, before, before_t, low, low_t, high, high_t);
-    bend_t = v1_t;
+    EACH_LANE each(bend_t) = each(v1_t);
     bend = v1;
     v2 = high - low - bend + x * bend;
     (*result_0) = low + x * v2;
-    (*result_1) = low_t + (x_t * v2 + x * (high_t - low_t - bend_t + (x_t * bend + x * bend_t)));
+    EACH_LANE each((*result_1)) = each(low_t) + (each(x_t) * v2 + x * (each(high_t) - each(low_t) - each(bend_t) + (each(x_t) * bend + x * each(bend_t))));
     return 0;
 }
 
 /* Derivative of ``cell_part``. */
-static inline int64_t derivative_quadrature__cell_part_t(double* start, double* start_t, double* stop, double* stop_t, double d_before, double d_before_t, double d_low, double d_low_t, double d_high, double d_high_t)
+static inline int64_t derivative_quadrature__cell_part_t(double* start, lanes* start_t, double* stop, lanes* stop_t, double d_before, lanes d_before_t, double d_low, lanes d_low_t, double d_high, lanes d_high_t)
 {
     double v1;
-    double v1_t;
-    double bend_t;
+    lanes v1_t;
+    lanes bend_t;
     double bend;
-    double slope_t;
+    lanes slope_t;
     double slope;
     double v2;
     double v3;
-    double v3_t;
-    double spread_t;
+    lanes v3_t;
+    lanes spread_t;
     double spread;
     double v4;
-    double root_t;
+    lanes root_t;
     double root;
     double v5;
     double v6;
@@ -779,45 +779,45 @@ static inline int64_t derivative_quadrature__cell_part_t(double* start, double* 
     double v9;
     double v10;
     double v11;
-    (*start_t) = 0.0;
+    (*start_t) = all_lanes(0.0);
     (*start) = 0.0;
-    (*stop_t) = 0.0;
+    (*stop_t) = all_lanes(0.0);
     (*stop) = 1.0;
     if ((d_low <= 0.0) && (d_high <= 0.0))
     {
-        (*stop_t) = 0.0;
+        (*stop_t) = all_lanes(0.0);
         (*stop) = 0.0;
     }
     else if ((d_low <= 0.0) || (d_high <= 0.0))
     {
         derivative_quadrature__bend_of_t(&v1, &v1_t, d_before, d_before_t, d_low, d_low_t, d_high, d_high_t);
-        bend_t = v1_t;
+        EACH_LANE each(bend_t) = each(v1_t);
         bend = v1;
-        slope_t = d_high_t - d_low_t - bend_t;
+        EACH_LANE each(slope_t) = each(d_high_t) - each(d_low_t) - each(bend_t);
         slope = d_high - d_low - bend;
         v2 = 4.0 * bend;
         v3 = slope * slope - v2 * d_low;
-        v3_t = slope_t * slope + slope * slope_t - (4.0 * bend_t * d_low + v2 * d_low_t);
+        EACH_LANE each(v3_t) = each(slope_t) * slope + slope * each(slope_t) - (4.0 * each(bend_t) * d_low + v2 * each(d_low_t));
         if (0.0 > v3)
         {
             v3 = 0.0;
-            v3_t = 0.0;
+            v3_t = all_lanes(0.0);
         }
-        spread_t = v3_t;
+        EACH_LANE each(spread_t) = each(v3_t);
         spread = v3;
         v4 = sqrt(spread);
-        spread_t = derivative_rates__root_rate(v4, spread_t);
+        EACH_LANE each(spread_t) = derivative_rates__root_rate(v4, each(spread_t));
         spread = v4;
-        root_t = 0.0;
+        root_t = all_lanes(0.0);
         root = 0.0;
         if (d_low > 0.0)
         {
             v5 = 2.0 * d_low;
             v6 = spread - slope;
             v7 = v5 / v6;
-            root_t = (2.0 * d_low_t - v7 * (spread_t - slope_t)) / v6;
+            EACH_LANE each(root_t) = (2.0 * each(d_low_t) - v7 * (each(spread_t) - each(slope_t))) / v6;
             root = v7;
-            (*stop_t) = root_t;
+            EACH_LANE each((*stop_t)) = each(root_t);
             (*stop) = root;
         }
         else
@@ -826,9 +826,9 @@ static inline int64_t derivative_quadrature__cell_part_t(double* start, double* 
             v9 = v8 * d_low;
             v10 = spread + slope;
             v11 = v9 / v10;
-            root_t = (v8 * d_low_t - v11 * (spread_t + slope_t)) / v10;
+            EACH_LANE each(root_t) = (v8 * each(d_low_t) - v11 * (each(spread_t) + each(slope_t))) / v10;
             root = v11;
-            (*start_t) = root_t;
+            EACH_LANE each((*start_t)) = each(root_t);
             (*start) = root;
         }
     }
@@ -836,92 +836,92 @@ static inline int64_t derivative_quadrature__cell_part_t(double* start, double* 
 }
 
 /* Derivative of ``quadratic_integral``. */
-static inline int64_t derivative_quadrature__quadratic_integral_t(double* result_0, double* result_1, double before, double before_t, double low, double low_t, double high, double high_t, double stop, double stop_t)
+static inline int64_t derivative_quadrature__quadratic_integral_t(double* result_0, lanes* result_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double stop, lanes stop_t)
 {
     double v1;
-    double v1_t;
-    double bend_t;
+    lanes v1_t;
+    lanes bend_t;
     double bend;
-    double slope_t;
+    lanes slope_t;
     double slope;
     double v2;
     double v3;
     double v4;
     derivative_quadrature__bend_of_t(&v1, &v1_t, before, before_t, low, low_t, high, high_t);
-    bend_t = v1_t;
+    EACH_LANE each(bend_t) = each(v1_t);
     bend = v1;
-    slope_t = high_t - low_t - bend_t;
+    EACH_LANE each(slope_t) = each(high_t) - each(low_t) - each(bend_t);
     slope = high - low - bend;
     v2 = stop * bend;
     v3 = slope / 2.0 + v2 / 3.0;
     v4 = low + stop * v3;
     (*result_0) = stop * v4;
-    (*result_1) = stop_t * v4 + stop * (low_t + (stop_t * v3 + stop * (slope_t / 2.0 + (stop_t * bend + stop * bend_t) / 3.0)));
+    EACH_LANE each((*result_1)) = each(stop_t) * v4 + stop * (each(low_t) + (each(stop_t) * v3 + stop * (each(slope_t) / 2.0 + (each(stop_t) * bend + stop * each(bend_t)) / 3.0)));
     return 0;
 }
 
 /* Derivative of ``quadratic_moment``. */
-static inline int64_t derivative_quadrature__quadratic_moment_t(double* result_0, double* result_1, double before, double before_t, double low, double low_t, double high, double high_t, double stop, double stop_t)
+static inline int64_t derivative_quadrature__quadratic_moment_t(double* result_0, lanes* result_1, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double stop, lanes stop_t)
 {
     double v1;
-    double v1_t;
-    double bend_t;
+    lanes v1_t;
+    lanes bend_t;
     double bend;
-    double slope_t;
+    lanes slope_t;
     double slope;
     double v2;
     double v3;
     double v4;
     double v5;
     derivative_quadrature__bend_of_t(&v1, &v1_t, before, before_t, low, low_t, high, high_t);
-    bend_t = v1_t;
+    EACH_LANE each(bend_t) = each(v1_t);
     bend = v1;
-    slope_t = high_t - low_t - bend_t;
+    EACH_LANE each(slope_t) = each(high_t) - each(low_t) - each(bend_t);
     slope = high - low - bend;
     v2 = stop * stop;
     v3 = stop * bend;
     v4 = slope / 3.0 + v3 / 4.0;
     v5 = low / 2.0 + stop * v4;
     (*result_0) = v2 * v5;
-    (*result_1) = (stop_t * stop + stop * stop_t) * v5 + v2 * (low_t / 2.0 + (stop_t * v4 + stop * (slope_t / 3.0 + (stop_t * bend + stop * bend_t) / 4.0)));
+    EACH_LANE each((*result_1)) = (each(stop_t) * stop + stop * each(stop_t)) * v5 + v2 * (each(low_t) / 2.0 + (each(stop_t) * v4 + stop * (each(slope_t) / 3.0 + (each(stop_t) * bend + stop * each(bend_t)) / 4.0)));
     return 0;
 }
 
 /* Derivative of ``root_integral``. */
-static inline int64_t derivative_quadrature__root_integral_t(double* v2, double* v2_t, double before, double before_t, double low, double low_t, double high, double high_t, double start, double start_t, double stop, double stop_t)
+static inline int64_t derivative_quadrature__root_integral_t(double* v2, lanes* v2_t, double before, lanes before_t, double low, lanes low_t, double high, lanes high_t, double start, lanes start_t, double stop, lanes stop_t)
 {
     double v1;
-    double v1_t;
-    double bend_t;
+    lanes v1_t;
+    lanes bend_t;
     double bend;
-    double slope_t;
+    lanes slope_t;
     double slope;
     double v3;
-    double v3_t;
-    double first_t;
+    lanes v3_t;
+    lanes first_t;
     double first;
     double v4;
-    double v4_t;
-    double last_t;
+    lanes v4_t;
+    lanes last_t;
     double last;
     double v5;
-    double p_t;
+    lanes p_t;
     double p;
     double v6;
-    double q_t;
+    lanes q_t;
     double q;
-    double total_t;
+    lanes total_t;
     double total;
-    double width_t;
+    lanes width_t;
     double width;
     double v7;
     double v8;
     double v9;
     double v10;
-    double chord_t;
+    lanes chord_t;
     double chord;
     double v11;
-    double cube_t;
+    lanes cube_t;
     double cube;
     double v12;
     double v13;
@@ -933,9 +933,9 @@ static inline int64_t derivative_quadrature__root_integral_t(double* v2, double*
     double v19;
     double v20;
     derivative_quadrature__bend_of_t(&v1, &v1_t, before, before_t, low, low_t, high, high_t);
-    bend_t = v1_t;
+    EACH_LANE each(bend_t) = each(v1_t);
     bend = v1;
-    slope_t = high_t - low_t - bend_t;
+    EACH_LANE each(slope_t) = each(high_t) - each(low_t) - each(bend_t);
     slope = high - low - bend;
     if (bend < (-quadrature__STRAIGHT) * (fabs(low) + fabs(high)))
     {
@@ -943,35 +943,35 @@ static inline int64_t derivative_quadrature__root_integral_t(double* v2, double*
         return 0;
     }
     derivative_quadrature__quadratic_at_t(&v3, &v3_t, low, low_t, slope, slope_t, bend, bend_t, start, start_t);
-    first_t = v3_t;
+    EACH_LANE each(first_t) = each(v3_t);
     first = v3;
     derivative_quadrature__quadratic_at_t(&v4, &v4_t, low, low_t, slope, slope_t, bend, bend_t, stop, stop_t);
-    last_t = v4_t;
+    EACH_LANE each(last_t) = each(v4_t);
     last = v4;
     v5 = sqrt(first);
-    p_t = derivative_rates__root_rate(v5, first_t);
+    EACH_LANE each(p_t) = derivative_rates__root_rate(v5, each(first_t));
     p = v5;
     v6 = sqrt(last);
-    q_t = derivative_rates__root_rate(v6, last_t);
+    EACH_LANE each(q_t) = derivative_rates__root_rate(v6, each(last_t));
     q = v6;
-    total_t = p_t + q_t;
+    EACH_LANE each(total_t) = each(p_t) + each(q_t);
     total = p + q;
     if (!(total > 0.0))
     {
         (*v2) = 0.0;
-        (*v2_t) = 0.0;
+        (*v2_t) = all_lanes(0.0);
         return 0;
     }
-    width_t = stop_t - start_t;
+    EACH_LANE each(width_t) = each(stop_t) - each(start_t);
     width = stop - start;
     v7 = 2.0 / 3.0;
     v8 = first + p * q + last;
     v9 = v7 * v8;
     v10 = v9 / total;
-    chord_t = (v7 * (first_t + (p_t * q + p * q_t) + last_t) - v10 * total_t) / total;
+    EACH_LANE each(chord_t) = (v7 * (each(first_t) + (each(p_t) * q + p * each(q_t)) + each(last_t)) - v10 * each(total_t)) / total;
     chord = v10;
     v11 = total * total;
-    cube_t = (total_t * total + total * total_t) * total + v11 * total_t;
+    EACH_LANE each(cube_t) = (each(total_t) * total + total * each(total_t)) * total + v11 * each(total_t);
     cube = v11 * total;
     v12 = 2.0 / 15.0;
     v13 = v12 * bend;
@@ -983,76 +983,76 @@ static inline int64_t derivative_quadrature__root_integral_t(double* v2, double*
     v19 = v18 / cube;
     v20 = chord - v19;
     (*v2) = width * v20;
-    (*v2_t) = width_t * v20 + width * (chord_t - (((v12 * bend_t * width + v13 * width_t) * width + v14 * width_t) * v17 + v15 * (first_t + (3.0 * p_t * q + v16 * q_t) + last_t) - v19 * cube_t) / cube);
+    EACH_LANE each((*v2_t)) = each(width_t) * v20 + width * (each(chord_t) - (((v12 * each(bend_t) * width + v13 * each(width_t)) * width + v14 * each(width_t)) * v17 + v15 * (each(first_t) + (3.0 * each(p_t) * q + v16 * each(q_t)) + each(last_t)) - v19 * each(cube_t)) / cube);
     return 0;
 }
 
 /* Derivative of ``quadratic_at``. */
-static inline int64_t derivative_quadrature__quadratic_at_t(double* value, double* value_t, double low, double low_t, double slope, double slope_t, double bend, double bend_t, double x, double x_t)
+static inline int64_t derivative_quadrature__quadratic_at_t(double* value, lanes* value_t, double low, lanes low_t, double slope, lanes slope_t, double bend, lanes bend_t, double x, lanes x_t)
 {
     double v1;
     double v2;
-    double v2_t;
+    lanes v2_t;
     v1 = slope + x * bend;
     v2 = low + x * v1;
-    v2_t = low_t + (x_t * v1 + x * (slope_t + (x_t * bend + x * bend_t)));
+    EACH_LANE each(v2_t) = each(low_t) + (each(x_t) * v1 + x * (each(slope_t) + (each(x_t) * bend + x * each(bend_t))));
     if (0.0 > v2)
     {
         v2 = 0.0;
-        v2_t = 0.0;
+        v2_t = all_lanes(0.0);
     }
-    (*value_t) = v2_t;
+    EACH_LANE each((*value_t)) = each(v2_t);
     (*value) = v2;
     return 0;
 }
 
 /* Derivative of ``bent_integral``. */
-static inline int64_t derivative_quadrature__bent_integral_t(double* result_0, double* result_1, double low, double low_t, double slope, double slope_t, double bend, double bend_t, double start, double start_t, double stop, double stop_t)
+static inline int64_t derivative_quadrature__bent_integral_t(double* result_0, lanes* result_1, double low, lanes low_t, double slope, lanes slope_t, double bend, lanes bend_t, double start, lanes start_t, double stop, lanes stop_t)
 {
     double v1;
-    double v1_t;
-    double first_t;
+    lanes v1_t;
+    lanes first_t;
     double first;
     double v2;
-    double v2_t;
-    double last_t;
+    lanes v2_t;
+    lanes last_t;
     double last;
     double v3;
-    double spread_t;
+    lanes spread_t;
     double spread;
     double v4;
-    double first_root_t;
+    lanes first_root_t;
     double first_root;
     double v5;
-    double last_root_t;
+    lanes last_root_t;
     double last_root;
     double v6;
-    double first_rate_t;
+    lanes first_rate_t;
     double first_rate;
     double v7;
-    double last_rate_t;
+    lanes last_rate_t;
     double last_rate;
     double v8;
     double v9;
-    double across_t;
+    lanes across_t;
     double across;
     double v10;
-    double height_t;
+    lanes height_t;
     double height;
     double v11;
-    double height_before_t;
+    lanes height_before_t;
     double height_before;
-    double up_t;
+    lanes up_t;
     double up;
-    double along_t;
+    lanes along_t;
     double along;
-    double angle_t;
+    lanes angle_t;
     double angle;
     double v13;
     double v12;
-    double v12_t;
+    lanes v12_t;
     double v14;
-    double v14_t;
+    lanes v14_t;
     double v15;
     double v16;
     double v17;
@@ -1061,59 +1061,61 @@ static inline int64_t derivative_quadrature__bent_integral_t(double* result_0, d
     double v20;
     double v21;
     derivative_quadrature__quadratic_at_t(&v1, &v1_t, low, low_t, slope, slope_t, bend, bend_t, start, start_t);
-    first_t = v1_t;
+    EACH_LANE each(first_t) = each(v1_t);
     first = v1;
     derivative_quadrature__quadratic_at_t(&v2, &v2_t, low, low_t, slope, slope_t, bend, bend_t, stop, stop_t);
-    last_t = v2_t;
+    EACH_LANE each(last_t) = each(v2_t);
     last = v2;
     v3 = 4.0 * bend;
-    spread_t = slope_t * slope + slope * slope_t - (4.0 * bend_t * low + v3 * low_t);
+    EACH_LANE each(spread_t) = each(slope_t) * slope + slope * each(slope_t) - (4.0 * each(bend_t) * low + v3 * each(low_t));
     spread = slope * slope - v3 * low;
     if (!(spread > 0.0))
     {
         (*result_0) = 0.0;
-        (*result_1) = 0.0;
+        (*result_1) = all_lanes(0.0);
         return 0;
     }
     v4 = sqrt(first);
-    first_root_t = derivative_rates__root_rate(v4, first_t);
+    EACH_LANE each(first_root_t) = derivative_rates__root_rate(v4, each(first_t));
     first_root = v4;
     v5 = sqrt(last);
-    last_root_t = derivative_rates__root_rate(v5, last_t);
+    EACH_LANE each(last_root_t) = derivative_rates__root_rate(v5, each(last_t));
     last_root = v5;
     v6 = 2.0 * bend;
-    first_rate_t = 2.0 * bend_t * start + v6 * start_t + slope_t;
+    EACH_LANE each(first_rate_t) = 2.0 * each(bend_t) * start + v6 * each(start_t) + each(slope_t);
     first_rate = v6 * start + slope;
     v7 = 2.0 * bend;
-    last_rate_t = 2.0 * bend_t * stop + v7 * stop_t + slope_t;
+    EACH_LANE each(last_rate_t) = 2.0 * each(bend_t) * stop + v7 * each(stop_t) + each(slope_t);
     last_rate = v7 * stop + slope;
     v8 = -bend;
     v9 = sqrt(v8);
-    across_t = derivative_rates__root_rate(v9, -bend_t);
+    EACH_LANE each(across_t) = derivative_rates__root_rate(v9, -each(bend_t));
     across = v9;
     v10 = 2.0 * across;
-    height_t = 2.0 * across_t * last_root + v10 * last_root_t;
+    EACH_LANE each(height_t) = 2.0 * each(across_t) * last_root + v10 * each(last_root_t);
     height = v10 * last_root;
     v11 = 2.0 * across;
-    height_before_t = 2.0 * across_t * first_root + v11 * first_root_t;
+    EACH_LANE each(height_before_t) = 2.0 * each(across_t) * first_root + v11 * each(first_root_t);
     height_before = v11 * first_root;
-    up_t = height_t * first_rate + height * first_rate_t - (height_before_t * last_rate + height_before * last_rate_t);
+    EACH_LANE each(up_t) = each(height_t) * first_rate + height * each(first_rate_t) - (each(height_before_t) * last_rate + height_before * each(last_rate_t));
     up = height * first_rate - height_before * last_rate;
-    along_t = height_t * height_before + height * height_before_t + (last_rate_t * first_rate + last_rate * first_rate_t);
+    EACH_LANE each(along_t) = each(height_t) * height_before + height * each(height_before_t) + (each(last_rate_t) * first_rate + last_rate * each(first_rate_t));
     along = height * height_before + last_rate * first_rate;
-    angle_t = 0.0;
+    angle_t = all_lanes(0.0);
     angle = 0.0;
     if (along > fabs(up))
     {
         v13 = up / along;
-        derivative_circle__atan_rule_t(&v12, &v12_t, v13, (up_t - v13 * along_t) / along);
-        angle_t = v12_t;
+        lanes rates_1;
+        EACH_LANE each(rates_1) = (each(up_t) - v13 * each(along_t)) / along;
+        derivative_circle__atan_rule_t(&v12, &v12_t, v13, rates_1);
+        EACH_LANE each(angle_t) = each(v12_t);
         angle = v12;
     }
     else
     {
         derivative_circle__atan2_rule_t(&v14, &v14_t, up, up_t, along, along_t);
-        angle_t = v14_t;
+        EACH_LANE each(angle_t) = each(v14_t);
         angle = v14;
     }
     v15 = last_rate * last_root - first_rate * first_root;
@@ -1124,6 +1126,6 @@ static inline int64_t derivative_quadrature__bent_integral_t(double* result_0, d
     v20 = v19 * across;
     v21 = spread / v20;
     (*result_0) = v17 + v21 * angle;
-    (*result_1) = (last_rate_t * last_root + last_rate * last_root_t - (first_rate_t * first_root + first_rate * first_root_t) - v17 * (4.0 * bend_t)) / v16 + ((spread_t - v21 * (8.0 * (-bend_t) * across + v19 * across_t)) / v20 * angle + v21 * angle_t);
+    EACH_LANE each((*result_1)) = (each(last_rate_t) * last_root + last_rate * each(last_root_t) - (each(first_rate_t) * first_root + first_rate * each(first_root_t)) - v17 * (4.0 * each(bend_t))) / v16 + ((each(spread_t) - v21 * (8.0 * (-each(bend_t)) * across + v19 * each(across_t))) / v20 * angle + v21 * each(angle_t));
     return 0;
 }

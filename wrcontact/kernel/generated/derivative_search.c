@@ -8,12 +8,14 @@
  */
 
 /* Derivative of ``place_both``. */
-static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double roll, double roll_t)
+static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double roll, lanes roll_t)
 {
-    derivative_locus__place_wheelset_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)), roll, roll_t, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)), 0.0, (*cspan_at(&tables, layout__TABLES_HEIGHT)), 0.0, (*cspan_at(&tables, layout__TABLES_ARM)), 0.0);
-    derivative_locus__mirror_place_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)), 0.0);
-    derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL)));
-    derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL)), -(*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL)));
+    derivative_locus__place_wheelset_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)), roll, roll_t, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)), all_lanes(0.0), (*cspan_at(&tables, layout__TABLES_HEIGHT)), all_lanes(0.0), (*cspan_at(&tables, layout__TABLES_ARM)), all_lanes(0.0));
+    derivative_locus__mirror_place_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)), all_lanes(0.0));
+    derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL)));
+    lanes rates_1;
+    EACH_LANE each(rates_1) = -each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL)));
+    derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL)), rates_1, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL)));
     if (((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)) != 0.0))
     {
         derivative_roll__lean_both_t(work, work_t, tables, roll, roll_t);
@@ -22,16 +24,18 @@ static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_
 }
 
 /* Derivative of ``lean_both``. */
-static inline int64_t derivative_roll__lean_both_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, double roll, double roll_t)
+static inline int64_t derivative_roll__lean_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double roll, lanes roll_t)
 {
-    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RAIL_Y)), 0.0, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)));
-    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y)), 0.0, -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)), -(*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)));
+    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RAIL_Y)), all_lanes(0.0), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)));
+    lanes rates_1;
+    EACH_LANE each(rates_1) = -each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)));
+    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y)), all_lanes(0.0), -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)), rates_1);
     derivative_roll__turn_both_t(work, work_t, roll, roll_t);
     return INT64_C(0);
 }
 
 /* Derivative of ``turn_both``. */
-static inline int64_t derivative_roll__turn_both_t(array_double_1d work, array_double_1d work_t, double roll, double roll_t)
+static inline int64_t derivative_roll__turn_both_t(array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t)
 {
     if ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING)) == 1.0)
     {
@@ -49,11 +53,11 @@ static inline int64_t derivative_roll__turn_both_t(array_double_1d work, array_d
 }
 
 /* Derivative of ``restore_yaw``. */
-static inline int64_t derivative_roll__restore_yaw_t(array_double_1d work, array_double_1d work_t, int64_t place)
+static inline int64_t derivative_roll__restore_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t place)
 {
-    (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) = (*cspan_at(&work_t, place + layout__PLACE_TRACK_SIN_YAW));
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW))) = each((*lanes_at(&work_t, place + layout__PLACE_TRACK_SIN_YAW)));
     (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW));
-    (*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) = (*cspan_at(&work_t, place + layout__PLACE_TRACK_COS_YAW));
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW))) = each((*lanes_at(&work_t, place + layout__PLACE_TRACK_COS_YAW)));
     (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW));
     return INT64_C(0);
 }

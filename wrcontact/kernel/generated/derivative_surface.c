@@ -8,51 +8,53 @@
  */
 
 /* Derivative of ``profile_curvature``. */
-static inline int64_t derivative_curvature__profile_curvature_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double y, double y_t)
+static inline int64_t derivative_curvature__profile_curvature_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, double y, lanes y_t)
 {
     double v1;
     int64_t cell;
     double share;
-    double share_t;
+    lanes share_t;
     double before;
     double v2;
     v1 = y - (*cspan_at(&tables, table + layout__CURVATURE_TABLE_START));
-    derivative_tables__table_cell_t(&cell, &share, &share_t, v1 * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE)), y_t * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE)), (*cspan_at(&tables, table + layout__CURVATURE_TABLE_COUNT)) - 1.0, 0.0);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each(y_t) * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE));
+    derivative_tables__table_cell_t(&cell, &share, &share_t, v1 * (*cspan_at(&tables, table + layout__CURVATURE_TABLE_PER_METRE)), rates_1, (*cspan_at(&tables, table + layout__CURVATURE_TABLE_COUNT)) - 1.0, all_lanes(0.0));
     before = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + cell));
     v2 = (*cspan_at(&tables, table + layout__CURVATURE_TABLE_CURVATURES + (cell + INT64_C(1)))) - before;
     (*result_0) = before + share * v2;
-    (*result_1) = share_t * v2;
+    EACH_LANE each((*result_1)) = each(share_t) * v2;
     return 0;
 }
 
 /* Derivative of ``relative_curvature``. */
-static inline int64_t derivative_curvature__relative_curvature_t(double* result_0, double* result_1, array_double_1d tables, int64_t pair, double y, double y_t, double abscissa, double abscissa_t)
+static inline int64_t derivative_curvature__relative_curvature_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t pair, double y, lanes y_t, double abscissa, lanes abscissa_t)
 {
     double v1;
-    double v1_t;
-    double wheel_t;
+    lanes v1_t;
+    lanes wheel_t;
     double wheel;
     double v2;
-    double v2_t;
-    double rail_t;
+    lanes v2_t;
+    lanes rail_t;
     double rail;
     double v3;
     derivative_curvature__profile_curvature_t(&v1, &v1_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL_CURVATURE))), y, y_t);
-    wheel_t = v1_t;
+    EACH_LANE each(wheel_t) = each(v1_t);
     wheel = v1;
     derivative_curvature__profile_curvature_t(&v2, &v2_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL_CURVATURE))), abscissa, abscissa_t);
-    rail_t = v2_t;
+    EACH_LANE each(rail_t) = each(v2_t);
     rail = v2;
     v3 = wheel + rail;
     (*result_0) = 0.5 * v3;
-    (*result_1) = 0.5 * (wheel_t + rail_t);
+    EACH_LANE each((*result_1)) = 0.5 * (each(wheel_t) + each(rail_t));
     return 0;
 }
 
 /* Derivative of ``longitudinal_curvature``. */
-static inline int64_t derivative_curvature__longitudinal_curvature_t(double* curvature, double* curvature_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t place, double z, double z_t, double slope, double slope_t, double bend, double bend_t)
+static inline int64_t derivative_curvature__longitudinal_curvature_t(double* curvature, lanes* curvature_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t place, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t)
 {
-    double r_t;
+    lanes r_t;
     double r;
     double v1;
     double v2;
@@ -60,20 +62,20 @@ static inline int64_t derivative_curvature__longitudinal_curvature_t(double* cur
     double v4;
     double v5;
     double sin_phi;
-    double sin_phi_t;
+    lanes sin_phi_t;
     double cos_phi;
-    double cos_phi_t;
-    double e1_t;
+    lanes cos_phi_t;
+    lanes e1_t;
     double e1;
-    double e2_t;
+    lanes e2_t;
     double e2;
-    double e3_t;
+    lanes e3_t;
     double e3;
-    double around_t;
+    lanes around_t;
     double around;
     double v6;
     double v7;
-    double steep_t;
+    lanes steep_t;
     double steep;
     double v8;
     double v9;
@@ -83,11 +85,11 @@ static inline int64_t derivative_curvature__longitudinal_curvature_t(double* cur
     double v13;
     double v14;
     double v15;
-    double v15_t;
-    r_t = (*cspan_at(&work_t, place + layout__PLACE_RADIUS)) + z_t;
+    lanes v15_t;
+    EACH_LANE each(r_t) = each((*lanes_at(&work_t, place + layout__PLACE_RADIUS))) + each(z_t);
     r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
     v1 = 1.0 / r;
-    (*curvature_t) = (-v1) * r_t / r;
+    EACH_LANE each((*curvature_t)) = (-v1) * each(r_t) / r;
     (*curvature) = v1;
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LONGITUDINAL))) == layout__LONGITUDINAL_BASIC)
     {
@@ -99,23 +101,23 @@ static inline int64_t derivative_curvature__longitudinal_curvature_t(double* cur
         v3 = sqrt(v2);
         v4 = r * v3;
         v5 = 1.0 / v4;
-        (*curvature_t) = (-v5) * (r_t * v3 + r * derivative_rates__root_rate(v3, slope_t * slope + slope * slope_t)) / v4;
+        EACH_LANE each((*curvature_t)) = (-v5) * (each(r_t) * v3 + r * derivative_rates__root_rate(v3, each(slope_t) * slope + slope * each(slope_t))) / v4;
         (*curvature) = v5;
     }
     else
     {
         derivative_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
-        e1_t = (*cspan_at(&work_t, place + layout__PLACE_COS_YAW));
+        EACH_LANE each(e1_t) = each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW)));
         e1 = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-        e2_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
+        EACH_LANE each(e2_t) = each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW))) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL)));
         e2 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-        e3_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL));
+        EACH_LANE each(e3_t) = each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW))) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * each((*lanes_at(&work_t, place + layout__PLACE_SIN_ROLL)));
         e3 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-        around_t = e1_t * cos_phi + e1 * cos_phi_t - (e3_t * sin_phi + e3 * sin_phi_t);
+        EACH_LANE each(around_t) = each(e1_t) * cos_phi + e1 * each(cos_phi_t) - (each(e3_t) * sin_phi + e3 * each(sin_phi_t));
         around = e1 * cos_phi - e3 * sin_phi;
         v6 = 1.0 + slope * slope;
         v7 = sqrt(v6);
-        steep_t = derivative_rates__root_rate(v7, slope_t * slope + slope * slope_t);
+        EACH_LANE each(steep_t) = derivative_rates__root_rate(v7, each(slope_t) * slope + slope * each(slope_t));
         steep = v7;
         v8 = around * around;
         v9 = v8 / r;
@@ -125,13 +127,13 @@ static inline int64_t derivative_curvature__longitudinal_curvature_t(double* cur
         v13 = r * steep;
         v14 = curvature__CURVATURE_FLOOR / v13;
         v15 = v12;
-        v15_t = ((around_t * around + around * around_t - v9 * r_t) / r - ((bend_t * e2 + bend * e2_t) * e2 + v10 * e2_t) - v12 * steep_t) / steep;
+        EACH_LANE each(v15_t) = ((each(around_t) * around + around * each(around_t) - v9 * each(r_t)) / r - ((each(bend_t) * e2 + bend * each(e2_t)) * e2 + v10 * each(e2_t)) - v12 * each(steep_t)) / steep;
         if (v14 > v15)
         {
             v15 = v14;
-            v15_t = (-v14) * (r_t * steep + r * steep_t) / v13;
+            EACH_LANE each(v15_t) = (-v14) * (each(r_t) * steep + r * each(steep_t)) / v13;
         }
-        (*curvature_t) = v15_t;
+        EACH_LANE each((*curvature_t)) = each(v15_t);
         (*curvature) = v15;
     }
     return 0;
@@ -144,104 +146,104 @@ static inline int64_t derivative_curvature__longitudinal_curvature_t(double* cur
  */
 
 /* Derivative of ``vertical_gap``. */
-static inline int64_t derivative_gap__vertical_gap_t(double* result_0, double* result_1, double* mismatch, double* mismatch_t, double* result_4, double* result_5, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t)
+static inline int64_t derivative_gap__vertical_gap_t(double* result_0, lanes* result_1, double* mismatch, lanes* mismatch_t, double* result_4, lanes* result_5, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t)
 {
     double z;
-    double z_t;
+    lanes z_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double bend;
-    double bend_t;
+    lanes bend_t;
     double y_track;
-    double y_track_t;
+    lanes y_track_t;
     double z_track;
-    double z_track_t;
+    lanes z_track_t;
     double outline_slope;
-    double outline_slope_t;
+    lanes outline_slope_t;
     double stretch;
-    double stretch_t;
+    lanes stretch_t;
     double outline_rate;
-    double outline_rate_t;
+    lanes outline_rate_t;
     double z_rail;
-    double z_rail_t;
+    lanes z_rail_t;
     double rail_slope;
-    double rail_slope_t;
+    lanes rail_slope_t;
     double rail_bend;
-    double rail_bend_t;
+    lanes rail_bend_t;
     derivative_tables__height_slope_bend_t(&z, &z_t, &slope, &slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
     derivative_locus__outline_jet_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t, bend, bend_t);
     derivative_tables__height_slope_bend_t(&z_rail, &z_rail_t, &rail_slope, &rail_slope_t, &rail_bend, &rail_bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), y_track_t);
-    (*mismatch_t) = rail_slope_t - outline_slope_t;
+    EACH_LANE each((*mismatch_t)) = each(rail_slope_t) - each(outline_slope_t);
     (*mismatch) = rail_slope - outline_slope;
     if (!(stretch > 0.0))
     {
-        (*mismatch_t) = 0.0;
+        (*mismatch_t) = all_lanes(0.0);
         (*mismatch) = gap__FOLDED;
     }
     (*result_0) = z_rail - z_track;
-    (*result_1) = z_rail_t - z_track_t;
+    EACH_LANE each((*result_1)) = each(z_rail_t) - each(z_track_t);
     (*result_4) = rail_bend * stretch - outline_rate;
-    (*result_5) = rail_bend_t * stretch + rail_bend * stretch_t - outline_rate_t;
+    EACH_LANE each((*result_5)) = each(rail_bend_t) * stretch + rail_bend * each(stretch_t) - each(outline_rate_t);
     return 0;
 }
 
 /* Derivative of ``gap_per_roll``. */
-static inline int64_t derivative_gap__gap_per_roll_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t)
+static inline int64_t derivative_gap__gap_per_roll_t(double* result_0, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t)
 {
     double z;
-    double z_t;
+    lanes z_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double y_track;
-    double y_track_t;
+    lanes y_track_t;
     double z_track;
-    double z_track_t;
+    lanes z_track_t;
     double outline_slope;
-    double outline_slope_t;
+    lanes outline_slope_t;
     double z_rail;
-    double z_rail_t;
+    lanes z_rail_t;
     double rail_slope;
-    double rail_slope_t;
+    lanes rail_slope_t;
     double sin_phi;
-    double sin_phi_t;
+    lanes sin_phi_t;
     double cos_phi;
-    double cos_phi_t;
-    double arm_t;
+    lanes cos_phi_t;
+    lanes arm_t;
     double arm;
     double v1;
-    double height_t;
+    lanes height_t;
     double height;
-    double sin_roll_t;
+    lanes sin_roll_t;
     double sin_roll;
-    double cos_roll_t;
+    lanes cos_roll_t;
     double cos_roll;
     double v2;
     double v3;
-    double lateral_t;
+    lanes lateral_t;
     double lateral;
-    double vertical_t;
+    lanes vertical_t;
     double vertical;
     derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
     derivative_locus__outline_point_t(&y_track, &y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, work, work_t, place, y, y_t, z, z_t, slope, slope_t);
     derivative_tables__height_slope_t(&z_rail, &z_rail_t, &rail_slope, &rail_slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), y_track_t);
     derivative_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
-    arm_t = (*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t;
+    EACH_LANE each(arm_t) = each((*lanes_at(&work_t, place + layout__PLACE_ARM))) + each(y_t);
     arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
     v1 = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
-    height_t = ((*cspan_at(&work_t, place + layout__PLACE_RADIUS)) + z_t) * cos_phi + v1 * cos_phi_t;
+    EACH_LANE each(height_t) = (each((*lanes_at(&work_t, place + layout__PLACE_RADIUS))) + each(z_t)) * cos_phi + v1 * each(cos_phi_t);
     height = v1 * cos_phi;
-    sin_roll_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL));
+    EACH_LANE each(sin_roll_t) = each((*lanes_at(&work_t, place + layout__PLACE_SIN_ROLL)));
     sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    cos_roll_t = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
+    EACH_LANE each(cos_roll_t) = each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL)));
     cos_roll = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
     v2 = -(*cspan_at(&work, place + layout__PLACE_COS_YAW));
     v3 = arm * sin_roll + height * cos_roll;
-    lateral_t = (-(*cspan_at(&work_t, place + layout__PLACE_COS_YAW))) * v3 + v2 * (arm_t * sin_roll + arm * sin_roll_t + (height_t * cos_roll + height * cos_roll_t));
+    EACH_LANE each(lateral_t) = (-each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW)))) * v3 + v2 * (each(arm_t) * sin_roll + arm * each(sin_roll_t) + (each(height_t) * cos_roll + height * each(cos_roll_t)));
     lateral = v2 * v3;
-    vertical_t = arm_t * cos_roll + arm * cos_roll_t - (height_t * sin_roll + height * sin_roll_t);
+    EACH_LANE each(vertical_t) = each(arm_t) * cos_roll + arm * each(cos_roll_t) - (each(height_t) * sin_roll + height * each(sin_roll_t));
     vertical = arm * cos_roll - height * sin_roll;
     (*result_0) = rail_slope * lateral - vertical;
-    (*result_1) = rail_slope_t * lateral + rail_slope * lateral_t - vertical_t;
+    EACH_LANE each((*result_1)) = each(rail_slope_t) * lateral + rail_slope * each(lateral_t) - each(vertical_t);
     return 0;
 }
 
@@ -252,313 +254,313 @@ static inline int64_t derivative_gap__gap_per_roll_t(double* result_0, double* r
  */
 
 /* Derivative of ``place_wheelset``. */
-static inline int64_t derivative_locus__place_wheelset_t(array_double_1d work, array_double_1d work_t, int64_t place, double lateral_shift, double lateral_shift_t, double yaw, double yaw_t, double roll, double roll_t, double radius, double radius_t, double height, double height_t, double arm, double arm_t)
+static inline int64_t derivative_locus__place_wheelset_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double lateral_shift, lanes lateral_shift_t, double yaw, lanes yaw_t, double roll, lanes roll_t, double radius, lanes radius_t, double height, lanes height_t, double arm, lanes arm_t)
 {
     double sine;
-    double sine_t;
+    lanes sine_t;
     double cosine;
-    double cosine_t;
-    (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) = lateral_shift_t;
+    lanes cosine_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_SHIFT))) = each(lateral_shift_t);
     (*cspan_at(&work, place + layout__PLACE_SHIFT)) = lateral_shift;
-    (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) = 0.0;
+    (*lanes_at(&work_t, place + layout__PLACE_SIN_YAW)) = all_lanes(0.0);
     (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = 0.0;
-    (*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) = 0.0;
+    (*lanes_at(&work_t, place + layout__PLACE_COS_YAW)) = all_lanes(0.0);
     (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = 1.0;
-    (*cspan_at(&work_t, place + layout__PLACE_YAWED)) = 0.0;
+    (*lanes_at(&work_t, place + layout__PLACE_YAWED)) = all_lanes(0.0);
     (*cspan_at(&work, place + layout__PLACE_YAWED)) = (double)(0);
     if (yaw != 0.0)
     {
         derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, yaw, yaw_t);
-        (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) = sine_t;
+        EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW))) = each(sine_t);
         (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = sine;
-        (*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) = cosine_t;
+        EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW))) = each(cosine_t);
         (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = cosine;
-        (*cspan_at(&work_t, place + layout__PLACE_YAWED)) = 0.0;
+        (*lanes_at(&work_t, place + layout__PLACE_YAWED)) = all_lanes(0.0);
         (*cspan_at(&work, place + layout__PLACE_YAWED)) = (double)(1);
     }
-    (*cspan_at(&work_t, place + layout__PLACE_RADIUS)) = radius_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_RADIUS))) = each(radius_t);
     (*cspan_at(&work, place + layout__PLACE_RADIUS)) = radius;
-    (*cspan_at(&work_t, place + layout__PLACE_HEIGHT)) = height_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_HEIGHT))) = each(height_t);
     (*cspan_at(&work, place + layout__PLACE_HEIGHT)) = height;
-    (*cspan_at(&work_t, place + layout__PLACE_ARM)) = arm_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_ARM))) = each(arm_t);
     (*cspan_at(&work, place + layout__PLACE_ARM)) = arm;
-    (*cspan_at(&work_t, place + layout__PLACE_RAIL_LATERAL)) = 0.0;
+    (*lanes_at(&work_t, place + layout__PLACE_RAIL_LATERAL)) = all_lanes(0.0);
     (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = 0.0;
-    (*cspan_at(&work_t, place + layout__PLACE_RAIL_VERTICAL)) = 0.0;
+    (*lanes_at(&work_t, place + layout__PLACE_RAIL_VERTICAL)) = all_lanes(0.0);
     (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = 0.0;
-    (*cspan_at(&work_t, place + layout__PLACE_LEANING)) = 0.0;
+    (*lanes_at(&work_t, place + layout__PLACE_LEANING)) = all_lanes(0.0);
     (*cspan_at(&work, place + layout__PLACE_LEANING)) = (double)(0);
-    (*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) = 0.0;
+    (*lanes_at(&work_t, place + layout__PLACE_RAIL_SIN)) = all_lanes(0.0);
     (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) = 0.0;
     derivative_locus__turn_wheelset_t(work, work_t, place, roll, roll_t);
     return INT64_C(0);
 }
 
 /* Derivative of ``turn_wheelset``. */
-static inline int64_t derivative_locus__turn_wheelset_t(array_double_1d work, array_double_1d work_t, int64_t place, double roll, double roll_t)
+static inline int64_t derivative_locus__turn_wheelset_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double roll, lanes roll_t)
 {
     double sine;
-    double sine_t;
+    lanes sine_t;
     double cosine;
-    double cosine_t;
+    lanes cosine_t;
     derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, roll, roll_t);
     derivative_locus__set_roll_t(work, work_t, place, sine, sine_t, cosine, cosine_t);
     return INT64_C(0);
 }
 
 /* Derivative of ``set_roll``. */
-static inline int64_t derivative_locus__set_roll_t(array_double_1d work, array_double_1d work_t, int64_t place, double sin_roll, double sin_roll_t, double cos_roll, double cos_roll_t)
+static inline int64_t derivative_locus__set_roll_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double sin_roll, lanes sin_roll_t, double cos_roll, lanes cos_roll_t)
 {
-    double t_t;
+    lanes t_t;
     double t;
-    double cos_t_t;
+    lanes cos_t_t;
     double cos_t;
-    double w_per_slope_t;
+    lanes w_per_slope_t;
     double w_per_slope;
     double v1;
-    double tan_yaw_t;
+    lanes tan_yaw_t;
     double tan_yaw;
     double v2;
     double v3;
     double v4;
     double v5;
-    t_t = 0.0;
+    t_t = all_lanes(0.0);
     t = 0.0;
-    cos_t_t = 0.0;
+    cos_t_t = all_lanes(0.0);
     cos_t = 1.0;
-    w_per_slope_t = 0.0;
+    w_per_slope_t = all_lanes(0.0);
     w_per_slope = 0.0;
     if ((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0)
     {
         v1 = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) / (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-        tan_yaw_t = ((*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) - v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_YAW))) / (*cspan_at(&work, place + layout__PLACE_COS_YAW));
+        EACH_LANE each(tan_yaw_t) = (each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW))) - v1 * each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW)))) / (*cspan_at(&work, place + layout__PLACE_COS_YAW));
         tan_yaw = v1;
-        t_t = tan_yaw_t * sin_roll + tan_yaw * sin_roll_t;
+        EACH_LANE each(t_t) = each(tan_yaw_t) * sin_roll + tan_yaw * each(sin_roll_t);
         t = tan_yaw * sin_roll;
         v2 = 1.0 + t * t;
         v3 = sqrt(v2);
         v4 = 1.0 / v3;
-        cos_t_t = (-v4) * derivative_rates__root_rate(v3, t_t * t + t * t_t) / v3;
+        EACH_LANE each(cos_t_t) = (-v4) * derivative_rates__root_rate(v3, each(t_t) * t + t * each(t_t)) / v3;
         cos_t = v4;
         v5 = tan_yaw * cos_roll;
-        w_per_slope_t = (tan_yaw_t * cos_roll + tan_yaw * cos_roll_t) * cos_t + v5 * cos_t_t;
+        EACH_LANE each(w_per_slope_t) = (each(tan_yaw_t) * cos_roll + tan_yaw * each(cos_roll_t)) * cos_t + v5 * each(cos_t_t);
         w_per_slope = v5 * cos_t;
     }
-    (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)) = sin_roll_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_SIN_ROLL))) = each(sin_roll_t);
     (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) = sin_roll;
-    (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) = cos_roll_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL))) = each(cos_roll_t);
     (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) = cos_roll;
-    (*cspan_at(&work_t, place + layout__PLACE_T)) = t_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_T))) = each(t_t);
     (*cspan_at(&work, place + layout__PLACE_T)) = t;
-    (*cspan_at(&work_t, place + layout__PLACE_COS_T)) = cos_t_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_COS_T))) = each(cos_t_t);
     (*cspan_at(&work, place + layout__PLACE_COS_T)) = cos_t;
-    (*cspan_at(&work_t, place + layout__PLACE_W_PER_SLOPE)) = w_per_slope_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_W_PER_SLOPE))) = each(w_per_slope_t);
     (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) = w_per_slope;
     return INT64_C(0);
 }
 
 /* Derivative of ``mirror_place``. */
-static inline int64_t derivative_locus__mirror_place_t(array_double_1d work, array_double_1d work_t, int64_t place, int64_t mirrored, double radius, double radius_t)
+static inline int64_t derivative_locus__mirror_place_t(array_double_1d work, array_lanes_1d work_t, int64_t place, int64_t mirrored, double radius, lanes radius_t)
 {
-    (*cspan_at(&work_t, mirrored + layout__PLACE_SHIFT)) = -(*cspan_at(&work_t, place + layout__PLACE_SHIFT));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__PLACE_SHIFT))) = -each((*lanes_at(&work_t, place + layout__PLACE_SHIFT)));
     (*cspan_at(&work, mirrored + layout__PLACE_SHIFT)) = -(*cspan_at(&work, place + layout__PLACE_SHIFT));
-    (*cspan_at(&work_t, mirrored + layout__PLACE_SIN_YAW)) = -(*cspan_at(&work_t, place + layout__PLACE_SIN_YAW));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__PLACE_SIN_YAW))) = -each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW)));
     (*cspan_at(&work, mirrored + layout__PLACE_SIN_YAW)) = -(*cspan_at(&work, place + layout__PLACE_SIN_YAW));
-    (*cspan_at(&work_t, mirrored + layout__PLACE_COS_YAW)) = (*cspan_at(&work_t, place + layout__PLACE_COS_YAW));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__PLACE_COS_YAW))) = each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW)));
     (*cspan_at(&work, mirrored + layout__PLACE_COS_YAW)) = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-    (*cspan_at(&work_t, mirrored + layout__PLACE_RADIUS)) = radius_t;
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__PLACE_RADIUS))) = each(radius_t);
     (*cspan_at(&work, mirrored + layout__PLACE_RADIUS)) = radius;
-    (*cspan_at(&work_t, mirrored + layout__PLACE_HEIGHT)) = (*cspan_at(&work_t, place + layout__PLACE_HEIGHT));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__PLACE_HEIGHT))) = each((*lanes_at(&work_t, place + layout__PLACE_HEIGHT)));
     (*cspan_at(&work, mirrored + layout__PLACE_HEIGHT)) = (*cspan_at(&work, place + layout__PLACE_HEIGHT));
-    (*cspan_at(&work_t, mirrored + layout__PLACE_ARM)) = (*cspan_at(&work_t, place + layout__PLACE_ARM));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__PLACE_ARM))) = each((*lanes_at(&work_t, place + layout__PLACE_ARM)));
     (*cspan_at(&work, mirrored + layout__PLACE_ARM)) = (*cspan_at(&work, place + layout__PLACE_ARM));
-    (*cspan_at(&work_t, mirrored + layout__PLACE_YAWED)) = 0.0;
+    (*lanes_at(&work_t, mirrored + layout__PLACE_YAWED)) = all_lanes(0.0);
     (*cspan_at(&work, mirrored + layout__PLACE_YAWED)) = (double)((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0);
-    (*cspan_at(&work_t, mirrored + layout__PLACE_LEANING)) = 0.0;
+    (*lanes_at(&work_t, mirrored + layout__PLACE_LEANING)) = all_lanes(0.0);
     (*cspan_at(&work, mirrored + layout__PLACE_LEANING)) = (double)(0);
-    (*cspan_at(&work_t, mirrored + layout__PLACE_RAIL_SIN)) = 0.0;
+    (*lanes_at(&work_t, mirrored + layout__PLACE_RAIL_SIN)) = all_lanes(0.0);
     (*cspan_at(&work, mirrored + layout__PLACE_RAIL_SIN)) = 0.0;
     derivative_locus__mirror_roll_t(work, work_t, place, mirrored);
     return INT64_C(0);
 }
 
 /* Derivative of ``mirror_roll``. */
-static inline int64_t derivative_locus__mirror_roll_t(array_double_1d work, array_double_1d work_t, int64_t place, int64_t mirrored)
+static inline int64_t derivative_locus__mirror_roll_t(array_double_1d work, array_lanes_1d work_t, int64_t place, int64_t mirrored)
 {
-    (*cspan_at(&work_t, mirrored + layout__PLACE_SIN_ROLL)) = -(*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__PLACE_SIN_ROLL))) = -each((*lanes_at(&work_t, place + layout__PLACE_SIN_ROLL)));
     (*cspan_at(&work, mirrored + layout__PLACE_SIN_ROLL)) = -(*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    (*cspan_at(&work_t, mirrored + layout__PLACE_COS_ROLL)) = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__PLACE_COS_ROLL))) = each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL)));
     (*cspan_at(&work, mirrored + layout__PLACE_COS_ROLL)) = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-    (*cspan_at(&work_t, mirrored + layout__PLACE_T)) = (*cspan_at(&work_t, place + layout__PLACE_T));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__PLACE_T))) = each((*lanes_at(&work_t, place + layout__PLACE_T)));
     (*cspan_at(&work, mirrored + layout__PLACE_T)) = (*cspan_at(&work, place + layout__PLACE_T));
-    (*cspan_at(&work_t, mirrored + layout__PLACE_COS_T)) = (*cspan_at(&work_t, place + layout__PLACE_COS_T));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__PLACE_COS_T))) = each((*lanes_at(&work_t, place + layout__PLACE_COS_T)));
     (*cspan_at(&work, mirrored + layout__PLACE_COS_T)) = (*cspan_at(&work, place + layout__PLACE_COS_T));
-    (*cspan_at(&work_t, mirrored + layout__PLACE_W_PER_SLOPE)) = -(*cspan_at(&work_t, place + layout__PLACE_W_PER_SLOPE));
+    EACH_LANE each((*lanes_at(&work_t, mirrored + layout__PLACE_W_PER_SLOPE))) = -each((*lanes_at(&work_t, place + layout__PLACE_W_PER_SLOPE)));
     (*cspan_at(&work, mirrored + layout__PLACE_W_PER_SLOPE)) = -(*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE));
     return INT64_C(0);
 }
 
 /* Derivative of ``around_wheel``. */
-static inline int64_t derivative_locus__around_wheel_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t place, double slope, double slope_t)
+static inline int64_t derivative_locus__around_wheel_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d work, array_lanes_1d work_t, int64_t place, double slope, lanes slope_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
     double v3;
-    double v3_t;
-    double w_t;
+    lanes v3_t;
+    lanes w_t;
     double w;
     double v4;
     double v5;
-    double root_t;
+    lanes root_t;
     double root;
-    double t_t;
+    lanes t_t;
     double t;
-    double cos_t_t;
+    lanes cos_t_t;
     double cos_t;
     double v6;
     double v7;
     v1 = (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope;
-    v1_t = (*cspan_at(&work_t, place + layout__PLACE_W_PER_SLOPE)) * slope + (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope_t;
+    EACH_LANE each(v1_t) = each((*lanes_at(&work_t, place + layout__PLACE_W_PER_SLOPE))) * slope + (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * each(slope_t);
     if (1.0 < v1)
     {
         v1 = 1.0;
-        v1_t = 0.0;
+        v1_t = all_lanes(0.0);
     }
     v2 = -1.0;
     v3 = v1;
-    v3_t = v1_t;
+    EACH_LANE each(v3_t) = each(v1_t);
     if (v2 > v3)
     {
         v3 = v2;
-        v3_t = 0.0;
+        v3_t = all_lanes(0.0);
     }
-    w_t = v3_t;
+    EACH_LANE each(w_t) = each(v3_t);
     w = v3;
     v4 = 1.0 - w * w;
     v5 = sqrt(v4);
-    root_t = derivative_rates__root_rate(v5, -(w_t * w + w * w_t));
+    EACH_LANE each(root_t) = derivative_rates__root_rate(v5, -(each(w_t) * w + w * each(w_t)));
     root = v5;
-    t_t = (*cspan_at(&work_t, place + layout__PLACE_T));
+    EACH_LANE each(t_t) = each((*lanes_at(&work_t, place + layout__PLACE_T)));
     t = (*cspan_at(&work, place + layout__PLACE_T));
-    cos_t_t = (*cspan_at(&work_t, place + layout__PLACE_COS_T));
+    EACH_LANE each(cos_t_t) = each((*lanes_at(&work_t, place + layout__PLACE_COS_T)));
     cos_t = (*cspan_at(&work, place + layout__PLACE_COS_T));
     v6 = -(t * root + w);
     v7 = root - t * w;
     (*result_0) = v6 * cos_t;
-    (*result_1) = (-(t_t * root + t * root_t + w_t)) * cos_t + v6 * cos_t_t;
+    EACH_LANE each((*result_1)) = (-(each(t_t) * root + t * each(root_t) + each(w_t))) * cos_t + v6 * each(cos_t_t);
     (*result_2) = v7 * cos_t;
-    (*result_3) = (root_t - (t_t * w + t * w_t)) * cos_t + v7 * cos_t_t;
+    EACH_LANE each((*result_3)) = (each(root_t) - (each(t_t) * w + t * each(w_t))) * cos_t + v7 * each(cos_t_t);
     return 0;
 }
 
 /* Derivative of ``outline_point``. */
-static inline int64_t derivative_locus__outline_point_t(double* y_track, double* y_track_t, double* z_track, double* z_track_t, double* outline_slope, double* outline_slope_t, array_double_1d work, array_double_1d work_t, int64_t place, double y, double y_t, double z, double z_t, double slope, double slope_t)
+static inline int64_t derivative_locus__outline_point_t(double* y_track, lanes* y_track_t, double* z_track, lanes* z_track_t, double* outline_slope, lanes* outline_slope_t, array_double_1d work, array_lanes_1d work_t, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t)
 {
-    double sin_roll_t;
+    lanes sin_roll_t;
     double sin_roll;
-    double cos_roll_t;
+    lanes cos_roll_t;
     double cos_roll;
-    double arm_t;
+    lanes arm_t;
     double arm;
-    double r_t;
+    lanes r_t;
     double r;
     double v1;
     double v2;
     double v3;
-    double sin_yaw_t;
+    lanes sin_yaw_t;
     double sin_yaw;
-    double cos_yaw_t;
+    lanes cos_yaw_t;
     double cos_yaw;
     double sin_phi;
-    double sin_phi_t;
+    lanes sin_phi_t;
     double cos_phi;
-    double cos_phi_t;
+    lanes cos_phi_t;
     double v4;
     double v5;
     double v6;
     double v7;
     double v8;
-    double normal_y_t;
+    lanes normal_y_t;
     double normal_y;
-    double normal_z_t;
+    lanes normal_z_t;
     double normal_z;
     double v9;
     double v10;
-    sin_roll_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL));
+    EACH_LANE each(sin_roll_t) = each((*lanes_at(&work_t, place + layout__PLACE_SIN_ROLL)));
     sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    cos_roll_t = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
+    EACH_LANE each(cos_roll_t) = each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL)));
     cos_roll = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-    arm_t = (*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t;
+    EACH_LANE each(arm_t) = each((*lanes_at(&work_t, place + layout__PLACE_ARM))) + each(y_t);
     arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
-    r_t = (*cspan_at(&work_t, place + layout__PLACE_RADIUS)) + z_t;
+    EACH_LANE each(r_t) = each((*lanes_at(&work_t, place + layout__PLACE_RADIUS))) + each(z_t);
     r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
     if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
     {
-        (*y_track_t) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) + (arm_t * cos_roll + arm * cos_roll_t) - (r_t * sin_roll + r * sin_roll_t);
+        EACH_LANE each((*y_track_t)) = each((*lanes_at(&work_t, place + layout__PLACE_SHIFT))) + (each(arm_t) * cos_roll + arm * each(cos_roll_t)) - (each(r_t) * sin_roll + r * each(sin_roll_t));
         (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
-        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + (r_t * cos_roll + r * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_HEIGHT));
+        EACH_LANE each((*z_track_t)) = each(arm_t) * sin_roll + arm * each(sin_roll_t) + (each(r_t) * cos_roll + r * each(cos_roll_t)) - each((*lanes_at(&work_t, place + layout__PLACE_HEIGHT)));
         (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
         v1 = slope * cos_roll + sin_roll;
         v2 = cos_roll - slope * sin_roll;
         v3 = v1 / v2;
-        (*outline_slope_t) = (slope_t * cos_roll + slope * cos_roll_t + sin_roll_t - v3 * (cos_roll_t - (slope_t * sin_roll + slope * sin_roll_t))) / v2;
+        EACH_LANE each((*outline_slope_t)) = (each(slope_t) * cos_roll + slope * each(cos_roll_t) + each(sin_roll_t) - v3 * (each(cos_roll_t) - (each(slope_t) * sin_roll + slope * each(sin_roll_t)))) / v2;
         (*outline_slope) = v3;
     }
     else
     {
-        sin_yaw_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW));
+        EACH_LANE each(sin_yaw_t) = each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW)));
         sin_yaw = (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
-        cos_yaw_t = (*cspan_at(&work_t, place + layout__PLACE_COS_YAW));
+        EACH_LANE each(cos_yaw_t) = each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW)));
         cos_yaw = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
         derivative_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
         v4 = sin_yaw * r;
         v5 = r * cos_phi;
         v6 = arm * cos_roll - v5 * sin_roll;
-        (*y_track_t) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) + ((sin_yaw_t * r + sin_yaw * r_t) * sin_phi + v4 * sin_phi_t) + (cos_yaw_t * v6 + cos_yaw * (arm_t * cos_roll + arm * cos_roll_t - ((r_t * cos_phi + r * cos_phi_t) * sin_roll + v5 * sin_roll_t)));
+        EACH_LANE each((*y_track_t)) = each((*lanes_at(&work_t, place + layout__PLACE_SHIFT))) + ((each(sin_yaw_t) * r + sin_yaw * each(r_t)) * sin_phi + v4 * each(sin_phi_t)) + (each(cos_yaw_t) * v6 + cos_yaw * (each(arm_t) * cos_roll + arm * each(cos_roll_t) - ((each(r_t) * cos_phi + r * each(cos_phi_t)) * sin_roll + v5 * each(sin_roll_t))));
         (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + v4 * sin_phi + cos_yaw * v6;
         v7 = r * cos_phi;
-        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + ((r_t * cos_phi + r * cos_phi_t) * cos_roll + v7 * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_HEIGHT));
+        EACH_LANE each((*z_track_t)) = each(arm_t) * sin_roll + arm * each(sin_roll_t) + ((each(r_t) * cos_phi + r * each(cos_phi_t)) * cos_roll + v7 * each(cos_roll_t)) - each((*lanes_at(&work_t, place + layout__PLACE_HEIGHT)));
         (*z_track) = arm * sin_roll + v7 * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
         v8 = slope * cos_roll + cos_phi * sin_roll;
-        normal_y_t = sin_yaw_t * sin_phi + sin_yaw * sin_phi_t - (cos_yaw_t * v8 + cos_yaw * (slope_t * cos_roll + slope * cos_roll_t + (cos_phi_t * sin_roll + cos_phi * sin_roll_t)));
+        EACH_LANE each(normal_y_t) = each(sin_yaw_t) * sin_phi + sin_yaw * each(sin_phi_t) - (each(cos_yaw_t) * v8 + cos_yaw * (each(slope_t) * cos_roll + slope * each(cos_roll_t) + (each(cos_phi_t) * sin_roll + cos_phi * each(sin_roll_t))));
         normal_y = sin_yaw * sin_phi - cos_yaw * v8;
-        normal_z_t = cos_phi_t * cos_roll + cos_phi * cos_roll_t - (slope_t * sin_roll + slope * sin_roll_t);
+        EACH_LANE each(normal_z_t) = each(cos_phi_t) * cos_roll + cos_phi * each(cos_roll_t) - (each(slope_t) * sin_roll + slope * each(sin_roll_t));
         normal_z = cos_phi * cos_roll - slope * sin_roll;
         v9 = -normal_y;
         v10 = v9 / normal_z;
-        (*outline_slope_t) = ((-normal_y_t) - v10 * normal_z_t) / normal_z;
+        EACH_LANE each((*outline_slope_t)) = ((-each(normal_y_t)) - v10 * each(normal_z_t)) / normal_z;
         (*outline_slope) = v10;
     }
     return 0;
 }
 
 /* Derivative of ``outline_jet``. */
-static inline int64_t derivative_locus__outline_jet_t(double* y_track, double* y_track_t, double* z_track, double* z_track_t, double* outline_slope, double* outline_slope_t, double* stretch, double* stretch_t, double* slope_rate, double* slope_rate_t, array_double_1d work, array_double_1d work_t, int64_t place, double y, double y_t, double z, double z_t, double slope, double slope_t, double bend, double bend_t)
+static inline int64_t derivative_locus__outline_jet_t(double* y_track, lanes* y_track_t, double* z_track, lanes* z_track_t, double* outline_slope, lanes* outline_slope_t, double* stretch, lanes* stretch_t, double* slope_rate, lanes* slope_rate_t, array_double_1d work, array_lanes_1d work_t, int64_t place, double y, lanes y_t, double z, lanes z_t, double slope, lanes slope_t, double bend, lanes bend_t)
 {
-    double sin_roll_t;
+    lanes sin_roll_t;
     double sin_roll;
-    double cos_roll_t;
+    lanes cos_roll_t;
     double cos_roll;
-    double arm_t;
+    lanes arm_t;
     double arm;
-    double r_t;
+    lanes r_t;
     double r;
     double v1;
     double v2;
     double v3;
     double v4;
-    double sin_yaw_t;
+    lanes sin_yaw_t;
     double sin_yaw;
-    double cos_yaw_t;
+    lanes cos_yaw_t;
     double cos_yaw;
     double sin_phi;
-    double sin_phi_t;
+    lanes sin_phi_t;
     double cos_phi;
-    double cos_phi_t;
-    double w_t;
+    lanes cos_phi_t;
+    lanes w_t;
     double w;
-    double phi_rate_t;
+    lanes phi_rate_t;
     double phi_rate;
     double v5;
     double v6;
@@ -575,59 +577,59 @@ static inline int64_t derivative_locus__outline_jet_t(double* y_track, double* y
     double v17;
     double v18;
     double v19;
-    double normal_y_t;
+    lanes normal_y_t;
     double normal_y;
-    double normal_z_t;
+    lanes normal_z_t;
     double normal_z;
     double v20;
     double v21;
     double v22;
-    double normal_y_rate_t;
+    lanes normal_y_rate_t;
     double normal_y_rate;
     double v23;
     double v24;
-    double normal_z_rate_t;
+    lanes normal_z_rate_t;
     double normal_z_rate;
     double v25;
     double v26;
     double v27;
     double v28;
     double v29;
-    sin_roll_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL));
+    EACH_LANE each(sin_roll_t) = each((*lanes_at(&work_t, place + layout__PLACE_SIN_ROLL)));
     sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    cos_roll_t = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
+    EACH_LANE each(cos_roll_t) = each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL)));
     cos_roll = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
-    arm_t = (*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t;
+    EACH_LANE each(arm_t) = each((*lanes_at(&work_t, place + layout__PLACE_ARM))) + each(y_t);
     arm = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
-    r_t = (*cspan_at(&work_t, place + layout__PLACE_RADIUS)) + z_t;
+    EACH_LANE each(r_t) = each((*lanes_at(&work_t, place + layout__PLACE_RADIUS))) + each(z_t);
     r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
     if (!((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0))
     {
-        (*y_track_t) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) + (arm_t * cos_roll + arm * cos_roll_t) - (r_t * sin_roll + r * sin_roll_t);
+        EACH_LANE each((*y_track_t)) = each((*lanes_at(&work_t, place + layout__PLACE_SHIFT))) + (each(arm_t) * cos_roll + arm * each(cos_roll_t)) - (each(r_t) * sin_roll + r * each(sin_roll_t));
         (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + arm * cos_roll - r * sin_roll;
-        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + (r_t * cos_roll + r * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_HEIGHT));
+        EACH_LANE each((*z_track_t)) = each(arm_t) * sin_roll + arm * each(sin_roll_t) + (each(r_t) * cos_roll + r * each(cos_roll_t)) - each((*lanes_at(&work_t, place + layout__PLACE_HEIGHT)));
         (*z_track) = arm * sin_roll + r * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
-        (*stretch_t) = cos_roll_t - (slope_t * sin_roll + slope * sin_roll_t);
+        EACH_LANE each((*stretch_t)) = each(cos_roll_t) - (each(slope_t) * sin_roll + slope * each(sin_roll_t));
         (*stretch) = cos_roll - slope * sin_roll;
         v1 = slope * cos_roll + sin_roll;
         v2 = v1 / (*stretch);
-        (*outline_slope_t) = (slope_t * cos_roll + slope * cos_roll_t + sin_roll_t - v2 * (*stretch_t)) / (*stretch);
+        EACH_LANE each((*outline_slope_t)) = (each(slope_t) * cos_roll + slope * each(cos_roll_t) + each(sin_roll_t) - v2 * each((*stretch_t))) / (*stretch);
         (*outline_slope) = v2;
         v3 = (*stretch) * (*stretch);
         v4 = bend / v3;
-        (*slope_rate_t) = (bend_t - v4 * ((*stretch_t) * (*stretch) + (*stretch) * (*stretch_t))) / v3;
+        EACH_LANE each((*slope_rate_t)) = (each(bend_t) - v4 * (each((*stretch_t)) * (*stretch) + (*stretch) * each((*stretch_t)))) / v3;
         (*slope_rate) = v4;
     }
     else
     {
-        sin_yaw_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW));
+        EACH_LANE each(sin_yaw_t) = each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW)));
         sin_yaw = (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
-        cos_yaw_t = (*cspan_at(&work_t, place + layout__PLACE_COS_YAW));
+        EACH_LANE each(cos_yaw_t) = each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW)));
         cos_yaw = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
         derivative_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
-        w_t = (*cspan_at(&work_t, place + layout__PLACE_W_PER_SLOPE)) * slope + (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope_t;
+        EACH_LANE each(w_t) = each((*lanes_at(&work_t, place + layout__PLACE_W_PER_SLOPE))) * slope + (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * each(slope_t);
         w = (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope;
-        phi_rate_t = 0.0;
+        phi_rate_t = all_lanes(0.0);
         phi_rate = 0.0;
         if (w * w < 1.0)
         {
@@ -636,80 +638,80 @@ static inline int64_t derivative_locus__outline_jet_t(double* y_track, double* y
             v7 = 1.0 - w * w;
             v8 = sqrt(v7);
             v9 = v6 / v8;
-            phi_rate_t = ((-(*cspan_at(&work_t, place + layout__PLACE_W_PER_SLOPE))) * bend + v5 * bend_t - v9 * derivative_rates__root_rate(v8, -(w_t * w + w * w_t))) / v8;
+            EACH_LANE each(phi_rate_t) = ((-each((*lanes_at(&work_t, place + layout__PLACE_W_PER_SLOPE)))) * bend + v5 * each(bend_t) - v9 * derivative_rates__root_rate(v8, -(each(w_t) * w + w * each(w_t)))) / v8;
             phi_rate = v9;
         }
         v10 = sin_yaw * r;
         v11 = r * cos_phi;
         v12 = arm * cos_roll - v11 * sin_roll;
-        (*y_track_t) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) + ((sin_yaw_t * r + sin_yaw * r_t) * sin_phi + v10 * sin_phi_t) + (cos_yaw_t * v12 + cos_yaw * (arm_t * cos_roll + arm * cos_roll_t - ((r_t * cos_phi + r * cos_phi_t) * sin_roll + v11 * sin_roll_t)));
+        EACH_LANE each((*y_track_t)) = each((*lanes_at(&work_t, place + layout__PLACE_SHIFT))) + ((each(sin_yaw_t) * r + sin_yaw * each(r_t)) * sin_phi + v10 * each(sin_phi_t)) + (each(cos_yaw_t) * v12 + cos_yaw * (each(arm_t) * cos_roll + arm * each(cos_roll_t) - ((each(r_t) * cos_phi + r * each(cos_phi_t)) * sin_roll + v11 * each(sin_roll_t))));
         (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + v10 * sin_phi + cos_yaw * v12;
         v13 = r * cos_phi;
-        (*z_track_t) = arm_t * sin_roll + arm * sin_roll_t + ((r_t * cos_phi + r * cos_phi_t) * cos_roll + v13 * cos_roll_t) - (*cspan_at(&work_t, place + layout__PLACE_HEIGHT));
+        EACH_LANE each((*z_track_t)) = each(arm_t) * sin_roll + arm * each(sin_roll_t) + ((each(r_t) * cos_phi + r * each(cos_phi_t)) * cos_roll + v13 * each(cos_roll_t)) - each((*lanes_at(&work_t, place + layout__PLACE_HEIGHT)));
         (*z_track) = arm * sin_roll + v13 * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
         v14 = r * cos_phi;
         v15 = slope * sin_phi + v14 * phi_rate;
         v16 = r * sin_phi;
         v17 = slope * cos_phi - v16 * phi_rate;
         v18 = cos_roll - sin_roll * v17;
-        (*stretch_t) = sin_yaw_t * v15 + sin_yaw * (slope_t * sin_phi + slope * sin_phi_t + ((r_t * cos_phi + r * cos_phi_t) * phi_rate + v14 * phi_rate_t)) + (cos_yaw_t * v18 + cos_yaw * (cos_roll_t - (sin_roll_t * v17 + sin_roll * (slope_t * cos_phi + slope * cos_phi_t - ((r_t * sin_phi + r * sin_phi_t) * phi_rate + v16 * phi_rate_t)))));
+        EACH_LANE each((*stretch_t)) = each(sin_yaw_t) * v15 + sin_yaw * (each(slope_t) * sin_phi + slope * each(sin_phi_t) + ((each(r_t) * cos_phi + r * each(cos_phi_t)) * phi_rate + v14 * each(phi_rate_t))) + (each(cos_yaw_t) * v18 + cos_yaw * (each(cos_roll_t) - (each(sin_roll_t) * v17 + sin_roll * (each(slope_t) * cos_phi + slope * each(cos_phi_t) - ((each(r_t) * sin_phi + r * each(sin_phi_t)) * phi_rate + v16 * each(phi_rate_t))))));
         (*stretch) = sin_yaw * v15 + cos_yaw * v18;
         v19 = slope * cos_roll + cos_phi * sin_roll;
-        normal_y_t = sin_yaw_t * sin_phi + sin_yaw * sin_phi_t - (cos_yaw_t * v19 + cos_yaw * (slope_t * cos_roll + slope * cos_roll_t + (cos_phi_t * sin_roll + cos_phi * sin_roll_t)));
+        EACH_LANE each(normal_y_t) = each(sin_yaw_t) * sin_phi + sin_yaw * each(sin_phi_t) - (each(cos_yaw_t) * v19 + cos_yaw * (each(slope_t) * cos_roll + slope * each(cos_roll_t) + (each(cos_phi_t) * sin_roll + cos_phi * each(sin_roll_t))));
         normal_y = sin_yaw * sin_phi - cos_yaw * v19;
-        normal_z_t = cos_phi_t * cos_roll + cos_phi * cos_roll_t - (slope_t * sin_roll + slope * sin_roll_t);
+        EACH_LANE each(normal_z_t) = each(cos_phi_t) * cos_roll + cos_phi * each(cos_roll_t) - (each(slope_t) * sin_roll + slope * each(sin_roll_t));
         normal_z = cos_phi * cos_roll - slope * sin_roll;
         v20 = sin_yaw * cos_phi;
         v21 = sin_phi * phi_rate;
         v22 = bend * cos_roll - v21 * sin_roll;
-        normal_y_rate_t = (sin_yaw_t * cos_phi + sin_yaw * cos_phi_t) * phi_rate + v20 * phi_rate_t - (cos_yaw_t * v22 + cos_yaw * (bend_t * cos_roll + bend * cos_roll_t - ((sin_phi_t * phi_rate + sin_phi * phi_rate_t) * sin_roll + v21 * sin_roll_t)));
+        EACH_LANE each(normal_y_rate_t) = (each(sin_yaw_t) * cos_phi + sin_yaw * each(cos_phi_t)) * phi_rate + v20 * each(phi_rate_t) - (each(cos_yaw_t) * v22 + cos_yaw * (each(bend_t) * cos_roll + bend * each(cos_roll_t) - ((each(sin_phi_t) * phi_rate + sin_phi * each(phi_rate_t)) * sin_roll + v21 * each(sin_roll_t))));
         normal_y_rate = v20 * phi_rate - cos_yaw * v22;
         v23 = -sin_phi;
         v24 = v23 * phi_rate;
-        normal_z_rate_t = ((-sin_phi_t) * phi_rate + v23 * phi_rate_t) * cos_roll + v24 * cos_roll_t - (bend_t * sin_roll + bend * sin_roll_t);
+        EACH_LANE each(normal_z_rate_t) = ((-each(sin_phi_t)) * phi_rate + v23 * each(phi_rate_t)) * cos_roll + v24 * each(cos_roll_t) - (each(bend_t) * sin_roll + bend * each(sin_roll_t));
         normal_z_rate = v24 * cos_roll - bend * sin_roll;
         v25 = -normal_y;
         v26 = v25 / normal_z;
-        (*outline_slope_t) = ((-normal_y_t) - v26 * normal_z_t) / normal_z;
+        EACH_LANE each((*outline_slope_t)) = ((-each(normal_y_t)) - v26 * each(normal_z_t)) / normal_z;
         (*outline_slope) = v26;
         v27 = -(normal_y_rate * normal_z - normal_y * normal_z_rate);
         v28 = normal_z * normal_z;
         v29 = v27 / v28;
-        (*slope_rate_t) = ((-(normal_y_rate_t * normal_z + normal_y_rate * normal_z_t - (normal_y_t * normal_z_rate + normal_y * normal_z_rate_t))) - v29 * (normal_z_t * normal_z + normal_z * normal_z_t)) / v28;
+        EACH_LANE each((*slope_rate_t)) = ((-(each(normal_y_rate_t) * normal_z + normal_y_rate * each(normal_z_t) - (each(normal_y_t) * normal_z_rate + normal_y * each(normal_z_rate_t)))) - v29 * (each(normal_z_t) * normal_z + normal_z * each(normal_z_t))) / v28;
         (*slope_rate) = v29;
     }
     return 0;
 }
 
 /* Derivative of ``outline_x``. */
-static inline int64_t derivative_locus__outline_x_t(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t pair, int64_t place, double y, double y_t)
+static inline int64_t derivative_locus__outline_x_t(double* result_0, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, double y, lanes y_t)
 {
     double z;
-    double z_t;
+    lanes z_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double sin_phi;
-    double sin_phi_t;
+    lanes sin_phi_t;
     double cos_phi;
-    double cos_phi_t;
-    double r_t;
+    lanes cos_phi_t;
+    lanes r_t;
     double r;
     double v1;
     double v2;
-    double lateral_t;
+    lanes lateral_t;
     double lateral;
     double v3;
     derivative_tables__height_slope_t(&z, &z_t, &slope, &slope_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
     derivative_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
-    r_t = (*cspan_at(&work_t, place + layout__PLACE_RADIUS)) + z_t;
+    EACH_LANE each(r_t) = each((*lanes_at(&work_t, place + layout__PLACE_RADIUS))) + each(z_t);
     r = (*cspan_at(&work, place + layout__PLACE_RADIUS)) + z;
     v1 = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
     v2 = r * cos_phi;
-    lateral_t = ((*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) - ((r_t * cos_phi + r * cos_phi_t) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + v2 * (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)));
+    EACH_LANE each(lateral_t) = (each((*lanes_at(&work_t, place + layout__PLACE_ARM))) + each(y_t)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL))) - ((each(r_t) * cos_phi + r * each(cos_phi_t)) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + v2 * each((*lanes_at(&work_t, place + layout__PLACE_SIN_ROLL))));
     lateral = v1 * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - v2 * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
     v3 = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r;
     (*result_0) = v3 * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
-    (*result_1) = ((*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) * r + (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r_t) * sin_phi + v3 * sin_phi_t - ((*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * lateral + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral_t);
+    EACH_LANE each((*result_1)) = (each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW))) * r + (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * each(r_t)) * sin_phi + v3 * each(sin_phi_t) - (each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW))) * lateral + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * each(lateral_t));
     return 0;
 }
 
@@ -720,158 +722,158 @@ static inline int64_t derivative_locus__outline_x_t(double* result_0, double* re
  */
 
 /* Derivative of ``move_rail``. */
-static inline int64_t derivative_rails__move_rail_t(array_double_1d work, array_double_1d work_t, int64_t place, double lateral, double lateral_t, double vertical, double vertical_t)
+static inline int64_t derivative_rails__move_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double lateral, lanes lateral_t, double vertical, lanes vertical_t)
 {
-    (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) - lateral_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_SHIFT))) = each((*lanes_at(&work_t, place + layout__PLACE_SHIFT))) - each(lateral_t);
     (*cspan_at(&work, place + layout__PLACE_SHIFT)) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) - lateral;
-    (*cspan_at(&work_t, place + layout__PLACE_HEIGHT)) = (*cspan_at(&work_t, place + layout__PLACE_HEIGHT)) + vertical_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_HEIGHT))) = each((*lanes_at(&work_t, place + layout__PLACE_HEIGHT))) + each(vertical_t);
     (*cspan_at(&work, place + layout__PLACE_HEIGHT)) = (*cspan_at(&work, place + layout__PLACE_HEIGHT)) + vertical;
-    (*cspan_at(&work_t, place + layout__PLACE_RAIL_LATERAL)) = lateral_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_RAIL_LATERAL))) = each(lateral_t);
     (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = lateral;
-    (*cspan_at(&work_t, place + layout__PLACE_RAIL_VERTICAL)) = vertical_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_RAIL_VERTICAL))) = each(vertical_t);
     (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = vertical;
     return INT64_C(0);
 }
 
 /* Derivative of ``lean_rail``. */
-static inline int64_t derivative_rails__lean_rail_t(array_double_1d work, array_double_1d work_t, int64_t place, double rail_y, double rail_y_t, double angle, double angle_t)
+static inline int64_t derivative_rails__lean_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double rail_y, lanes rail_y_t, double angle, lanes angle_t)
 {
     double sine;
-    double sine_t;
+    lanes sine_t;
     double cosine;
-    double cosine_t;
-    double across_t;
+    lanes cosine_t;
+    lanes across_t;
     double across;
-    double down_t;
+    lanes down_t;
     double down;
     derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, angle, angle_t);
-    across_t = (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) - rail_y_t;
+    EACH_LANE each(across_t) = each((*lanes_at(&work_t, place + layout__PLACE_SHIFT))) - each(rail_y_t);
     across = (*cspan_at(&work, place + layout__PLACE_SHIFT)) - rail_y;
-    down_t = (*cspan_at(&work_t, place + layout__PLACE_REFERENCE)) - (*cspan_at(&work_t, place + layout__PLACE_HEIGHT));
+    EACH_LANE each(down_t) = each((*lanes_at(&work_t, place + layout__PLACE_REFERENCE))) - each((*lanes_at(&work_t, place + layout__PLACE_HEIGHT)));
     down = (*cspan_at(&work, place + layout__PLACE_REFERENCE)) - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
-    (*cspan_at(&work_t, place + layout__PLACE_SHIFT)) = rail_y_t + (cosine_t * across + cosine * across_t) + (sine_t * down + sine * down_t);
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_SHIFT))) = each(rail_y_t) + (each(cosine_t) * across + cosine * each(across_t)) + (each(sine_t) * down + sine * each(down_t));
     (*cspan_at(&work, place + layout__PLACE_SHIFT)) = rail_y + cosine * across + sine * down;
-    (*cspan_at(&work_t, place + layout__PLACE_HEIGHT)) = (*cspan_at(&work_t, place + layout__PLACE_REFERENCE)) - (cosine_t * down + cosine * down_t - (sine_t * across + sine * across_t));
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_HEIGHT))) = each((*lanes_at(&work_t, place + layout__PLACE_REFERENCE))) - (each(cosine_t) * down + cosine * each(down_t) - (each(sine_t) * across + sine * each(across_t)));
     (*cspan_at(&work, place + layout__PLACE_HEIGHT)) = (*cspan_at(&work, place + layout__PLACE_REFERENCE)) - (cosine * down - sine * across);
-    (*cspan_at(&work_t, place + layout__PLACE_RAIL_ROLL)) = angle_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_RAIL_ROLL))) = each(angle_t);
     (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL)) = angle;
-    (*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) = sine_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_RAIL_SIN))) = each(sine_t);
     (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) = sine;
-    (*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) = cosine_t;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_RAIL_COS))) = each(cosine_t);
     (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) = cosine;
-    (*cspan_at(&work_t, place + layout__PLACE_TRACK_SIN_YAW)) = (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW));
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_TRACK_SIN_YAW))) = each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW)));
     (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW)) = (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
-    (*cspan_at(&work_t, place + layout__PLACE_TRACK_COS_YAW)) = (*cspan_at(&work_t, place + layout__PLACE_COS_YAW));
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_TRACK_COS_YAW))) = each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW)));
     (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-    (*cspan_at(&work_t, place + layout__PLACE_LEANING)) = 0.0;
+    (*lanes_at(&work_t, place + layout__PLACE_LEANING)) = all_lanes(0.0);
     (*cspan_at(&work, place + layout__PLACE_LEANING)) = (double)(1);
     return INT64_C(0);
 }
 
 /* Derivative of ``turn_leaning``. */
-static inline int64_t derivative_rails__turn_leaning_t(array_double_1d work, array_double_1d work_t, int64_t place)
+static inline int64_t derivative_rails__turn_leaning_t(array_double_1d work, array_lanes_1d work_t, int64_t place)
 {
-    double sin_roll_t;
+    lanes sin_roll_t;
     double sin_roll;
-    double cos_roll_t;
+    lanes cos_roll_t;
     double cos_roll;
     double v1;
-    double along_t;
+    lanes along_t;
     double along;
-    double level_t;
+    lanes level_t;
     double level;
-    double across_t;
+    lanes across_t;
     double across;
-    double sine_t;
+    lanes sine_t;
     double sine;
     double v2;
     double v3;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
     double v4;
     double v5;
     double v6;
-    sin_roll_t = (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL));
+    EACH_LANE each(sin_roll_t) = each((*lanes_at(&work_t, place + layout__PLACE_SIN_ROLL)));
     sin_roll = (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
-    cos_roll_t = (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL));
+    EACH_LANE each(cos_roll_t) = each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL)));
     cos_roll = (*cspan_at(&work, place + layout__PLACE_COS_ROLL));
     v1 = -(*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW));
-    along_t = (-(*cspan_at(&work_t, place + layout__PLACE_TRACK_SIN_YAW))) * cos_roll + v1 * cos_roll_t;
+    EACH_LANE each(along_t) = (-each((*lanes_at(&work_t, place + layout__PLACE_TRACK_SIN_YAW)))) * cos_roll + v1 * each(cos_roll_t);
     along = v1 * cos_roll;
-    level_t = (*cspan_at(&work_t, place + layout__PLACE_TRACK_COS_YAW)) * cos_roll + (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) * cos_roll_t;
+    EACH_LANE each(level_t) = each((*lanes_at(&work_t, place + layout__PLACE_TRACK_COS_YAW))) * cos_roll + (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) * each(cos_roll_t);
     level = (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) * cos_roll;
-    across_t = (*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * level + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * level_t + ((*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) * sin_roll + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * sin_roll_t);
+    EACH_LANE each(across_t) = each((*lanes_at(&work_t, place + layout__PLACE_RAIL_COS))) * level + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * each(level_t) + (each((*lanes_at(&work_t, place + layout__PLACE_RAIL_SIN))) * sin_roll + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * each(sin_roll_t));
     across = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * level + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * sin_roll;
-    sine_t = (*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * sin_roll + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * sin_roll_t - ((*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) * level + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * level_t);
+    EACH_LANE each(sine_t) = each((*lanes_at(&work_t, place + layout__PLACE_RAIL_COS))) * sin_roll + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * each(sin_roll_t) - (each((*lanes_at(&work_t, place + layout__PLACE_RAIL_SIN))) * level + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * each(level_t));
     sine = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * sin_roll - (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * level;
     v2 = along * along + across * across;
     v3 = sqrt(v2);
-    cosine_t = derivative_rates__root_rate(v3, along_t * along + along * along_t + (across_t * across + across * across_t));
+    EACH_LANE each(cosine_t) = derivative_rates__root_rate(v3, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
     cosine = v3;
     v4 = -along;
     v5 = v4 / cosine;
-    (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) = ((-along_t) - v5 * cosine_t) / cosine;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW))) = ((-each(along_t)) - v5 * each(cosine_t)) / cosine;
     (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) = v5;
     v6 = across / cosine;
-    (*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) = (across_t - v6 * cosine_t) / cosine;
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW))) = (each(across_t) - v6 * each(cosine_t)) / cosine;
     (*cspan_at(&work, place + layout__PLACE_COS_YAW)) = v6;
     derivative_locus__set_roll_t(work, work_t, place, sine, sine_t, cosine, cosine_t);
     return INT64_C(0);
 }
 
 /* Derivative of ``pitch_of_frame``. */
-static inline int64_t derivative_rails__pitch_of_frame_t(double* sine, double* sine_t, double* cosine, double* cosine_t, array_double_1d work, array_double_1d work_t, int64_t place)
+static inline int64_t derivative_rails__pitch_of_frame_t(double* sine, lanes* sine_t, double* cosine, lanes* cosine_t, array_double_1d work, array_lanes_1d work_t, int64_t place)
 {
-    double forward_t;
+    lanes forward_t;
     double forward;
     double v1;
-    double down_t;
+    lanes down_t;
     double down;
     double v2;
-    forward_t = (*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW)) + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work_t, place + layout__PLACE_TRACK_SIN_YAW));
+    EACH_LANE each(forward_t) = each((*lanes_at(&work_t, place + layout__PLACE_RAIL_COS))) * (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW)) + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * each((*lanes_at(&work_t, place + layout__PLACE_TRACK_SIN_YAW)));
     forward = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW));
     v1 = -(*cspan_at(&work, place + layout__PLACE_RAIL_SIN));
-    down_t = (-(*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN))) * (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW)) + v1 * (*cspan_at(&work_t, place + layout__PLACE_TRACK_SIN_YAW));
+    EACH_LANE each(down_t) = (-each((*lanes_at(&work_t, place + layout__PLACE_RAIL_SIN)))) * (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW)) + v1 * each((*lanes_at(&work_t, place + layout__PLACE_TRACK_SIN_YAW)));
     down = v1 * (*cspan_at(&work, place + layout__PLACE_TRACK_SIN_YAW));
     v2 = (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) - forward * (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-    (*sine_t) = -(((*cspan_at(&work_t, place + layout__PLACE_TRACK_COS_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) + (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) * (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) - (forward_t * (*cspan_at(&work, place + layout__PLACE_COS_YAW)) + forward * (*cspan_at(&work_t, place + layout__PLACE_COS_YAW)))) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + v2 * (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)) + (down_t * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + down * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL))));
+    EACH_LANE each((*sine_t)) = -((each((*lanes_at(&work_t, place + layout__PLACE_TRACK_COS_YAW))) * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) + (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) * each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW))) - (each(forward_t) * (*cspan_at(&work, place + layout__PLACE_COS_YAW)) + forward * each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW))))) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + v2 * each((*lanes_at(&work_t, place + layout__PLACE_SIN_ROLL))) + (each(down_t) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + down * each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL)))));
     (*sine) = -(v2 * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + down * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)));
-    (*cosine_t) = (*cspan_at(&work_t, place + layout__PLACE_TRACK_COS_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_YAW)) + (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) * (*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) + (forward_t * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) + forward * (*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)));
+    EACH_LANE each((*cosine_t)) = each((*lanes_at(&work_t, place + layout__PLACE_TRACK_COS_YAW))) * (*cspan_at(&work, place + layout__PLACE_COS_YAW)) + (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) * each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW))) + (each(forward_t) * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) + forward * each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW))));
     (*cosine) = (*cspan_at(&work, place + layout__PLACE_TRACK_COS_YAW)) * (*cspan_at(&work, place + layout__PLACE_COS_YAW)) + forward * (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
     return 0;
 }
 
 /* Derivative of ``upright_share``. */
-static inline int64_t derivative_rails__upright_share_t(double* share, double* share_t, array_double_1d work, array_double_1d work_t, int64_t place, double cosine, double cosine_t, double sine, double sine_t)
+static inline int64_t derivative_rails__upright_share_t(double* share, lanes* share_t, array_double_1d work, array_lanes_1d work_t, int64_t place, double cosine, lanes cosine_t, double sine, lanes sine_t)
 {
-    (*share_t) = cosine_t;
+    EACH_LANE each((*share_t)) = each(cosine_t);
     (*share) = cosine;
     if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
     {
-        (*share_t) = (*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * cosine + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * cosine_t - ((*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) * sine + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * sine_t);
+        EACH_LANE each((*share_t)) = each((*lanes_at(&work_t, place + layout__PLACE_RAIL_COS))) * cosine + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * each(cosine_t) - (each((*lanes_at(&work_t, place + layout__PLACE_RAIL_SIN))) * sine + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * each(sine_t));
         (*share) = (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * cosine - (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * sine;
     }
     return 0;
 }
 
 /* Derivative of ``on_track``. */
-static inline int64_t derivative_rails__on_track_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d work, array_double_1d work_t, int64_t place, double rail_y, double rail_y_t, double y, double y_t, double z, double z_t)
+static inline int64_t derivative_rails__on_track_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d work, array_lanes_1d work_t, int64_t place, double rail_y, lanes rail_y_t, double y, lanes y_t, double z, lanes z_t)
 {
-    double across_t;
+    lanes across_t;
     double across;
     if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
     {
-        across_t = y_t - rail_y_t;
+        EACH_LANE each(across_t) = each(y_t) - each(rail_y_t);
         across = y - rail_y;
-        y_t = rail_y_t + ((*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * across + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * across_t) - ((*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) * z + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * z_t);
+        EACH_LANE each(y_t) = each(rail_y_t) + (each((*lanes_at(&work_t, place + layout__PLACE_RAIL_COS))) * across + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * each(across_t)) - (each((*lanes_at(&work_t, place + layout__PLACE_RAIL_SIN))) * z + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * each(z_t));
         y = rail_y + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * across - (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * z;
-        z_t = (*cspan_at(&work_t, place + layout__PLACE_RAIL_SIN)) * across + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * across_t + ((*cspan_at(&work_t, place + layout__PLACE_RAIL_COS)) * z + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * z_t);
+        EACH_LANE each(z_t) = each((*lanes_at(&work_t, place + layout__PLACE_RAIL_SIN))) * across + (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * each(across_t) + (each((*lanes_at(&work_t, place + layout__PLACE_RAIL_COS))) * z + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * each(z_t));
         z = (*cspan_at(&work, place + layout__PLACE_RAIL_SIN)) * across + (*cspan_at(&work, place + layout__PLACE_RAIL_COS)) * z;
     }
     (*result_0) = y + (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL));
-    (*result_1) = y_t + (*cspan_at(&work_t, place + layout__PLACE_RAIL_LATERAL));
+    EACH_LANE each((*result_1)) = each(y_t) + each((*lanes_at(&work_t, place + layout__PLACE_RAIL_LATERAL)));
     (*result_2) = z + (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL));
-    (*result_3) = z_t + (*cspan_at(&work_t, place + layout__PLACE_RAIL_VERTICAL));
+    EACH_LANE each((*result_3)) = each(z_t) + each((*lanes_at(&work_t, place + layout__PLACE_RAIL_VERTICAL)));
     return 0;
 }
 
@@ -882,27 +884,27 @@ static inline int64_t derivative_rails__on_track_t(double* result_0, double* res
  */
 
 /* Derivative of ``table_cell``. */
-static inline int64_t derivative_tables__table_cell_t(int64_t* cell, double* result_1, double* result_2, double u, double u_t, double last, double last_t)
+static inline int64_t derivative_tables__table_cell_t(int64_t* cell, double* result_1, lanes* result_2, double u, lanes u_t, double last, lanes last_t)
 {
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
+    lanes v2_t;
     v1 = 0.0;
-    v1_t = 0.0;
+    v1_t = all_lanes(0.0);
     if (u > v1)
     {
         v1 = u;
-        v1_t = u_t;
+        EACH_LANE each(v1_t) = each(u_t);
     }
     v2 = v1;
-    v2_t = v1_t;
+    EACH_LANE each(v2_t) = each(v1_t);
     if (last < v2)
     {
         v2 = last;
-        v2_t = last_t;
+        EACH_LANE each(v2_t) = each(last_t);
     }
-    u_t = v2_t;
+    EACH_LANE each(u_t) = each(v2_t);
     u = v2;
     (*cell) = (int64_t)(u);
     if ((*cell) > (int64_t)(last) - INT64_C(1))
@@ -910,148 +912,152 @@ static inline int64_t derivative_tables__table_cell_t(int64_t* cell, double* res
         (*cell) = (int64_t)(last) - INT64_C(1);
     }
     (*result_1) = u - (double)((*cell));
-    (*result_2) = u_t;
+    EACH_LANE each((*result_2)) = each(u_t);
     return 0;
 }
 
 /* Derivative of ``read_cubic``. */
-static inline int64_t derivative_tables__read_cubic_t(double* result_0, double* result_1, array_double_1d tables, int64_t table, double at, double at_t)
+static inline int64_t derivative_tables__read_cubic_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, double at, lanes at_t)
 {
     double v1;
     int64_t cell;
     double x;
-    double x_t;
+    lanes x_t;
     int64_t cubic;
     double v2;
     double v3;
     v1 = at - (*cspan_at(&tables, table + layout__CUBIC_TABLE_START));
-    derivative_tables__table_cell_t(&cell, &x, &x_t, v1 * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), at_t * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)), 0.0);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each(at_t) * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT));
+    derivative_tables__table_cell_t(&cell, &x, &x_t, v1 * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), rates_1, (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)), all_lanes(0.0));
     cubic = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
     v2 = (*cspan_at(&tables, cubic + layout__CUBIC_BEND)) + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
     v3 = (*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) + x * v2;
     (*result_0) = (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) + x * v3;
-    (*result_1) = x_t * v3 + x * (x_t * v2 + x * (x_t * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD))));
+    EACH_LANE each((*result_1)) = each(x_t) * v3 + x * (each(x_t) * v2 + x * (each(x_t) * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD))));
     return 0;
 }
 
 /* Derivative of ``read_cubic_jet``. */
-static inline int64_t derivative_tables__read_cubic_jet_t(double* result_0, double* result_1, double* result_2, double* result_3, array_double_1d tables, int64_t table, double at, double at_t)
+static inline int64_t derivative_tables__read_cubic_jet_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d tables, int64_t table, double at, lanes at_t)
 {
     double v1;
     int64_t cell;
     double x;
-    double x_t;
+    lanes x_t;
     int64_t cubic;
-    double q2_t;
+    lanes q2_t;
     double q2;
-    double q1_t;
+    lanes q1_t;
     double q1;
     double v2;
     double v3;
     v1 = at - (*cspan_at(&tables, table + layout__CUBIC_TABLE_START));
-    derivative_tables__table_cell_t(&cell, &x, &x_t, v1 * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), at_t * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)), 0.0);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each(at_t) * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT));
+    derivative_tables__table_cell_t(&cell, &x, &x_t, v1 * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT)), rates_1, (*cspan_at(&tables, table + layout__CUBIC_TABLE_COUNT)), all_lanes(0.0));
     cubic = table + layout__CUBIC_TABLE_CELLS + layout__CUBIC_SIZE * cell;
-    q2_t = x_t * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
+    EACH_LANE each(q2_t) = each(x_t) * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
     q2 = (*cspan_at(&tables, cubic + layout__CUBIC_BEND)) + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
-    q1_t = x_t * q2 + x * q2_t;
+    EACH_LANE each(q1_t) = each(x_t) * q2 + x * each(q2_t);
     q1 = (*cspan_at(&tables, cubic + layout__CUBIC_SLOPE)) + x * q2;
     v2 = q2 + x * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD));
     v3 = q1 + x * v2;
     (*result_0) = (*cspan_at(&tables, cubic + layout__CUBIC_VALUE)) + x * q1;
-    (*result_1) = x_t * q1 + x * q1_t;
+    EACH_LANE each((*result_1)) = each(x_t) * q1 + x * each(q1_t);
     (*result_2) = v3 * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT));
-    (*result_3) = (q1_t + (x_t * v2 + x * (q2_t + x_t * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD))))) * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT));
+    EACH_LANE each((*result_3)) = (each(q1_t) + (each(x_t) * v2 + x * (each(q2_t) + each(x_t) * (*cspan_at(&tables, cubic + layout__CUBIC_THIRD))))) * (*cspan_at(&tables, table + layout__CUBIC_TABLE_CELLS_PER_UNIT));
     return 0;
 }
 
 /* Derivative of ``height_slope``. */
-static inline int64_t derivative_tables__height_slope_t(double* result_0, double* result_1, double* slope, double* slope_t, array_double_1d tables, int64_t profile, double y, double y_t)
+static inline int64_t derivative_tables__height_slope_t(double* result_0, lanes* result_1, double* slope, lanes* slope_t, array_double_1d tables, int64_t profile, double y, lanes y_t)
 {
     int64_t piece;
-    double u_t;
+    lanes u_t;
     double u;
-    double p4_t;
+    lanes p4_t;
     double p4;
-    double p3_t;
+    lanes p3_t;
     double p3;
-    double p2_t;
+    lanes p2_t;
     double p2;
-    double p1_t;
+    lanes p1_t;
     double p1;
     double v1;
     double v2;
     double v3;
     piece = tables__find_piece(tables, profile, y);
-    u_t = y_t;
+    EACH_LANE each(u_t) = each(y_t);
     u = y - (*cspan_at(&tables, piece + layout__PIECE_START));
-    p4_t = u_t * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    EACH_LANE each(p4_t) = each(u_t) * (*cspan_at(&tables, piece + layout__PIECE_C5));
     p4 = (*cspan_at(&tables, piece + layout__PIECE_C4)) + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    p3_t = u_t * p4 + u * p4_t;
+    EACH_LANE each(p3_t) = each(u_t) * p4 + u * each(p4_t);
     p3 = (*cspan_at(&tables, piece + layout__PIECE_C3)) + u * p4;
-    p2_t = u_t * p3 + u * p3_t;
+    EACH_LANE each(p2_t) = each(u_t) * p3 + u * each(p3_t);
     p2 = (*cspan_at(&tables, piece + layout__PIECE_C2)) + u * p3;
-    p1_t = u_t * p2 + u * p2_t;
+    EACH_LANE each(p1_t) = each(u_t) * p2 + u * each(p2_t);
     p1 = (*cspan_at(&tables, piece + layout__PIECE_C1)) + u * p2;
     v1 = p4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
     v2 = p3 + u * v1;
     v3 = p2 + u * v2;
-    (*slope_t) = p1_t + (u_t * v3 + u * (p2_t + (u_t * v2 + u * (p3_t + (u_t * v1 + u * (p4_t + u_t * (*cspan_at(&tables, piece + layout__PIECE_C5))))))));
+    EACH_LANE each((*slope_t)) = each(p1_t) + (each(u_t) * v3 + u * (each(p2_t) + (each(u_t) * v2 + u * (each(p3_t) + (each(u_t) * v1 + u * (each(p4_t) + each(u_t) * (*cspan_at(&tables, piece + layout__PIECE_C5))))))));
     (*slope) = p1 + u * v3;
     (*result_0) = (*cspan_at(&tables, piece + layout__PIECE_C0)) + u * p1;
-    (*result_1) = u_t * p1 + u * p1_t;
+    EACH_LANE each((*result_1)) = each(u_t) * p1 + u * each(p1_t);
     return 0;
 }
 
 /* Derivative of ``height_slope_bend``. */
-static inline int64_t derivative_tables__height_slope_bend_t(double* result_0, double* result_1, double* result_2, double* result_3, double* result_4, double* result_5, array_double_1d tables, int64_t profile, double y, double y_t)
+static inline int64_t derivative_tables__height_slope_bend_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, double* result_4, lanes* result_5, array_double_1d tables, int64_t profile, double y, lanes y_t)
 {
     int64_t piece;
-    double u_t;
+    lanes u_t;
     double u;
-    double p4_t;
+    lanes p4_t;
     double p4;
-    double p3_t;
+    lanes p3_t;
     double p3;
-    double p2_t;
+    lanes p2_t;
     double p2;
-    double p1_t;
+    lanes p1_t;
     double p1;
-    double q4_t;
+    lanes q4_t;
     double q4;
-    double q3_t;
+    lanes q3_t;
     double q3;
-    double q2_t;
+    lanes q2_t;
     double q2;
     double v1;
     double v2;
-    double half_bend_t;
+    lanes half_bend_t;
     double half_bend;
     piece = tables__find_piece(tables, profile, y);
-    u_t = y_t;
+    EACH_LANE each(u_t) = each(y_t);
     u = y - (*cspan_at(&tables, piece + layout__PIECE_START));
-    p4_t = u_t * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    EACH_LANE each(p4_t) = each(u_t) * (*cspan_at(&tables, piece + layout__PIECE_C5));
     p4 = (*cspan_at(&tables, piece + layout__PIECE_C4)) + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    p3_t = u_t * p4 + u * p4_t;
+    EACH_LANE each(p3_t) = each(u_t) * p4 + u * each(p4_t);
     p3 = (*cspan_at(&tables, piece + layout__PIECE_C3)) + u * p4;
-    p2_t = u_t * p3 + u * p3_t;
+    EACH_LANE each(p2_t) = each(u_t) * p3 + u * each(p3_t);
     p2 = (*cspan_at(&tables, piece + layout__PIECE_C2)) + u * p3;
-    p1_t = u_t * p2 + u * p2_t;
+    EACH_LANE each(p1_t) = each(u_t) * p2 + u * each(p2_t);
     p1 = (*cspan_at(&tables, piece + layout__PIECE_C1)) + u * p2;
-    q4_t = p4_t + u_t * (*cspan_at(&tables, piece + layout__PIECE_C5));
+    EACH_LANE each(q4_t) = each(p4_t) + each(u_t) * (*cspan_at(&tables, piece + layout__PIECE_C5));
     q4 = p4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
-    q3_t = p3_t + (u_t * q4 + u * q4_t);
+    EACH_LANE each(q3_t) = each(p3_t) + (each(u_t) * q4 + u * each(q4_t));
     q3 = p3 + u * q4;
-    q2_t = p2_t + (u_t * q3 + u * q3_t);
+    EACH_LANE each(q2_t) = each(p2_t) + (each(u_t) * q3 + u * each(q3_t));
     q2 = p2 + u * q3;
     v1 = q4 + u * (*cspan_at(&tables, piece + layout__PIECE_C5));
     v2 = q3 + u * v1;
-    half_bend_t = q2_t + (u_t * v2 + u * (q3_t + (u_t * v1 + u * (q4_t + u_t * (*cspan_at(&tables, piece + layout__PIECE_C5))))));
+    EACH_LANE each(half_bend_t) = each(q2_t) + (each(u_t) * v2 + u * (each(q3_t) + (each(u_t) * v1 + u * (each(q4_t) + each(u_t) * (*cspan_at(&tables, piece + layout__PIECE_C5))))));
     half_bend = q2 + u * v2;
     (*result_0) = (*cspan_at(&tables, piece + layout__PIECE_C0)) + u * p1;
-    (*result_1) = u_t * p1 + u * p1_t;
+    EACH_LANE each((*result_1)) = each(u_t) * p1 + u * each(p1_t);
     (*result_2) = p1 + u * q2;
-    (*result_3) = p1_t + (u_t * q2 + u * q2_t);
+    EACH_LANE each((*result_3)) = each(p1_t) + (each(u_t) * q2 + u * each(q2_t));
     (*result_4) = 2.0 * half_bend;
-    (*result_5) = 2.0 * half_bend_t;
+    EACH_LANE each((*result_5)) = 2.0 * each(half_bend_t);
     return 0;
 }

@@ -8,15 +8,15 @@
  */
 
 /* Derivative of ``load_at_height``. */
-static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double height, double height_t)
+static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t)
 {
-    double approach_t;
+    lanes approach_t;
     double approach;
     int64_t n1;
     int64_t n2;
     int64_t status;
     int64_t count;
-    approach_t = height_t - (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
+    EACH_LANE each(approach_t) = each(height_t) - each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST)));
     approach = height - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
     if (!(approach > compliant__GRAZING))
     {
@@ -35,7 +35,7 @@ static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tab
     }
     if (status == layout__VALID)
     {
-        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, 0.0, 0.0, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
+        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, 0.0, all_lanes(0.0), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
     }
     if ((status == layout__VALID) && compliant__is_damped(tables))
     {
@@ -45,16 +45,16 @@ static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tab
 }
 
 /* Derivative of ``damp_patches``. */
-static inline int64_t derivative_compliant__damp_patches_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side)
+static inline int64_t derivative_compliant__damp_patches_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
 {
     int64_t number_end;
     int64_t number;
     int64_t patch;
     double v1;
-    double v1_t;
+    lanes v1_t;
     double v2;
-    double v2_t;
-    double factor_t;
+    lanes v2_t;
+    lanes factor_t;
     double factor;
     number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (number = INT64_C(0); number < number_end; number += INT64_C(1))
@@ -62,13 +62,13 @@ static inline int64_t derivative_compliant__damp_patches_t(array_double_1d work,
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         derivative_creepage__approach_rate_t(&v1, &v1_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
         v2 = 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * v1;
-        v2_t = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * v1_t;
+        EACH_LANE each(v2_t) = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * each(v1_t);
         if (0.0 > v2)
         {
             v2 = 0.0;
-            v2_t = 0.0;
+            v2_t = all_lanes(0.0);
         }
-        factor_t = v2_t;
+        EACH_LANE each(factor_t) = each(v2_t);
         factor = v2;
         derivative_compliant__damp_patch_t(work, work_t, patch, factor, factor_t);
     }
@@ -77,27 +77,27 @@ static inline int64_t derivative_compliant__damp_patches_t(array_double_1d work,
 }
 
 /* Derivative of ``damp_patch``. */
-static inline int64_t derivative_compliant__damp_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch, double factor, double factor_t)
+static inline int64_t derivative_compliant__damp_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
 {
     int64_t i;
     int64_t strip;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * factor + (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * factor_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) * factor + (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * each(factor_t);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) * factor;
-    (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) * factor + (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) * factor_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT))) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT))) * factor + (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) * each(factor_t);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MOMENT)) * factor;
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y)) * factor + (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) * factor_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y))) * factor + (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) * each(factor_t);
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) * factor;
-    (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)) * factor + (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) * factor_t;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z))) * factor + (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) * each(factor_t);
     (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) * factor;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i)) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i)) * factor + (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i)) * factor_t;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i))) * factor + (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i)) * each(factor_t);
         (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i)) * factor;
     }
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) * factor_t;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD))) * factor + (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) * each(factor_t);
         (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD)) * factor;
     }
     return INT64_C(0);
@@ -110,7 +110,7 @@ static inline int64_t derivative_compliant__damp_patch_t(array_double_1d work, a
  */
 
 /* Derivative of ``sum_forces``. */
-static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     bool rubbing;
     int64_t i_1;
@@ -120,25 +120,25 @@ static inline int64_t derivative_forces__sum_forces_t(array_double_1d tables, ar
     rubbing = requested__has_creep_forces(tables, work);
     for (i_1 = INT64_C(0); i_1 < layout__FORCES_SIZE; i_1 += INT64_C(1))
     {
-        (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + i_1)) = 0.0;
     }
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
         mirror = (double)(INT64_C(2) * index - INT64_C(1));
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-        (*cspan_at(&work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Y)) = mirror * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
+        EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Y))) = mirror * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)));
         (*cspan_at(&work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Y)) = mirror * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
-        (*cspan_at(&work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+        EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Z))) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)));
         (*cspan_at(&work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_HEIGHT));
         derivative_forces__sum_side_t(work, work_t, side, rubbing);
-        derivative_forces__add_forces_t(work, work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES, side + layout__SIDE_SEARCH_FORCES, mirror, 0.0);
+        derivative_forces__add_forces_t(work, work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES, side + layout__SIDE_SEARCH_FORCES, mirror, all_lanes(0.0));
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``sum_side``. */
-static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_double_1d work_t, int64_t side, bool rubbing)
+static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_lanes_1d work_t, int64_t side, bool rubbing)
 {
     int64_t i_1;
     int64_t number_end;
@@ -146,7 +146,7 @@ static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_
     int64_t patch;
     for (i_1 = INT64_C(0); i_1 < layout__FORCES_SIZE; i_1 += INT64_C(1))
     {
-        (*cspan_at(&work_t, side + layout__SIDE_SEARCH_FORCES + i_1)) = 0.0;
+        (*lanes_at(&work_t, side + layout__SIDE_SEARCH_FORCES + i_1)) = all_lanes(0.0);
         (*cspan_at(&work, side + layout__SIDE_SEARCH_FORCES + i_1)) = 0.0;
     }
     number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
@@ -158,13 +158,13 @@ static inline int64_t derivative_forces__sum_side_t(array_double_1d work, array_
         {
             derivative_forces__rub_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
         }
-        derivative_forces__add_forces_t(work, work_t, side + layout__SIDE_SEARCH_FORCES, patch + layout__PATCH_FORCES, 1.0, 0.0);
+        derivative_forces__add_forces_t(work, work_t, side + layout__SIDE_SEARCH_FORCES, patch + layout__PATCH_FORCES, 1.0, all_lanes(0.0));
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``press_patch``. */
-static inline int64_t derivative_forces__press_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch)
+static inline int64_t derivative_forces__press_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
 {
     int64_t forces;
     int64_t i_1;
@@ -174,247 +174,247 @@ static inline int64_t derivative_forces__press_patch_t(array_double_1d work, arr
     forces = patch + layout__PATCH_FORCES;
     for (i_1 = INT64_C(0); i_1 < layout__FORCES_SIZE; i_1 += INT64_C(1))
     {
-        (*cspan_at(&work_t, forces + i_1)) = 0.0;
+        (*lanes_at(&work_t, forces + i_1)) = all_lanes(0.0);
         (*cspan_at(&work, forces + i_1)) = 0.0;
     }
-    (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1))) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y));
+    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1)))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y)));
     (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y));
-    (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z));
+    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2)))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z)));
     (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
     for (i_2 = INT64_C(0); i_2 < INT64_C(3); i_2 += INT64_C(1))
     {
-        (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + i_2)) = (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i_2));
+        EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + i_2))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i_2)));
         (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i_2)) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i_2));
     }
-    (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0))) = (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0))) - ((*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y)) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) + (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) * (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Z)) - ((*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z)) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) + (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) * (*cspan_at(&work_t, patch + layout__PATCH_NORMAL_Y))));
+    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0)))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0)))) - (each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y))) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) + (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z))) - (each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z))) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)) + (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) * each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y)))));
     (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0))) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + INT64_C(0))) - ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) * (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y)));
     for (i_3 = INT64_C(0); i_3 < INT64_C(3); i_3 += INT64_C(1))
     {
-        (*cspan_at(&work_t, forces + layout__FORCES_FORCE + i_3)) = (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + i_3));
+        EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + i_3))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + i_3)));
         (*cspan_at(&work, forces + layout__FORCES_FORCE + i_3)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + i_3));
     }
     for (i_4 = INT64_C(0); i_4 < INT64_C(3); i_4 += INT64_C(1))
     {
-        (*cspan_at(&work_t, forces + layout__FORCES_MOMENT + i_4)) = (*cspan_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + i_4));
+        EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_MOMENT + i_4))) = each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_MOMENT + i_4)));
         (*cspan_at(&work, forces + layout__FORCES_MOMENT + i_4)) = (*cspan_at(&work, forces + layout__FORCES_NORMAL_MOMENT + i_4));
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``rub_patch``. */
-static inline int64_t derivative_forces__rub_patch_t(array_double_1d work, array_double_1d work_t, int64_t motion, int64_t patch)
+static inline int64_t derivative_forces__rub_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
 {
     int64_t forces;
-    double rest_x_t;
+    lanes rest_x_t;
     double rest_x;
-    double rest_y_t;
+    lanes rest_y_t;
     double rest_y;
-    double turning_t;
+    lanes turning_t;
     double turning;
-    double force_y_t;
+    lanes force_y_t;
     double force_y;
-    double force_z_t;
+    lanes force_z_t;
     double force_z;
-    double moment_x_t;
+    lanes moment_x_t;
     double moment_x;
-    double moment_y_t;
+    lanes moment_y_t;
     double moment_y;
-    double moment_z_t;
+    lanes moment_z_t;
     double moment_z;
-    double missing_t;
+    lanes missing_t;
     double missing;
     int64_t i;
     int64_t strip;
-    double along_t;
+    lanes along_t;
     double along;
-    double across_t;
+    lanes across_t;
     double across;
-    double spinning_t;
+    lanes spinning_t;
     double spinning;
-    double down_t;
+    lanes down_t;
     double down;
-    double x_t;
+    lanes x_t;
     double x;
-    double y_t;
+    lanes y_t;
     double y;
-    double z_t;
+    lanes z_t;
     double z;
-    double lever_x_t;
+    lanes lever_x_t;
     double lever_x;
-    double lever_y_t;
+    lanes lever_y_t;
     double lever_y;
-    double lever_z_t;
+    lanes lever_z_t;
     double lever_z;
     double v1;
     double v2;
-    double v2_t;
-    double sine_t;
+    lanes v2_t;
+    lanes sine_t;
     double sine;
-    double cosine_t;
+    lanes cosine_t;
     double cosine;
     double v3;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
     double v7;
-    double v7_t;
+    lanes v7_t;
     double v8;
     double v9;
     forces = patch + layout__PATCH_FORCES;
-    rest_x_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X));
+    EACH_LANE each(rest_x_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X)));
     rest_x = (*cspan_at(&work, patch + layout__PATCH_CREEP_X));
-    rest_y_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y));
+    EACH_LANE each(rest_y_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)));
     rest_y = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
-    turning_t = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT));
+    EACH_LANE each(turning_t) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)));
     turning = (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
-    force_y_t = 0.0;
+    force_y_t = all_lanes(0.0);
     force_y = 0.0;
-    force_z_t = 0.0;
+    force_z_t = all_lanes(0.0);
     force_z = 0.0;
-    moment_x_t = 0.0;
+    moment_x_t = all_lanes(0.0);
     moment_x = 0.0;
-    moment_y_t = 0.0;
+    moment_y_t = all_lanes(0.0);
     moment_y = 0.0;
-    moment_z_t = 0.0;
+    moment_z_t = all_lanes(0.0);
     moment_z = 0.0;
-    missing_t = 0.0;
+    missing_t = all_lanes(0.0);
     missing = 0.0;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        along_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        EACH_LANE each(along_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
         along = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-        across_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        EACH_LANE each(across_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
         across = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-        spinning_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        EACH_LANE each(spinning_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
         spinning = (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-        rest_x_t = rest_x_t - along_t;
+        EACH_LANE each(rest_x_t) = each(rest_x_t) - each(along_t);
         rest_x = rest_x - along;
-        rest_y_t = rest_y_t - across_t;
+        EACH_LANE each(rest_y_t) = each(rest_y_t) - each(across_t);
         rest_y = rest_y - across;
-        turning_t = turning_t + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y)) * along + (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) * along_t - spinning_t);
+        EACH_LANE each(turning_t) = each(turning_t) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y))) * along + (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) * each(along_t) - each(spinning_t));
         turning = turning + ((*cspan_at(&work, strip + layout__ROLLING_STRIP_Y)) * along - spinning);
-        spinning_t = spinning_t - ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X)) * across + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * across_t);
+        EACH_LANE each(spinning_t) = each(spinning_t) - (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))) * across + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * each(across_t));
         spinning = spinning - (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) * across;
-        down_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) * across + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * across_t;
+        EACH_LANE each(down_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))) * across + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * each(across_t);
         down = (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * across;
-        across_t = across_t * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) + across * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS));
+        EACH_LANE each(across_t) = each(across_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) + across * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS)));
         across = across * (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS));
-        x_t = (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X));
+        EACH_LANE each(x_t) = each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK))) + each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X)));
         x = (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-        y_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y));
+        EACH_LANE each(y_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Y_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)));
         y = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-        z_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z));
+        EACH_LANE each(z_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_Z_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z)));
         z = (*cspan_at(&work, strip + layout__ROLLING_STRIP_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-        lever_x_t = y_t * down + y * down_t - (z_t * across + z * across_t);
+        EACH_LANE each(lever_x_t) = each(y_t) * down + y * each(down_t) - (each(z_t) * across + z * each(across_t));
         lever_x = y * down - z * across;
-        lever_y_t = z_t * along + z * along_t - (x_t * down + x * down_t);
+        EACH_LANE each(lever_y_t) = each(z_t) * along + z * each(along_t) - (each(x_t) * down + x * each(down_t));
         lever_y = z * along - x * down;
-        lever_z_t = x_t * across + x * across_t - (y_t * along + y * along_t);
+        EACH_LANE each(lever_z_t) = each(x_t) * across + x * each(across_t) - (each(y_t) * along + y * each(along_t));
         lever_z = x * across - y * along;
-        force_y_t = force_y_t + across_t;
+        EACH_LANE each(force_y_t) = each(force_y_t) + each(across_t);
         force_y = force_y + across;
-        force_z_t = force_z_t + down_t;
+        EACH_LANE each(force_z_t) = each(force_z_t) + each(down_t);
         force_z = force_z + down;
-        moment_x_t = moment_x_t + lever_x_t;
+        EACH_LANE each(moment_x_t) = each(moment_x_t) + each(lever_x_t);
         moment_x = moment_x + lever_x;
-        moment_y_t = moment_y_t + (lever_y_t - ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SIN)) * spinning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * spinning_t));
+        EACH_LANE each(moment_y_t) = each(moment_y_t) + (each(lever_y_t) - (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SIN))) * spinning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * each(spinning_t)));
         moment_y = moment_y + (lever_y - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SIN)) * spinning);
-        moment_z_t = moment_z_t + (lever_z_t + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_COS)) * spinning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * spinning_t));
+        EACH_LANE each(moment_z_t) = each(moment_z_t) + (each(lever_z_t) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_COS))) * spinning + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * each(spinning_t)));
         moment_z = moment_z + (lever_z + (*cspan_at(&work, strip + layout__ROLLING_STRIP_COS)) * spinning);
         v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) - 1.0;
         derivative_forces__about_axle_t(&v2, &v2_t, work, work_t, motion, lever_x, lever_x_t, lever_y, lever_y_t, lever_z, lever_z_t);
-        missing_t = missing_t + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE)) * v2 + v1 * v2_t);
+        EACH_LANE each(missing_t) = each(missing_t) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_RADIUS_SHARE))) * v2 + v1 * each(v2_t));
         missing = missing + v1 * v2;
     }
-    sine_t = -(*cspan_at(&work_t, patch + layout__PATCH_ANGLE_SIN));
+    EACH_LANE each(sine_t) = -each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_SIN)));
     sine = -(*cspan_at(&work, patch + layout__PATCH_ANGLE_SIN));
-    cosine_t = (*cspan_at(&work_t, patch + layout__PATCH_ANGLE_COS));
+    EACH_LANE each(cosine_t) = each((*lanes_at(&work_t, patch + layout__PATCH_ANGLE_COS)));
     cosine = (*cspan_at(&work, patch + layout__PATCH_ANGLE_COS));
-    across_t = cosine_t * rest_y + cosine * rest_y_t;
+    EACH_LANE each(across_t) = each(cosine_t) * rest_y + cosine * each(rest_y_t);
     across = cosine * rest_y;
-    down_t = sine_t * rest_y + sine * rest_y_t;
+    EACH_LANE each(down_t) = each(sine_t) * rest_y + sine * each(rest_y_t);
     down = sine * rest_y;
-    y_t = (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Y));
+    EACH_LANE each(y_t) = each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y)));
     y = (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y));
-    z_t = (*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work_t, motion + layout__MOTION_CENTRE_Z));
+    EACH_LANE each(z_t) = each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK))) - each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z)));
     z = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK)) - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z));
-    lever_x_t = y_t * down + y * down_t - (z_t * across + z * across_t);
+    EACH_LANE each(lever_x_t) = each(y_t) * down + y * each(down_t) - (each(z_t) * across + z * each(across_t));
     lever_x = y * down - z * across;
-    lever_y_t = z_t * rest_x + z * rest_x_t - ((*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) * down + (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) * down_t);
+    EACH_LANE each(lever_y_t) = each(z_t) * rest_x + z * each(rest_x_t) - (each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK))) * down + (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) * each(down_t));
     lever_y = z * rest_x - (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) * down;
-    lever_z_t = (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK)) * across + (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) * across_t - (y_t * rest_x + y * rest_x_t);
+    EACH_LANE each(lever_z_t) = each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK))) * across + (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) * each(across_t) - (each(y_t) * rest_x + y * each(rest_x_t));
     lever_z = (*cspan_at(&work, patch + layout__PATCH_X_TRACK)) * across - y * rest_x;
     v3 = (*cspan_at(&work, patch + layout__PATCH_RADIUS_SHARE)) - 1.0;
     derivative_forces__about_axle_t(&v4, &v4_t, work, work_t, motion, lever_x, lever_x_t, lever_y, lever_y_t, lever_z, lever_z_t);
-    missing_t = missing_t + ((*cspan_at(&work_t, patch + layout__PATCH_RADIUS_SHARE)) * v4 + v3 * v4_t);
+    EACH_LANE each(missing_t) = each(missing_t) + (each((*lanes_at(&work_t, patch + layout__PATCH_RADIUS_SHARE))) * v4 + v3 * each(v4_t));
     missing = missing + v3 * v4;
-    moment_x_t = moment_x_t + lever_x_t;
+    EACH_LANE each(moment_x_t) = each(moment_x_t) + each(lever_x_t);
     moment_x = moment_x + lever_x;
-    moment_y_t = moment_y_t + (lever_y_t - (sine_t * turning + sine * turning_t));
+    EACH_LANE each(moment_y_t) = each(moment_y_t) + (each(lever_y_t) - (each(sine_t) * turning + sine * each(turning_t)));
     moment_y = moment_y + (lever_y - sine * turning);
-    moment_z_t = moment_z_t + (lever_z_t + (cosine_t * turning + cosine * turning_t));
+    EACH_LANE each(moment_z_t) = each(moment_z_t) + (each(lever_z_t) + (each(cosine_t) * turning + cosine * each(turning_t)));
     moment_z = moment_z + (lever_z + cosine * turning);
-    (*cspan_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(0))) = (*cspan_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(0))) + (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X));
+    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(0)))) = each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(0)))) + each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X)));
     (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(0))) = (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(0))) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X));
-    (*cspan_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(1))) = (*cspan_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(1))) + (force_y_t + across_t);
+    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(1)))) = each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(1)))) + (each(force_y_t) + each(across_t));
     (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(1))) = (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(1))) + (force_y + across);
-    (*cspan_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2))) = (*cspan_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2))) + (force_z_t + down_t);
+    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2)))) = each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2)))) + (each(force_z_t) + each(down_t));
     (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2))) = (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2))) + (force_z + down);
-    (*cspan_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(0))) = (*cspan_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(0))) + (moment_x_t + (missing_t * (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) + missing * (*cspan_at(&work_t, motion + layout__MOTION_AXLE_X))));
+    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(0)))) = each((*lanes_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(0)))) + (each(moment_x_t) + (each(missing_t) * (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) + missing * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_X)))));
     (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(0))) = (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(0))) + (moment_x + missing * (*cspan_at(&work, motion + layout__MOTION_AXLE_X)));
-    (*cspan_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(1))) = (*cspan_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(1))) + (moment_y_t + (missing_t * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + missing * (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Y))));
+    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(1)))) = each((*lanes_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(1)))) + (each(moment_y_t) + (each(missing_t) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + missing * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y)))));
     (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(1))) = (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(1))) + (moment_y + missing * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)));
-    (*cspan_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(2))) = (*cspan_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(2))) + (moment_z_t + (missing_t * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) + missing * (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z))));
+    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(2)))) = each((*lanes_at(&work_t, forces + layout__FORCES_MOMENT + INT64_C(2)))) + (each(moment_z_t) + (each(missing_t) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) + missing * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z)))));
     (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(2))) = (*cspan_at(&work, forces + layout__FORCES_MOMENT + INT64_C(2))) + (moment_z + missing * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)));
     derivative_forces__about_axle_t(&v5, &v5_t, work, work_t, motion, moment_x, moment_x_t, moment_y, moment_y_t, moment_z, moment_z_t);
-    (*cspan_at(&work_t, forces + layout__FORCES_DRIVING_TORQUE)) = -(v5_t + missing_t);
+    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_DRIVING_TORQUE))) = -(each(v5_t) + each(missing_t));
     (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE)) = -(v5 + missing);
     v6 = -(*cspan_at(&work, patch + layout__PATCH_SPEED));
     derivative_friction__creep_gain_t(&v7, &v7_t, work, work_t, patch);
-    (*cspan_at(&work_t, forces + layout__FORCES_FRICTION_POWER)) = (-(*cspan_at(&work_t, patch + layout__PATCH_SPEED))) * v7 + v6 * v7_t;
+    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_FRICTION_POWER))) = (-each((*lanes_at(&work_t, patch + layout__PATCH_SPEED)))) * v7 + v6 * each(v7_t);
     (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER)) = v6 * v7;
     v8 = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
     v9 = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
-    (*cspan_at(&work_t, forces + layout__FORCES_WEAR_NUMBER)) = derivative_rates__size_rate(v8, (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) + derivative_rates__size_rate(v9, (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)));
+    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_WEAR_NUMBER))) = derivative_rates__size_rate(v8, each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)))) + derivative_rates__size_rate(v9, each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))));
     (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER)) = fabs(v8) + fabs(v9);
     return INT64_C(0);
 }
 
 /* Derivative of ``about_axle``. */
-static inline int64_t derivative_forces__about_axle_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t motion, double moment_x, double moment_x_t, double moment_y, double moment_y_t, double moment_z, double moment_z_t)
+static inline int64_t derivative_forces__about_axle_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double moment_x, lanes moment_x_t, double moment_y, lanes moment_y_t, double moment_z, lanes moment_z_t)
 {
     (*result_0) = moment_x * (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) + moment_y * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + moment_z * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z));
-    (*result_1) = moment_x_t * (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) + moment_x * (*cspan_at(&work_t, motion + layout__MOTION_AXLE_X)) + (moment_y_t * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + moment_y * (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Y))) + (moment_z_t * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) + moment_z * (*cspan_at(&work_t, motion + layout__MOTION_AXLE_Z)));
+    EACH_LANE each((*result_1)) = each(moment_x_t) * (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) + moment_x * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_X))) + (each(moment_y_t) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) + moment_y * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Y)))) + (each(moment_z_t) * (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) + moment_z * each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z))));
     return 0;
 }
 
 /* Derivative of ``add_forces``. */
-static inline int64_t derivative_forces__add_forces_t(array_double_1d work, array_double_1d work_t, int64_t total, int64_t part, double mirror, double mirror_t)
+static inline int64_t derivative_forces__add_forces_t(array_double_1d work, array_lanes_1d work_t, int64_t total, int64_t part, double mirror, lanes mirror_t)
 {
-    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_FORCE, part + layout__FORCES_FORCE, 1.0, 0.0, mirror, mirror_t);
-    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_MOMENT, part + layout__FORCES_MOMENT, mirror, mirror_t, 1.0, 0.0);
-    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_NORMAL_FORCE, part + layout__FORCES_NORMAL_FORCE, 1.0, 0.0, mirror, mirror_t);
-    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_NORMAL_MOMENT, part + layout__FORCES_NORMAL_MOMENT, mirror, mirror_t, 1.0, 0.0);
-    (*cspan_at(&work_t, total + layout__FORCES_DRIVING_TORQUE)) = (*cspan_at(&work_t, total + layout__FORCES_DRIVING_TORQUE)) + (*cspan_at(&work_t, part + layout__FORCES_DRIVING_TORQUE));
+    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_FORCE, part + layout__FORCES_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
+    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_MOMENT, part + layout__FORCES_MOMENT, mirror, mirror_t, 1.0, all_lanes(0.0));
+    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_NORMAL_FORCE, part + layout__FORCES_NORMAL_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
+    derivative_forces__add_vector_t(work, work_t, total + layout__FORCES_NORMAL_MOMENT, part + layout__FORCES_NORMAL_MOMENT, mirror, mirror_t, 1.0, all_lanes(0.0));
+    EACH_LANE each((*lanes_at(&work_t, total + layout__FORCES_DRIVING_TORQUE))) = each((*lanes_at(&work_t, total + layout__FORCES_DRIVING_TORQUE))) + each((*lanes_at(&work_t, part + layout__FORCES_DRIVING_TORQUE)));
     (*cspan_at(&work, total + layout__FORCES_DRIVING_TORQUE)) = (*cspan_at(&work, total + layout__FORCES_DRIVING_TORQUE)) + (*cspan_at(&work, part + layout__FORCES_DRIVING_TORQUE));
-    (*cspan_at(&work_t, total + layout__FORCES_FRICTION_POWER)) = (*cspan_at(&work_t, total + layout__FORCES_FRICTION_POWER)) + (*cspan_at(&work_t, part + layout__FORCES_FRICTION_POWER));
+    EACH_LANE each((*lanes_at(&work_t, total + layout__FORCES_FRICTION_POWER))) = each((*lanes_at(&work_t, total + layout__FORCES_FRICTION_POWER))) + each((*lanes_at(&work_t, part + layout__FORCES_FRICTION_POWER)));
     (*cspan_at(&work, total + layout__FORCES_FRICTION_POWER)) = (*cspan_at(&work, total + layout__FORCES_FRICTION_POWER)) + (*cspan_at(&work, part + layout__FORCES_FRICTION_POWER));
-    (*cspan_at(&work_t, total + layout__FORCES_WEAR_NUMBER)) = (*cspan_at(&work_t, total + layout__FORCES_WEAR_NUMBER)) + (*cspan_at(&work_t, part + layout__FORCES_WEAR_NUMBER));
+    EACH_LANE each((*lanes_at(&work_t, total + layout__FORCES_WEAR_NUMBER))) = each((*lanes_at(&work_t, total + layout__FORCES_WEAR_NUMBER))) + each((*lanes_at(&work_t, part + layout__FORCES_WEAR_NUMBER)));
     (*cspan_at(&work, total + layout__FORCES_WEAR_NUMBER)) = (*cspan_at(&work, total + layout__FORCES_WEAR_NUMBER)) + (*cspan_at(&work, part + layout__FORCES_WEAR_NUMBER));
     return INT64_C(0);
 }
 
 /* Derivative of ``add_vector``. */
-static inline int64_t derivative_forces__add_vector_t(array_double_1d work, array_double_1d work_t, int64_t total, int64_t part, double plane, double plane_t, double across, double across_t)
+static inline int64_t derivative_forces__add_vector_t(array_double_1d work, array_lanes_1d work_t, int64_t total, int64_t part, double plane, lanes plane_t, double across, lanes across_t)
 {
-    (*cspan_at(&work_t, total + INT64_C(0))) = (*cspan_at(&work_t, total + INT64_C(0))) + (plane_t * (*cspan_at(&work, part + INT64_C(0))) + plane * (*cspan_at(&work_t, part + INT64_C(0))));
+    EACH_LANE each((*lanes_at(&work_t, total + INT64_C(0)))) = each((*lanes_at(&work_t, total + INT64_C(0)))) + (each(plane_t) * (*cspan_at(&work, part + INT64_C(0))) + plane * each((*lanes_at(&work_t, part + INT64_C(0)))));
     (*cspan_at(&work, total + INT64_C(0))) = (*cspan_at(&work, total + INT64_C(0))) + plane * (*cspan_at(&work, part + INT64_C(0)));
-    (*cspan_at(&work_t, total + INT64_C(1))) = (*cspan_at(&work_t, total + INT64_C(1))) + (across_t * (*cspan_at(&work, part + INT64_C(1))) + across * (*cspan_at(&work_t, part + INT64_C(1))));
+    EACH_LANE each((*lanes_at(&work_t, total + INT64_C(1)))) = each((*lanes_at(&work_t, total + INT64_C(1)))) + (each(across_t) * (*cspan_at(&work, part + INT64_C(1))) + across * each((*lanes_at(&work_t, part + INT64_C(1)))));
     (*cspan_at(&work, total + INT64_C(1))) = (*cspan_at(&work, total + INT64_C(1))) + across * (*cspan_at(&work, part + INT64_C(1)));
-    (*cspan_at(&work_t, total + INT64_C(2))) = (*cspan_at(&work_t, total + INT64_C(2))) + (plane_t * (*cspan_at(&work, part + INT64_C(2))) + plane * (*cspan_at(&work_t, part + INT64_C(2))));
+    EACH_LANE each((*lanes_at(&work_t, total + INT64_C(2)))) = each((*lanes_at(&work_t, total + INT64_C(2)))) + (each(plane_t) * (*cspan_at(&work, part + INT64_C(2))) + plane * each((*lanes_at(&work_t, part + INT64_C(2)))));
     (*cspan_at(&work, total + INT64_C(2))) = (*cspan_at(&work, total + INT64_C(2))) + plane * (*cspan_at(&work, part + INT64_C(2)));
     return INT64_C(0);
 }
@@ -426,11 +426,11 @@ static inline int64_t derivative_forces__add_vector_t(array_double_1d work, arra
  */
 
 /* Derivative of ``set_reference``. */
-static inline int64_t derivative_leaning__set_reference_t(array_double_1d work, array_double_1d work_t, double height, double height_t)
+static inline int64_t derivative_leaning__set_reference_t(array_double_1d work, array_lanes_1d work_t, double height, lanes height_t)
 {
-    (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = height_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE))) = each(height_t);
     (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = height;
-    (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = height_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE))) = each(height_t);
     (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_REFERENCE)) = height;
     return INT64_C(0);
 }
@@ -442,19 +442,19 @@ static inline int64_t derivative_leaning__set_reference_t(array_double_1d work, 
  */
 
 /* Derivative of ``report``. */
-static inline int64_t derivative_report__report_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_report__report_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     int64_t index;
     int64_t i;
-    (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL))) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
-    (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT))) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)));
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
-    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_FORCE, 1.0, 0.0, 1.0, 0.0);
-    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_MOMENT, 1.0, 0.0, 1.0, 0.0);
-    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_FORCE, 1.0, 0.0, 1.0, 0.0);
-    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_MOMENT, 1.0, 0.0, 1.0, 0.0);
-    (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE));
+    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_FORCE, 1.0, all_lanes(0.0), 1.0, all_lanes(0.0));
+    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_MOMENT, 1.0, all_lanes(0.0), 1.0, all_lanes(0.0));
+    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_FORCE, 1.0, all_lanes(0.0), 1.0, all_lanes(0.0));
+    derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_MOMENT, 1.0, all_lanes(0.0), 1.0, all_lanes(0.0));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE))) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE)));
     (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE));
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
@@ -464,23 +464,23 @@ static inline int64_t derivative_report__report_t(array_double_1d tables, array_
     {
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
-            (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i)) = 0.0;
+            (*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i)) = all_lanes(0.0);
             (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_FORCE + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
-            (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i)) = 0.0;
+            (*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i)) = all_lanes(0.0);
             (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_MOMENT + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
-            (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i)) = 0.0;
+            (*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i)) = all_lanes(0.0);
             (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
-            (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i)) = 0.0;
+            (*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i)) = all_lanes(0.0);
             (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
         }
-        (*cspan_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = 0.0;
+        (*lanes_at(&work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = all_lanes(0.0);
         (*cspan_at(&work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``report_side``. */
-static inline int64_t derivative_report__report_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index)
+static inline int64_t derivative_report__report_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     int64_t side;
     int64_t out;
@@ -495,28 +495,28 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
     first = report__first_omitted(tables, index);
     if (first > INT64_C(0))
     {
-        derivative_report__report_point_t(work, work_t, side + layout__SIDE_SEARCH_POINT, out, mirror, 0.0);
+        derivative_report__report_point_t(work, work_t, side + layout__SIDE_SEARCH_POINT, out, mirror, all_lanes(0.0));
     }
     if (first > layout__SIDE_PENETRATION)
     {
-        derivative_report__report_load_t(work, work_t, side, out, mirror, 0.0);
-        derivative_report__report_patches_t(work, work_t, side, out, mirror, 0.0);
+        derivative_report__report_load_t(work, work_t, side, out, mirror, all_lanes(0.0));
+        derivative_report__report_patches_t(work, work_t, side, out, mirror, all_lanes(0.0));
     }
     for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
     {
-        (*cspan_at(&work_t, out + i)) = 0.0;
+        (*lanes_at(&work_t, out + i)) = all_lanes(0.0);
         (*cspan_at(&work, out + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
     }
     if (first <= layout__SIDE_PENETRATION)
     {
-        (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = 0.0;
+        (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = all_lanes(0.0);
         (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
     }
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))) != layout__STATION_COUNT)
     {
         for (i = layout__SIDE_STATION; i < first; i += INT64_C(1))
         {
-            (*cspan_at(&work_t, out + i)) = 0.0;
+            (*lanes_at(&work_t, out + i)) = all_lanes(0.0);
             (*cspan_at(&work, out + i)) = 0.0;
         }
     }
@@ -530,7 +530,7 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
         i_end = layout__RUN_COUNT * (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
         for (i = INT64_C(0); i < i_end; i += INT64_C(1))
         {
-            (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + i)) = 0.0;
+            (*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + i)) = all_lanes(0.0);
             (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
         }
     }
@@ -538,71 +538,71 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
 }
 
 /* Derivative of ``report_point``. */
-static inline int64_t derivative_report__report_point_t(array_double_1d work, array_double_1d work_t, int64_t point, int64_t out, double mirror, double mirror_t)
+static inline int64_t derivative_report__report_point_t(array_double_1d work, array_lanes_1d work_t, int64_t point, int64_t out, double mirror, lanes mirror_t)
 {
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_X_WHEEL)) = (*cspan_at(&work_t, point + layout__CONTACT_POINT_X_WHEEL));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_X_WHEEL))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_X_WHEEL)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_WHEEL)) = (*cspan_at(&work, point + layout__CONTACT_POINT_X_WHEEL));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_WHEEL)) = (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_WHEEL));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_Y_WHEEL))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Y_WHEEL)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_WHEEL)) = (*cspan_at(&work, point + layout__CONTACT_POINT_Y_WHEEL));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_WHEEL)) = (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_WHEEL));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_Z_WHEEL))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Z_WHEEL)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_WHEEL)) = (*cspan_at(&work, point + layout__CONTACT_POINT_Z_WHEEL));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_RAIL));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_Y_RAIL))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Y_RAIL)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_RAIL)) = (*cspan_at(&work, point + layout__CONTACT_POINT_Y_RAIL));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_RAIL));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_Z_RAIL))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Z_RAIL)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_RAIL)) = (*cspan_at(&work, point + layout__CONTACT_POINT_Z_RAIL));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_X_TRACK)) = (*cspan_at(&work_t, point + layout__CONTACT_POINT_X_TRACK));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_X_TRACK))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_X_TRACK)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_X_TRACK)) = (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Y_TRACK)) = mirror_t * (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) + mirror * (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_TRACK));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_Y_TRACK))) = each(mirror_t) * (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) + mirror * each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Y_TRACK)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Y_TRACK)) = mirror * (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_TRACK));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_Z_TRACK))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Z_TRACK)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CONTACT_ANGLE)) = (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = (*cspan_at(&work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_ROLLING_RADIUS)) = (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_X))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_X)) = (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_CURVATURE_Y))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_CURVATURE_Y)) = (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
     return INT64_C(0);
 }
 
 /* Derivative of ``report_load``. */
-static inline int64_t derivative_report__report_load_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t out, double mirror, double mirror_t)
+static inline int64_t derivative_report__report_load_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t)
 {
     int64_t totals;
     int64_t forces;
     totals = side + layout__SIDE_SEARCH_TOTALS;
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = 0.0;
+    (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PENETRATION)) = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PENETRATION))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PENETRATION)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_NORMAL_FORCE))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_NORMAL_FORCE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_AREA)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_AREA))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_AREA)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_AREA)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_MAX_PRESSURE))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_MAX_PRESSURE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_LENGTH))) = 2.0 * each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_LENGTH)) = 2.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_WIDTH))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_WIDTH)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_CENTROID));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_CENTROID))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_CENTROID)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_CENTROID)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID));
     forces = side + layout__SIDE_SEARCH_FORCES;
-    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_FORCE, forces + layout__FORCES_FORCE, 1.0, 0.0, mirror, mirror_t);
-    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_MOMENT, forces + layout__FORCES_MOMENT, mirror, mirror_t, 1.0, 0.0);
-    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_NORMAL_PART, forces + layout__FORCES_NORMAL_FORCE, 1.0, 0.0, mirror, mirror_t);
-    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_NORMAL_MOMENT, forces + layout__FORCES_NORMAL_MOMENT, mirror, mirror_t, 1.0, 0.0);
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_FRICTION_POWER)) = (*cspan_at(&work_t, forces + layout__FORCES_FRICTION_POWER));
+    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_FORCE, forces + layout__FORCES_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
+    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_MOMENT, forces + layout__FORCES_MOMENT, mirror, mirror_t, 1.0, all_lanes(0.0));
+    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_NORMAL_PART, forces + layout__FORCES_NORMAL_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
+    derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_NORMAL_MOMENT, forces + layout__FORCES_NORMAL_MOMENT, mirror, mirror_t, 1.0, all_lanes(0.0));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_FRICTION_POWER))) = each((*lanes_at(&work_t, forces + layout__FORCES_FRICTION_POWER)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_FRICTION_POWER)) = (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER));
-    (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work_t, forces + layout__FORCES_WEAR_NUMBER));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER))) = each((*lanes_at(&work_t, forces + layout__FORCES_WEAR_NUMBER)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER));
     return INT64_C(0);
 }
 
 /* Derivative of ``report_patches``. */
-static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t out, double mirror, double mirror_t)
+static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t)
 {
     int64_t rank;
     int64_t i_1;
@@ -613,7 +613,7 @@ static inline int64_t derivative_report__report_patches_t(array_double_1d work, 
     {
         for (i_1 = INT64_C(0); i_1 < layout__PATCH_OUTPUTS_SIZE; i_1 += INT64_C(1))
         {
-            (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank + i_1)) = 0.0;
+            (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank + i_1)) = all_lanes(0.0);
             (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * rank + i_1)) = 0.0;
         }
     }
@@ -625,7 +625,7 @@ static inline int64_t derivative_report__report_patches_t(array_double_1d work, 
         {
             for (i_2 = INT64_C(0); i_2 < layout__PATCH_OUTPUTS_SIZE; i_2 += INT64_C(1))
             {
-                (*cspan_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number + i_2)) = 0.0;
+                (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number + i_2)) = all_lanes(0.0);
                 (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * number + i_2)) = 0.0;
             }
         }
@@ -638,72 +638,72 @@ static inline int64_t derivative_report__report_patches_t(array_double_1d work, 
 }
 
 /* Derivative of ``report_patch``. */
-static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_double_1d work_t, int64_t patch, int64_t out, double mirror, double mirror_t)
+static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t)
 {
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_NORMAL_FORCE)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_LOAD));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_NORMAL_FORCE))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_LOAD)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_NORMAL_FORCE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_LOAD));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_AREA)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_AREA));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_AREA))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_AREA)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_AREA)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_AREA));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_MAX_PRESSURE)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_MAX_PRESSURE))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_MAX_PRESSURE)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_LENGTH)) = 2.0 * (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_LENGTH))) = 2.0 * each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_LENGTH)) = 2.0 * (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_WIDTH)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_WIDTH))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_WIDTH)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_WIDTH)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_WIDTH));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_CENTROID)) = (*cspan_at(&work_t, totals + layout__PATCH_TOTALS_CENTROID));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_CENTROID))) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_CENTROID)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CENTROID)) = (*cspan_at(&work, totals + layout__PATCH_TOTALS_CENTROID));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_CONTACT_ANGLE)) = (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_CONTACT_ANGLE))) = each((*lanes_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CONTACT_ANGLE)) = (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_PENETRATION)) = (*cspan_at(&work_t, patch + layout__PATCH_PENETRATION));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_PENETRATION))) = each((*lanes_at(&work_t, patch + layout__PATCH_PENETRATION)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_PENETRATION)) = (*cspan_at(&work, patch + layout__PATCH_PENETRATION));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_ROLLING_RADIUS)) = (*cspan_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_ROLLING_RADIUS))) = each((*lanes_at(&work_t, patch + layout__PATCH_ROLLING_RADIUS)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_ROLLING_RADIUS)) = (*cspan_at(&work, patch + layout__PATCH_ROLLING_RADIUS));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_X_TRACK)) = (*cspan_at(&work_t, patch + layout__PATCH_X_TRACK));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_X_TRACK))) = each((*lanes_at(&work_t, patch + layout__PATCH_X_TRACK)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_X_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_X_TRACK));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_Y_TRACK)) = mirror_t * (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) + mirror * (*cspan_at(&work_t, patch + layout__PATCH_Y_TRACK));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_Y_TRACK))) = each(mirror_t) * (*cspan_at(&work, patch + layout__PATCH_Y_TRACK)) + mirror * each((*lanes_at(&work_t, patch + layout__PATCH_Y_TRACK)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_Y_TRACK)) = mirror * (*cspan_at(&work, patch + layout__PATCH_Y_TRACK));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_Z_TRACK)) = (*cspan_at(&work_t, patch + layout__PATCH_Z_TRACK));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_Z_TRACK))) = each((*lanes_at(&work_t, patch + layout__PATCH_Z_TRACK)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_Z_TRACK)) = (*cspan_at(&work, patch + layout__PATCH_Z_TRACK));
-    derivative_report__write_vector_t(work, work_t, out + layout__PATCH_OUTPUTS_FORCE, patch + layout__PATCH_FORCES + layout__FORCES_FORCE, 1.0, 0.0, mirror, mirror_t);
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_X)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X));
+    derivative_report__write_vector_t(work, work_t, out + layout__PATCH_OUTPUTS_FORCE, patch + layout__PATCH_FORCES + layout__FORCES_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_X))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CREEPAGE_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_Y)) = -(mirror_t * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + mirror * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_Y))) = -(each(mirror_t) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + mirror * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y)) = 0.0 - mirror * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_SPIN)) = -(mirror_t * (*cspan_at(&work, patch + layout__PATCH_SPIN)) + mirror * (*cspan_at(&work_t, patch + layout__PATCH_SPIN)));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_SPIN))) = -(each(mirror_t) * (*cspan_at(&work, patch + layout__PATCH_SPIN)) + mirror * each((*lanes_at(&work_t, patch + layout__PATCH_SPIN))));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SPIN)) = 0.0 - mirror * (*cspan_at(&work, patch + layout__PATCH_SPIN));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_X));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y)) = (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y))) = each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y)) = (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_CREEP_MOMENT)) = -(mirror_t * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + mirror * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_MOMENT)));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_CREEP_MOMENT))) = -(each(mirror_t) * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT)) + mirror * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_MOMENT))));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_CREEP_MOMENT)) = 0.0 - mirror * (*cspan_at(&work, patch + layout__PATCH_CREEP_MOMENT));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_STICK_SHARE)) = (*cspan_at(&work_t, patch + layout__PATCH_STICK_SHARE));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_STICK_SHARE))) = each((*lanes_at(&work_t, patch + layout__PATCH_STICK_SHARE)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_STICK_SHARE)) = (*cspan_at(&work, patch + layout__PATCH_STICK_SHARE));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_MAX_SHEAR)) = (*cspan_at(&work_t, patch + layout__PATCH_MAX_SHEAR));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_MAX_SHEAR))) = each((*lanes_at(&work_t, patch + layout__PATCH_MAX_SHEAR)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_MAX_SHEAR)) = (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_FRICTION_POWER)) = (*cspan_at(&work_t, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_FRICTION_POWER))) = each((*lanes_at(&work_t, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_FRICTION_POWER)) = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
-    (*cspan_at(&work_t, out + layout__PATCH_OUTPUTS_SATURATION)) = (*cspan_at(&work_t, patch + layout__PATCH_SATURATION));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_SATURATION))) = each((*lanes_at(&work_t, patch + layout__PATCH_SATURATION)));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SATURATION)) = (*cspan_at(&work, patch + layout__PATCH_SATURATION));
     return INT64_C(0);
 }
 
 /* Derivative of ``write_vector``. */
-static inline int64_t derivative_report__write_vector_t(array_double_1d work, array_double_1d work_t, int64_t out, int64_t vector, double plane, double plane_t, double across, double across_t)
+static inline int64_t derivative_report__write_vector_t(array_double_1d work, array_lanes_1d work_t, int64_t out, int64_t vector, double plane, lanes plane_t, double across, lanes across_t)
 {
-    (*cspan_at(&work_t, out + INT64_C(0))) = plane_t * (*cspan_at(&work, vector + INT64_C(0))) + plane * (*cspan_at(&work_t, vector + INT64_C(0)));
+    EACH_LANE each((*lanes_at(&work_t, out + INT64_C(0)))) = each(plane_t) * (*cspan_at(&work, vector + INT64_C(0))) + plane * each((*lanes_at(&work_t, vector + INT64_C(0))));
     (*cspan_at(&work, out + INT64_C(0))) = plane * (*cspan_at(&work, vector + INT64_C(0))) + 0.0;
-    (*cspan_at(&work_t, out + INT64_C(1))) = across_t * (*cspan_at(&work, vector + INT64_C(1))) + across * (*cspan_at(&work_t, vector + INT64_C(1)));
+    EACH_LANE each((*lanes_at(&work_t, out + INT64_C(1)))) = each(across_t) * (*cspan_at(&work, vector + INT64_C(1))) + across * each((*lanes_at(&work_t, vector + INT64_C(1))));
     (*cspan_at(&work, out + INT64_C(1))) = across * (*cspan_at(&work, vector + INT64_C(1))) + 0.0;
-    (*cspan_at(&work_t, out + INT64_C(2))) = plane_t * (*cspan_at(&work, vector + INT64_C(2))) + plane * (*cspan_at(&work_t, vector + INT64_C(2)));
+    EACH_LANE each((*lanes_at(&work_t, out + INT64_C(2)))) = each(plane_t) * (*cspan_at(&work, vector + INT64_C(2))) + plane * each((*lanes_at(&work_t, vector + INT64_C(2))));
     (*cspan_at(&work, out + INT64_C(2))) = plane * (*cspan_at(&work, vector + INT64_C(2))) + 0.0;
     return INT64_C(0);
 }
 
 /* Derivative of ``report_outline``. */
-static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t outline, int64_t stations, bool rubbing)
+static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t outline, int64_t stations, bool rubbing)
 {
     int64_t known;
     int64_t i;
@@ -718,12 +718,12 @@ static inline int64_t derivative_report__report_outline_t(array_double_1d work, 
     }
     for (i = INT64_C(0); i < known; i += INT64_C(1))
     {
-        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + i)) = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i));
+        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + i))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i)));
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i));
     }
     for (i = known; i < layout__RUN_COUNT * stations; i += INT64_C(1))
     {
-        (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + i)) = 0.0;
+        (*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + i)) = all_lanes(0.0);
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = 0.0;
     }
     return INT64_C(0);
@@ -736,7 +736,7 @@ static inline int64_t derivative_report__report_outline_t(array_double_1d work, 
  */
 
 /* Derivative of ``side_force``. */
-static inline int64_t derivative_requested__side_force_t(double* result_0, double* result_1, array_double_1d work, array_double_1d work_t, int64_t index)
+static inline int64_t derivative_requested__side_force_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     double sign;
     double v1;
@@ -745,32 +745,32 @@ static inline int64_t derivative_requested__side_force_t(double* result_0, doubl
     v1 = 1.0 + sign * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER));
     v2 = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v1;
     (*result_0) = v2 * (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD));
-    (*result_1) = ((*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v1 + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (sign * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)))) * (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD)) + v2 * (*cspan_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD));
+    EACH_LANE each((*result_1)) = (each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE))) * v1 + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (sign * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER))))) * (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD)) + v2 * each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD)));
     return 0;
 }
 
 /* Derivative of ``carried_share``. */
-static inline int64_t derivative_requested__carried_share_t(double* share, double* share_t, array_double_1d work, array_double_1d work_t, int64_t index)
+static inline int64_t derivative_requested__carried_share_t(double* share, lanes* share_t, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     double v1;
     double v2;
-    double wanted_t;
+    lanes wanted_t;
     double wanted;
     int64_t forces;
     double v3;
     double v4;
-    (*share_t) = 0.0;
+    (*share_t) = all_lanes(0.0);
     (*share) = 1.0;
     v1 = (double)(INT64_C(2) * index - INT64_C(1));
     v2 = 1.0 + v1 * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER));
-    wanted_t = (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v2 + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (v1 * (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)));
+    EACH_LANE each(wanted_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE))) * v2 + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (v1 * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER))));
     wanted = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v2;
     forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
     if ((wanted > 0.0) && ((*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) < 0.0))
     {
         v3 = -(*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
         v4 = v3 / wanted;
-        (*share_t) = ((-(*cspan_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2)))) - v4 * wanted_t) / wanted;
+        EACH_LANE each((*share_t)) = ((-each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2))))) - v4 * each(wanted_t)) / wanted;
         (*share) = v4;
     }
     return 0;
@@ -783,20 +783,20 @@ static inline int64_t derivative_requested__carried_share_t(double* share, doubl
  */
 
 /* Derivative of ``solve_rigid``. */
-static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, double roll, double roll_t)
+static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t)
 {
     double v2;
-    double v2_t;
+    lanes v2_t;
     int64_t n1;
     double v4;
-    double v4_t;
+    lanes v4_t;
     int64_t n3;
     int64_t outcome;
     int64_t status;
     status = layout__VALID;
-    (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll_t;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL))) = each(roll_t);
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
-    (*cspan_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT))) = each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST)));
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST));
     derivative_side__clear_side_t(work, work_t, layout__WORK_SIDES);
     derivative_side__clear_side_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
@@ -823,7 +823,7 @@ static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, ar
  */
 
 /* Derivative of ``open_given_motion``. */
-static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     int64_t right;
     right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
@@ -831,12 +831,12 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d ta
     derivative_motion__mirror_motion_t(work, work_t, right, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
     derivative_motion__open_left_rail_t(tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
     derivative_motion__open_right_rail_t(tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL);
-    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
+    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
     return INT64_C(0);
 }
 
 /* Derivative of ``move_patches``. */
-static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     int64_t index;
     int64_t side;
@@ -872,7 +872,7 @@ static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables,
 }
 
 /* Derivative of ``constrain_side``. */
-static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index)
+static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     int64_t side;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
@@ -893,14 +893,14 @@ static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d table
 }
 
 /* Derivative of ``write_wear``. */
-static inline int64_t derivative_rubbing__write_wear_t(array_double_1d work, array_double_1d work_t, int64_t side, int64_t stations)
+static inline int64_t derivative_rubbing__write_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations)
 {
     int64_t i;
     int64_t number_end;
     int64_t number;
     for (i = INT64_C(3) * stations; i < INT64_C(5) * stations; i += INT64_C(1))
     {
-        (*cspan_at(&work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i)) = 0.0;
+        (*lanes_at(&work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i)) = all_lanes(0.0);
         (*cspan_at(&work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + i)) = 0.0;
     }
     number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
@@ -912,74 +912,74 @@ static inline int64_t derivative_rubbing__write_wear_t(array_double_1d work, arr
 }
 
 /* Derivative of ``write_patch_wear``. */
-static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d work, array_double_1d work_t, int64_t outline, int64_t stations, int64_t patch)
+static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t patch)
 {
     int64_t first;
     int64_t last;
-    double start_t;
+    lanes start_t;
     double start;
-    double stop_t;
+    lanes stop_t;
     double stop;
     int64_t index;
-    double low_station_t;
+    lanes low_station_t;
     double low_station;
-    double high_station_t;
+    lanes high_station_t;
     double high_station;
-    double low_shear_t;
+    lanes low_shear_t;
     double low_shear;
-    double low_slip_t;
+    lanes low_slip_t;
     double low_slip;
     double v1;
-    double v1_t;
-    double high_shear_t;
+    lanes v1_t;
+    lanes high_shear_t;
     double high_shear;
     double v2;
-    double v2_t;
-    double high_slip_t;
+    lanes v2_t;
+    lanes high_slip_t;
     double high_slip;
     int64_t j;
-    double station_t;
+    lanes station_t;
     double station;
     int64_t strip;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
-    double v4_t;
-    double shear_t;
+    lanes v4_t;
+    lanes shear_t;
     double shear;
-    double slip_t;
+    lanes slip_t;
     double slip;
     double v5;
     double v6;
     double v7;
-    double share_t;
+    lanes share_t;
     double share;
     double v8;
     double v9;
     first = patch + layout__PATCH_STRIPS;
     last = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (layout__ROLLING_STRIP_LIMIT - INT64_C(1));
-    start_t = (*cspan_at(&work_t, first + layout__ROLLING_STRIP_STATION)) - 0.5 * (*cspan_at(&work_t, first + layout__ROLLING_STRIP_WIDTH));
+    EACH_LANE each(start_t) = each((*lanes_at(&work_t, first + layout__ROLLING_STRIP_STATION))) - 0.5 * each((*lanes_at(&work_t, first + layout__ROLLING_STRIP_WIDTH)));
     start = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION)) - 0.5 * (*cspan_at(&work, first + layout__ROLLING_STRIP_WIDTH));
-    stop_t = (*cspan_at(&work_t, last + layout__ROLLING_STRIP_STATION)) + 0.5 * (*cspan_at(&work_t, last + layout__ROLLING_STRIP_WIDTH));
+    EACH_LANE each(stop_t) = each((*lanes_at(&work_t, last + layout__ROLLING_STRIP_STATION))) + 0.5 * each((*lanes_at(&work_t, last + layout__ROLLING_STRIP_WIDTH)));
     stop = (*cspan_at(&work, last + layout__ROLLING_STRIP_STATION)) + 0.5 * (*cspan_at(&work, last + layout__ROLLING_STRIP_WIDTH));
     index = INT64_C(0);
-    low_station_t = (*cspan_at(&work_t, first + layout__ROLLING_STRIP_STATION));
+    EACH_LANE each(low_station_t) = each((*lanes_at(&work_t, first + layout__ROLLING_STRIP_STATION)));
     low_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
-    high_station_t = (*cspan_at(&work_t, first + layout__ROLLING_STRIP_STATION));
+    EACH_LANE each(high_station_t) = each((*lanes_at(&work_t, first + layout__ROLLING_STRIP_STATION)));
     high_station = (*cspan_at(&work, first + layout__ROLLING_STRIP_STATION));
-    low_shear_t = 0.0;
+    low_shear_t = all_lanes(0.0);
     low_shear = 0.0;
-    low_slip_t = 0.0;
+    low_slip_t = all_lanes(0.0);
     low_slip = 0.0;
     derivative_rubbing__strip_shear_t(&v1, &v1_t, work, work_t, first);
-    high_shear_t = v1_t;
+    EACH_LANE each(high_shear_t) = each(v1_t);
     high_shear = v1;
     derivative_rubbing__strip_slip_t(&v2, &v2_t, work, work_t, patch, first);
-    high_slip_t = v2_t;
+    EACH_LANE each(high_slip_t) = each(v2_t);
     high_slip = v2;
     for (j = INT64_C(1); j < stations - INT64_C(1); j += INT64_C(1))
     {
-        station_t = (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + j));
+        EACH_LANE each(station_t) = each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + j)));
         station = (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j));
         if ((station > start) && (station < stop))
         {
@@ -987,42 +987,42 @@ static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d wor
             {
                 index = index + INT64_C(1);
                 strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * index;
-                low_station_t = high_station_t;
+                EACH_LANE each(low_station_t) = each(high_station_t);
                 low_station = high_station;
-                low_shear_t = high_shear_t;
+                EACH_LANE each(low_shear_t) = each(high_shear_t);
                 low_shear = high_shear;
-                low_slip_t = high_slip_t;
+                EACH_LANE each(low_slip_t) = each(high_slip_t);
                 low_slip = high_slip;
-                high_station_t = (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_STATION));
+                EACH_LANE each(high_station_t) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STATION)));
                 high_station = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION));
                 derivative_rubbing__strip_shear_t(&v3, &v3_t, work, work_t, strip);
-                high_shear_t = v3_t;
+                EACH_LANE each(high_shear_t) = each(v3_t);
                 high_shear = v3;
                 derivative_rubbing__strip_slip_t(&v4, &v4_t, work, work_t, patch, strip);
-                high_slip_t = v4_t;
+                EACH_LANE each(high_slip_t) = each(v4_t);
                 high_slip = v4;
             }
-            shear_t = high_shear_t;
+            EACH_LANE each(shear_t) = each(high_shear_t);
             shear = high_shear;
-            slip_t = high_slip_t;
+            EACH_LANE each(slip_t) = each(high_slip_t);
             slip = high_slip;
             if ((index > INT64_C(0)) && (station < high_station))
             {
                 v5 = high_station - station;
                 v6 = high_station - low_station;
                 v7 = v5 / v6;
-                share_t = (high_station_t - station_t - v7 * (high_station_t - low_station_t)) / v6;
+                EACH_LANE each(share_t) = (each(high_station_t) - each(station_t) - v7 * (each(high_station_t) - each(low_station_t))) / v6;
                 share = v7;
                 v8 = low_shear - shear;
-                shear_t = shear_t + (share_t * v8 + share * (low_shear_t - shear_t));
+                EACH_LANE each(shear_t) = each(shear_t) + (each(share_t) * v8 + share * (each(low_shear_t) - each(shear_t)));
                 shear = shear + share * v8;
                 v9 = low_slip - slip;
-                slip_t = slip_t + (share_t * v9 + share * (low_slip_t - slip_t));
+                EACH_LANE each(slip_t) = each(slip_t) + (each(share_t) * v9 + share * (each(low_slip_t) - each(slip_t)));
                 slip = slip + share * v9;
             }
-            (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(3) * stations + j))) = shear_t;
+            EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(3) * stations + j)))) = each(shear_t);
             (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(3) * stations + j))) = shear;
-            (*cspan_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(4) * stations + j))) = slip_t;
+            EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(4) * stations + j)))) = each(slip_t);
             (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(4) * stations + j))) = slip;
         }
     }
@@ -1030,58 +1030,58 @@ static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d wor
 }
 
 /* Derivative of ``strip_shear``. */
-static inline int64_t derivative_rubbing__strip_shear_t(double* shear, double* shear_t, array_double_1d work, array_double_1d work_t, int64_t strip)
+static inline int64_t derivative_rubbing__strip_shear_t(double* shear, lanes* shear_t, array_double_1d work, array_lanes_1d work_t, int64_t strip)
 {
     double v1;
     double v2;
-    double force_t;
+    lanes force_t;
     double force;
     double v3;
     double v4;
-    (*shear_t) = 0.0;
+    (*shear_t) = all_lanes(0.0);
     (*shear) = 0.0;
     if ((*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH)) > 0.0)
     {
         v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y));
         v2 = sqrt(v1);
-        force_t = derivative_rates__root_rate(v2, (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))));
+        EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)))));
         force = v2;
         v3 = 2.0 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
         v4 = force / v3;
-        (*shear_t) = (force_t - v4 * (2.0 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)))) / v3;
+        EACH_LANE each((*shear_t)) = (each(force_t) - v4 * (2.0 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))))) / v3;
         (*shear) = v4;
     }
     return 0;
 }
 
 /* Derivative of ``strip_slip``. */
-static inline int64_t derivative_rubbing__strip_slip_t(double* slip, double* slip_t, array_double_1d work, array_double_1d work_t, int64_t patch, int64_t strip)
+static inline int64_t derivative_rubbing__strip_slip_t(double* slip, lanes* slip_t, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
 {
     double v1;
     double v2;
-    double force_t;
+    lanes force_t;
     double force;
     double v3;
-    double power_t;
+    lanes power_t;
     double power;
     double v4;
     double v5;
     v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y));
     v2 = sqrt(v1);
-    force_t = derivative_rates__root_rate(v2, (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))));
+    EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)))));
     force = v2;
-    (*slip_t) = 0.0;
+    (*slip_t) = all_lanes(0.0);
     (*slip) = 0.0;
     if (force > 0.0)
     {
         v3 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-        power_t = -((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X)) + (((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL)) - ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_X)))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + v3 * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) + ((*cspan_at(&work_t, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT))));
+        EACH_LANE each(power_t) = -(each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) + ((each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) - (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + v3 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)))) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)))));
         power = -((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + v3 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)));
         if (power > 0.0)
         {
             v4 = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * power;
             v5 = v4 / force;
-            (*slip_t) = ((*cspan_at(&work_t, patch + layout__PATCH_SPEED)) * power + (*cspan_at(&work, patch + layout__PATCH_SPEED)) * power_t - v5 * force_t) / force;
+            EACH_LANE each((*slip_t)) = (each((*lanes_at(&work_t, patch + layout__PATCH_SPEED))) * power + (*cspan_at(&work, patch + layout__PATCH_SPEED)) * each(power_t) - v5 * each(force_t)) / force;
             (*slip) = v5;
         }
     }
@@ -1089,26 +1089,26 @@ static inline int64_t derivative_rubbing__strip_slip_t(double* slip, double* sli
 }
 
 /* Derivative of ``rub_patches``. */
-static inline int64_t derivative_rubbing__rub_patches_t(array_double_1d tables, array_double_1d work, array_double_1d work_t)
+static inline int64_t derivative_rubbing__rub_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     if (requested__has_creep_forces(tables, work))
     {
-        derivative_rubbing__rub_side_t(tables, work, work_t, INT64_C(0), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)));
-        derivative_rubbing__rub_side_t(tables, work, work_t, INT64_C(1), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)), (*cspan_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)));
+        derivative_rubbing__rub_side_t(tables, work, work_t, INT64_C(0), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)));
+        derivative_rubbing__rub_side_t(tables, work, work_t, INT64_C(1), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)));
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``rub_side``. */
-static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double friction, double friction_t)
+static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double friction, lanes friction_t)
 {
     int64_t side;
     int64_t number_end;
     int64_t number;
     int64_t patch;
     double v1;
-    double v1_t;
-    double factor_t;
+    lanes v1_t;
+    lanes factor_t;
     double factor;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
@@ -1118,7 +1118,7 @@ static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, arr
         if ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL)
         {
             derivative_rubbing__open_rolling_t(&v1, &v1_t, work, work_t, tables, patch, friction, friction_t);
-            factor_t = v1_t;
+            EACH_LANE each(factor_t) = each(v1_t);
             factor = v1;
             derivative_creep_force__solve_creep_force_t(work, work_t, tables, patch);
             derivative_rubbing__close_rolling_t(work, work_t, patch, factor, factor_t);
@@ -1132,29 +1132,29 @@ static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, arr
 }
 
 /* Derivative of ``open_rolling``. */
-static inline int64_t derivative_rubbing__open_rolling_t(double* factor, double* factor_t, array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t patch, double friction, double friction_t)
+static inline int64_t derivative_rubbing__open_rolling_t(double* factor, lanes* factor_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t)
 {
     double v1;
     double v2;
-    double sliding_t;
+    lanes sliding_t;
     double sliding;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
-    double v4_t;
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_BARE)) = 0.0;
+    lanes v4_t;
+    (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_BARE)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_BARE)) = (double)(0);
-    (*cspan_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED)) = (double)((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_PUBLISHED_SPIN)) == 1.0);
     v1 = (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y));
     v2 = sqrt(v1);
-    sliding_t = (*cspan_at(&work_t, patch + layout__PATCH_SPEED)) * v2 + (*cspan_at(&work, patch + layout__PATCH_SPEED)) * derivative_rates__root_rate(v2, (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) + ((*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))));
+    EACH_LANE each(sliding_t) = each((*lanes_at(&work_t, patch + layout__PATCH_SPEED))) * v2 + (*cspan_at(&work, patch + layout__PATCH_SPEED)) * derivative_rates__root_rate(v2, each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X))) + (each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)))));
     sliding = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * v2;
-    derivative_friction__patch_friction_t(&v3, &v3_t, tables, friction, friction_t, (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)), (*cspan_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)), sliding, sliding_t);
-    (*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) = v3_t;
+    derivative_friction__patch_friction_t(&v3, &v3_t, tables, friction, friction_t, (*cspan_at(&work, patch + layout__PATCH_CONTACT_ANGLE)), (*lanes_at(&work_t, patch + layout__PATCH_CONTACT_ANGLE)), sliding, sliding_t);
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) = each(v3_t);
     (*cspan_at(&work, patch + layout__PATCH_FRICTION)) = v3;
     derivative_friction__slope_factor_t(&v4, &v4_t, work, work_t, tables, patch);
-    (*factor_t) = v4_t;
+    EACH_LANE each((*factor_t)) = each(v4_t);
     (*factor) = v4;
     if ((*factor) != 1.0)
     {
@@ -1164,10 +1164,10 @@ static inline int64_t derivative_rubbing__open_rolling_t(double* factor, double*
 }
 
 /* Derivative of ``close_rolling``. */
-static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, array_double_1d work_t, int64_t patch, double factor, double factor_t)
+static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
 {
     double v1;
-    double limit_t;
+    lanes limit_t;
     double limit;
     double v2;
     double v3;
@@ -1175,16 +1175,18 @@ static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, 
     if (factor != 1.0)
     {
         v1 = 1.0 / factor;
-        derivative_friction__multiply_creepages_t(work, work_t, patch, v1, (-v1) * factor_t / factor);
+        lanes rates_1;
+        EACH_LANE each(rates_1) = (-v1) * each(factor_t) / factor;
+        derivative_friction__multiply_creepages_t(work, work_t, patch, v1, rates_1);
     }
-    limit_t = (*cspan_at(&work_t, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    EACH_LANE each(limit_t) = each((*lanes_at(&work_t, patch + layout__PATCH_FRICTION))) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) + (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
     limit = (*cspan_at(&work, patch + layout__PATCH_FRICTION)) * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     if (limit > 0.0)
     {
         v2 = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
         v3 = sqrt(v2);
         v4 = v3 / limit;
-        (*cspan_at(&work_t, patch + layout__PATCH_SATURATION)) = (derivative_rates__root_rate(v3, (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_X)) + ((*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work_t, patch + layout__PATCH_CREEP_Y)))) - v4 * limit_t) / limit;
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_SATURATION))) = (derivative_rates__root_rate(v3, each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) + (each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))))) - v4 * each(limit_t)) / limit;
         (*cspan_at(&work, patch + layout__PATCH_SATURATION)) = v4;
     }
     return INT64_C(0);
@@ -1197,111 +1199,111 @@ static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, 
  */
 
 /* Derivative of ``describe_contact``. */
-static inline bool derivative_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double y, double y_t, double aside, double aside_t, double shift, double shift_t)
+static inline bool derivative_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double y, lanes y_t, double aside, lanes aside_t, double shift, lanes shift_t)
 {
     int64_t pair;
     int64_t place;
     int64_t point;
     double z;
-    double z_t;
+    lanes z_t;
     double slope;
-    double slope_t;
+    lanes slope_t;
     double y_track;
-    double y_track_t;
+    lanes y_track_t;
     double rail_slope;
-    double rail_slope_t;
+    lanes rail_slope_t;
     double mismatch;
-    double mismatch_t;
+    lanes mismatch_t;
     double sin_phi;
-    double sin_phi_t;
+    lanes sin_phi_t;
     double cos_phi;
-    double cos_phi_t;
-    double r_t;
+    lanes cos_phi_t;
+    lanes r_t;
     double r;
     double v1;
     double v2;
-    double lateral_t;
+    lanes lateral_t;
     double lateral;
     double v3;
-    double x_track_t;
+    lanes x_track_t;
     double x_track;
     double pitch_sin;
-    double pitch_sin_t;
+    lanes pitch_sin_t;
     double pitch_cos;
-    double pitch_cos_t;
-    double ahead_t;
+    lanes pitch_cos_t;
+    lanes ahead_t;
     double ahead;
     double z_track;
-    double z_track_t;
+    lanes z_track_t;
     double v4;
-    double v4_t;
+    lanes v4_t;
     double v5;
-    double v5_t;
+    lanes v5_t;
     double v6;
-    double v6_t;
+    lanes v6_t;
     bool touches;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     place = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
     point = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_POINT;
     derivative_frame__open_frame_t(&z, &z_t, &slope, &slope_t, &y_track, &y_track_t, &rail_slope, &rail_slope_t, &mismatch, &mismatch_t, tables, work, work_t, pair, place, y, y_t, aside, aside_t, shift, shift_t);
     derivative_locus__around_wheel_t(&sin_phi, &sin_phi_t, &cos_phi, &cos_phi_t, work, work_t, place, slope, slope_t);
-    r_t = z_t;
+    EACH_LANE each(r_t) = each(z_t);
     r = (*cspan_at(&tables, pair + layout__PAIR_RADIUS)) + z;
     v1 = (*cspan_at(&work, place + layout__PLACE_ARM)) + y;
     v2 = r * cos_phi;
-    lateral_t = ((*cspan_at(&work_t, place + layout__PLACE_ARM)) + y_t) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * (*cspan_at(&work_t, place + layout__PLACE_COS_ROLL)) - ((r_t * cos_phi + r * cos_phi_t) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + v2 * (*cspan_at(&work_t, place + layout__PLACE_SIN_ROLL)));
+    EACH_LANE each(lateral_t) = (each((*lanes_at(&work_t, place + layout__PLACE_ARM))) + each(y_t)) * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) + v1 * each((*lanes_at(&work_t, place + layout__PLACE_COS_ROLL))) - ((each(r_t) * cos_phi + r * each(cos_phi_t)) * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL)) + v2 * each((*lanes_at(&work_t, place + layout__PLACE_SIN_ROLL))));
     lateral = v1 * (*cspan_at(&work, place + layout__PLACE_COS_ROLL)) - v2 * (*cspan_at(&work, place + layout__PLACE_SIN_ROLL));
     v3 = (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r;
-    x_track_t = ((*cspan_at(&work_t, place + layout__PLACE_COS_YAW)) * r + (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * r_t) * sin_phi + v3 * sin_phi_t - ((*cspan_at(&work_t, place + layout__PLACE_SIN_YAW)) * lateral + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral_t);
+    EACH_LANE each(x_track_t) = (each((*lanes_at(&work_t, place + layout__PLACE_COS_YAW))) * r + (*cspan_at(&work, place + layout__PLACE_COS_YAW)) * each(r_t)) * sin_phi + v3 * each(sin_phi_t) - (each((*lanes_at(&work_t, place + layout__PLACE_SIN_YAW))) * lateral + (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * each(lateral_t));
     x_track = v3 * sin_phi - (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * lateral;
     if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
     {
         derivative_rails__pitch_of_frame_t(&pitch_sin, &pitch_sin_t, &pitch_cos, &pitch_cos_t, work, work_t, place);
-        ahead_t = sin_phi_t * pitch_cos + sin_phi * pitch_cos_t - (cos_phi_t * pitch_sin + cos_phi * pitch_sin_t);
+        EACH_LANE each(ahead_t) = each(sin_phi_t) * pitch_cos + sin_phi * each(pitch_cos_t) - (each(cos_phi_t) * pitch_sin + cos_phi * each(pitch_sin_t));
         ahead = sin_phi * pitch_cos - cos_phi * pitch_sin;
-        cos_phi_t = sin_phi_t * pitch_sin + sin_phi * pitch_sin_t + (cos_phi_t * pitch_cos + cos_phi * pitch_cos_t);
+        EACH_LANE each(cos_phi_t) = each(sin_phi_t) * pitch_sin + sin_phi * each(pitch_sin_t) + (each(cos_phi_t) * pitch_cos + cos_phi * each(pitch_cos_t));
         cos_phi = sin_phi * pitch_sin + cos_phi * pitch_cos;
-        sin_phi_t = ahead_t;
+        EACH_LANE each(sin_phi_t) = each(ahead_t);
         sin_phi = ahead;
     }
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_X_WHEEL)) = r_t * sin_phi + r * sin_phi_t;
+    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_X_WHEEL))) = each(r_t) * sin_phi + r * each(sin_phi_t);
     (*cspan_at(&work, point + layout__CONTACT_POINT_X_WHEEL)) = r * sin_phi;
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_WHEEL)) = y_t;
+    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Y_WHEEL))) = each(y_t);
     (*cspan_at(&work, point + layout__CONTACT_POINT_Y_WHEEL)) = y;
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_WHEEL)) = r_t * cos_phi + r * cos_phi_t;
+    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Z_WHEEL))) = each(r_t) * cos_phi + r * each(cos_phi_t);
     (*cspan_at(&work, point + layout__CONTACT_POINT_Z_WHEEL)) = r * cos_phi - (*cspan_at(&tables, pair + layout__PAIR_RADIUS));
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
+    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Y_RAIL))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
     (*cspan_at(&work, point + layout__CONTACT_POINT_Y_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y));
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_RAIL)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
+    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Z_RAIL))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
     (*cspan_at(&work, point + layout__CONTACT_POINT_Z_RAIL)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z));
-    derivative_rails__on_track_t(&y_track, &y_track_t, &z_track, &z_track_t, work, work_t, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), 0.0, y_track, y_track_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_X_TRACK)) = x_track_t;
+    derivative_rails__on_track_t(&y_track, &y_track_t, &z_track, &z_track_t, work, work_t, place, (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)), all_lanes(0.0), y_track, y_track_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Z)));
+    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_X_TRACK))) = each(x_track_t);
     (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK)) = x_track;
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Y_TRACK)) = y_track_t;
+    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Y_TRACK))) = each(y_track_t);
     (*cspan_at(&work, point + layout__CONTACT_POINT_Y_TRACK)) = y_track;
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_Z_TRACK)) = z_track_t;
+    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_Z_TRACK))) = each(z_track_t);
     (*cspan_at(&work, point + layout__CONTACT_POINT_Z_TRACK)) = z_track;
     derivative_circle__atan_rule_t(&v4, &v4_t, rail_slope, rail_slope_t);
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -v4_t;
+    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE))) = -each(v4_t);
     (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = -v4;
     if ((*cspan_at(&work, place + layout__PLACE_LEANING)) == 1.0)
     {
         derivative_circle__atan_rule_t(&v5, &v5_t, rail_slope, rail_slope_t);
-        (*cspan_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-v5_t) - (*cspan_at(&work_t, place + layout__PLACE_RAIL_ROLL));
+        EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CONTACT_ANGLE))) = (-each(v5_t)) - each((*lanes_at(&work_t, place + layout__PLACE_RAIL_ROLL)));
         (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-v5) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
     }
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r_t;
+    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS))) = each(r_t);
     (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
     derivative_frame__measure_contact_t(tables, work, work_t, pair);
     derivative_frame__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
+    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE)));
     (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
-    (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
+    EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND)));
     (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
     if ((int64_t)((*cspan_at(&tables, layout__TABLES_LATERAL))) != layout__LATERAL_ADAPTIVE)
     {
-        derivative_curvature__relative_curvature_t(&v6, &v6_t, tables, pair, y, y_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
-        (*cspan_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * v6_t;
+        derivative_curvature__relative_curvature_t(&v6, &v6_t, tables, pair, y, y_t, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_RAIL + layout__POINT_Y)));
+        EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_Y))) = 2.0 * each(v6_t);
         (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = 2.0 * v6;
     }
     touches = 1;
@@ -1320,28 +1322,28 @@ static inline bool derivative_side__describe_contact_t(array_double_1d tables, a
 }
 
 /* Derivative of ``clear_side``. */
-static inline int64_t derivative_side__clear_side_t(array_double_1d work, array_double_1d work_t, int64_t side)
+static inline int64_t derivative_side__clear_side_t(array_double_1d work, array_lanes_1d work_t, int64_t side)
 {
-    (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION)) = 0.0;
+    (*lanes_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION)) = all_lanes(0.0);
     (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) = 0.0;
     derivative_filling__clear_patches_t(work, work_t, side);
     return INT64_C(0);
 }
 
 /* Derivative of ``load_side``. */
-static inline int64_t derivative_side__load_side_t(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double force, double force_t, double prescribed, double prescribed_t)
+static inline int64_t derivative_side__load_side_t(int64_t* count, int64_t* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
     int64_t pair;
     int64_t side;
     double penetration;
-    double penetration_t;
+    lanes penetration_t;
     bool satisfied;
     int64_t number_end;
     int64_t number;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     derivative_normal_contact__solve_normal_t(&penetration, &penetration_t, count, &satisfied, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
-    (*cspan_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION)) = penetration_t;
+    EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION))) = each(penetration_t);
     (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) = penetration;
     if ((!satisfied) && ((*count) == INT64_C(0)))
     {
@@ -1375,7 +1377,7 @@ static inline int64_t derivative_side__load_side_t(int64_t* count, int64_t* resu
 }
 
 /* Derivative of ``touch_side``. */
-static inline int64_t derivative_side__touch_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index)
+static inline int64_t derivative_side__touch_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     int64_t side;
     bool n1;
@@ -1383,7 +1385,7 @@ static inline int64_t derivative_side__touch_side_t(array_double_1d tables, arra
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     derivative_side__clear_side_t(work, work_t, side);
     status = layout__UNLOADED;
-    n1 = derivative_side__describe_contact_t(tables, work, work_t, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, 0.0, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)));
+    n1 = derivative_side__describe_contact_t(tables, work, work_t, index, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), (*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST_Y)), 0.0, all_lanes(0.0), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)), (*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST)));
     if (!n1)
     {
         status = layout__OFF_PROFILE;
@@ -1392,11 +1394,11 @@ static inline int64_t derivative_side__touch_side_t(array_double_1d tables, arra
 }
 
 /* Derivative of ``solve_side``. */
-static inline int64_t derivative_side__solve_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double force, double force_t)
+static inline int64_t derivative_side__solve_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t)
 {
     int64_t n1;
     double penetration;
-    double pressed_t;
+    lanes pressed_t;
     double pressed;
     int64_t count;
     int64_t status;
@@ -1405,11 +1407,11 @@ static inline int64_t derivative_side__solve_side_t(array_double_1d tables, arra
     if (status == layout__UNLOADED)
     {
         penetration = (*cspan_at(&tables, layout__TABLES_PENETRATION + index));
-        pressed_t = force_t;
+        EACH_LANE each(pressed_t) = each(force_t);
         pressed = force;
         if (isfinite(penetration))
         {
-            pressed_t = 0.0;
+            pressed_t = all_lanes(0.0);
             pressed = penetration;
         }
         if (pressed > 0.0)
@@ -1417,7 +1419,7 @@ static inline int64_t derivative_side__solve_side_t(array_double_1d tables, arra
             status = layout__VALID;
             if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) != layout__DEPTH_GEOMETRY)
             {
-                derivative_side__load_side_t(&count, &status, tables, work, work_t, index, force, force_t, penetration, 0.0);
+                derivative_side__load_side_t(&count, &status, tables, work, work_t, index, force, force_t, penetration, all_lanes(0.0));
             }
         }
     }
@@ -1425,21 +1427,21 @@ static inline int64_t derivative_side__solve_side_t(array_double_1d tables, arra
 }
 
 /* Derivative of ``press_side``. */
-static inline int64_t derivative_side__press_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double approach, double approach_t)
+static inline int64_t derivative_side__press_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double approach, lanes approach_t)
 {
     int64_t pair;
     int64_t side;
-    double height_t;
+    lanes height_t;
     double height;
     int64_t n1;
     int64_t deepest;
     double aside;
-    double aside_t;
+    lanes aside_t;
     double shift;
-    double shift_t;
+    lanes shift_t;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    height_t = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) + approach_t;
+    EACH_LANE each(height_t) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST))) + each(approach_t);
     height = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + approach;
     derivative_side__clear_side_t(work, work_t, side);
     n1 = derivative_side__find_points_t(work, work_t, tables, side, index, height, height_t);
@@ -1449,13 +1451,13 @@ static inline int64_t derivative_side__press_side_t(array_double_1d tables, arra
     }
     deepest = layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_POINTS + layout__DEEP_POINT_SIZE * deep_points__deepest_entry(work);
     derivative_pressed_regions__touching_shift_t(&aside, &aside_t, &shift, &shift_t, tables, work, work_t, pair, side + layout__SIDE_SEARCH_PLACE, deepest);
-    derivative_side__describe_contact_t(tables, work, work_t, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
-    derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*cspan_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)), 0.0, 0.0);
+    derivative_side__describe_contact_t(tables, work, work_t, index, (*cspan_at(&work, deepest + layout__DEEP_POINT_WHEEL)), (*lanes_at(&work_t, deepest + layout__DEEP_POINT_WHEEL)), aside, aside_t, shift, shift_t);
+    derivative_pressed_regions__press_frame_t(work, work_t, height, height_t, (*cspan_at(&work, deepest + layout__DEEP_POINT_DEPTH)), (*lanes_at(&work_t, deepest + layout__DEEP_POINT_DEPTH)), 0.0, all_lanes(0.0));
     return layout__VALID;
 }
 
 /* Derivative of ``find_points``. */
-static inline int64_t derivative_side__find_points_t(array_double_1d work, array_double_1d work_t, array_double_1d tables, int64_t side, int64_t index, double height, double height_t)
+static inline int64_t derivative_side__find_points_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t index, double height, lanes height_t)
 {
     int64_t pair;
     int64_t kept;
@@ -1480,49 +1482,49 @@ static inline int64_t derivative_side__find_points_t(array_double_1d work, array
 }
 
 /* Derivative of ``side_lever``. */
-static inline int64_t derivative_side__side_lever_t(double* lever, double* lever_t, array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, int64_t count)
+static inline int64_t derivative_side__side_lever_t(double* lever, lanes* lever_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, int64_t count)
 {
     int64_t pair;
     int64_t at;
-    double total_t;
+    lanes total_t;
     double total;
-    double weight_t;
+    lanes weight_t;
     double weight;
     int64_t region;
     int64_t block;
     double v1;
-    double stiffness_t;
+    lanes stiffness_t;
     double stiffness;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     double v4;
     pair = layout__TABLES_PAIRS + layout__PAIR_SIZE * index;
     at = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_PLACE;
-    total_t = 0.0;
+    total_t = all_lanes(0.0);
     total = 0.0;
-    weight_t = 0.0;
+    weight_t = all_lanes(0.0);
     weight = 0.0;
     for (region = INT64_C(0); region < count; region += INT64_C(1))
     {
         block = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * region;
         v1 = (*cspan_at(&work, block + layout__REGION_STIFFNESS)) * (*cspan_at(&work, block + layout__REGION_SHARE));
-        stiffness_t = ((*cspan_at(&work_t, block + layout__REGION_STIFFNESS)) * (*cspan_at(&work, block + layout__REGION_SHARE)) + (*cspan_at(&work, block + layout__REGION_STIFFNESS)) * (*cspan_at(&work_t, block + layout__REGION_SHARE))) * (*cspan_at(&work, block + layout__REGION_COS)) + v1 * (*cspan_at(&work_t, block + layout__REGION_COS));
+        EACH_LANE each(stiffness_t) = (each((*lanes_at(&work_t, block + layout__REGION_STIFFNESS))) * (*cspan_at(&work, block + layout__REGION_SHARE)) + (*cspan_at(&work, block + layout__REGION_STIFFNESS)) * each((*lanes_at(&work_t, block + layout__REGION_SHARE)))) * (*cspan_at(&work, block + layout__REGION_COS)) + v1 * each((*lanes_at(&work_t, block + layout__REGION_COS)));
         stiffness = v1 * (*cspan_at(&work, block + layout__REGION_COS));
-        weight_t = weight_t + stiffness_t;
+        EACH_LANE each(weight_t) = each(weight_t) + each(stiffness_t);
         weight = weight + stiffness;
-        derivative_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, pair, at, (*cspan_at(&work, block + layout__REGION_WHEEL)), (*cspan_at(&work_t, block + layout__REGION_WHEEL)));
-        total_t = total_t + (stiffness_t * v2 + stiffness * v2_t);
+        derivative_gap__gap_per_roll_t(&v2, &v2_t, tables, work, work_t, pair, at, (*cspan_at(&work, block + layout__REGION_WHEEL)), (*lanes_at(&work_t, block + layout__REGION_WHEEL)));
+        EACH_LANE each(total_t) = each(total_t) + (each(stiffness_t) * v2 + stiffness * each(v2_t));
         total = total + stiffness * v2;
     }
-    derivative_gap__gap_per_roll_t(&v3, &v3_t, tables, work, work_t, pair, at, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)), (*cspan_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)));
-    (*lever_t) = v3_t;
+    derivative_gap__gap_per_roll_t(&v3, &v3_t, tables, work, work_t, pair, at, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)), (*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST_Y)));
+    EACH_LANE each((*lever_t)) = each(v3_t);
     (*lever) = v3;
     if (weight > 0.0)
     {
         v4 = total / weight;
-        (*lever_t) = (total_t - v4 * weight_t) / weight;
+        EACH_LANE each((*lever_t)) = (each(total_t) - v4 * each(weight_t)) / weight;
         (*lever) = v4;
     }
     return 0;
@@ -1535,82 +1537,82 @@ static inline int64_t derivative_side__side_lever_t(double* lever, double* lever
  */
 
 /* Derivative of ``permitted_approach``. */
-static inline int64_t derivative_trial__permitted_approach_t(double* approach, double* approach_t, array_double_1d work, array_double_1d work_t, int64_t support, int64_t side, double height, double height_t)
+static inline int64_t derivative_trial__permitted_approach_t(double* approach, lanes* approach_t, array_double_1d work, array_lanes_1d work_t, int64_t support, int64_t side, double height, lanes height_t)
 {
     double v1;
     double v2;
-    double v2_t;
+    lanes v2_t;
     double v3;
-    double v3_t;
+    lanes v3_t;
     v1 = trial__SHALLOWEST * (*cspan_at(&work, support + layout__SUPPORT_APPROACH));
     v2 = height - (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
-    v2_t = height_t - (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST));
+    EACH_LANE each(v2_t) = each(height_t) - each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST)));
     if (v1 > v2)
     {
         v2 = v1;
-        v2_t = trial__SHALLOWEST * (*cspan_at(&work_t, support + layout__SUPPORT_APPROACH));
+        EACH_LANE each(v2_t) = trial__SHALLOWEST * each((*lanes_at(&work_t, support + layout__SUPPORT_APPROACH)));
     }
     v3 = v2;
-    v3_t = v2_t;
+    EACH_LANE each(v3_t) = each(v2_t);
     if (trial__DEEPEST < v3)
     {
         v3 = trial__DEEPEST;
-        v3_t = 0.0;
+        v3_t = all_lanes(0.0);
     }
-    (*approach_t) = v3_t;
+    EACH_LANE each((*approach_t)) = each(v3_t);
     (*approach) = v3;
     return 0;
 }
 
 /* Derivative of ``balance_side``. */
-static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, array_double_1d work, array_double_1d work_t, int64_t index, double force, double force_t, double height, double height_t)
+static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double height, lanes height_t)
 {
     int64_t support;
     int64_t side;
     double v1;
-    double v1_t;
+    lanes v1_t;
     int64_t n2;
     double v3;
-    double v3_t;
-    double approach_t;
+    lanes v3_t;
+    lanes approach_t;
     double approach;
     int64_t n4;
     int64_t status;
     int64_t count;
     double v5;
     double v6;
-    double carried_t;
+    lanes carried_t;
     double carried;
     double v7;
-    double v7_t;
+    lanes v7_t;
     support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     if (!(force > 0.0))
     {
-        (*cspan_at(&work_t, support + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST));
+        EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_HEIGHT))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST)));
         (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST));
         derivative_side__side_lever_t(&v1, &v1_t, tables, work, work_t, index, INT64_C(0));
-        (*cspan_at(&work_t, support + layout__SUPPORT_LEVER)) = v1_t;
+        EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_LEVER))) = each(v1_t);
         (*cspan_at(&work, support + layout__SUPPORT_LEVER)) = v1;
         n2 = derivative_side__touch_side_t(tables, work, work_t, index);
         return n2;
     }
     derivative_trial__permitted_approach_t(&v3, &v3_t, work, work_t, support, side, height, height_t);
-    approach_t = v3_t;
+    EACH_LANE each(approach_t) = each(v3_t);
     approach = v3;
     n4 = derivative_side__press_side_t(tables, work, work_t, index, approach, approach_t);
     status = n4;
     if (status == layout__VALID)
     {
-        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, force, force_t, (*cspan_at(&tables, layout__TABLES_ABSENT)), 0.0);
+        derivative_side__load_side_t(&count, &status, tables, work, work_t, index, force, force_t, (*cspan_at(&tables, layout__TABLES_ABSENT)), all_lanes(0.0));
         v5 = (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
         v6 = v5 / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
-        carried_t = approach_t + ((*cspan_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION)) - (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) - v6 * (*cspan_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
+        EACH_LANE each(carried_t) = each(approach_t) + (each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION))) - each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))) - v6 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS)))) / (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLANE + layout__DIRECTION_COS));
         carried = approach + v6;
-        (*cspan_at(&work_t, support + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work_t, side + layout__SIDE_SEARCH_BEST)) + carried_t;
+        EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_HEIGHT))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_BEST))) + each(carried_t);
         (*cspan_at(&work, support + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST)) + carried;
         derivative_side__side_lever_t(&v7, &v7_t, tables, work, work_t, index, count);
-        (*cspan_at(&work_t, support + layout__SUPPORT_LEVER)) = v7_t;
+        EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_LEVER))) = each(v7_t);
         (*cspan_at(&work, support + layout__SUPPORT_LEVER)) = v7;
     }
     return status;

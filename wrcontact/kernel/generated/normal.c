@@ -91,7 +91,7 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
 /* normal/strip_contact.py */
 static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline int64_t strip_contact__start_runs(array_double_1d tables, array_double_1d work, int64_t pair);
-static inline double strip_contact__sweep_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t first, int64_t last, double force, bool by_penetration);
+static inline double strip_contact__sweep_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t sweeps, double force, bool by_penetration);
 static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double force);
 
@@ -100,9 +100,9 @@ static inline double strip_lengths__corrected(double ratio, double power);
 static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_double_1d tables, int64_t first, int64_t i, double penetration, bool yawed);
 static inline int64_t strip_lengths__end_axis(array_double_1d work, int64_t strip, int64_t inner, int64_t second);
 static inline double strip_lengths__edge_move(double half, double away);
-static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first, double relaxed);
+static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first, double share);
 static inline int64_t strip_lengths__finish_strips(array_double_1d work, array_double_1d tables, int64_t k);
-static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, bool yawed, double relaxed);
+static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, bool yawed, double share);
 
 /* normal/strip_patches.py */
 static inline int64_t strip_patches__slant_region(array_double_1d work, int64_t region, int64_t index, double station, double x);
@@ -2314,7 +2314,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
     {
         count = strip_contact__open_zones(tables, work, pair);
         strip_contact__start_runs(tables, work, pair);
-        penetration = strip_contact__sweep_strips(tables, work, pair, INT64_C(0), sweeps, force, by_penetration);
+        penetration = strip_contact__sweep_strips(tables, work, pair, sweeps, force, by_penetration);
     }
     else
     {
@@ -2347,7 +2347,7 @@ static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_
             }
         }
         strip_contact__start_runs(tables, work, pair);
-        penetration = strip_contact__sweep_strips(tables, work, pair, INT64_C(0), sweeps, force, by_penetration);
+        penetration = strip_contact__sweep_strips(tables, work, pair, sweeps, force, by_penetration);
     }
     satisfied = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
     if (satisfied)
@@ -2372,7 +2372,7 @@ static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t
 {
     (*count) = strip_contact__open_zones(tables, work, pair);
     strip_contact__start_runs(tables, work, pair);
-    (*penetration) = strip_contact__sweep_strips(tables, work, pair, INT64_C(0), strip_contact__FIRST_SWEEPS, force, 0);
+    (*penetration) = strip_contact__sweep_strips(tables, work, pair, strip_contact__FIRST_SWEEPS, force, 0);
     (*satisfied) = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
     if ((*satisfied))
     {
@@ -2407,39 +2407,46 @@ static inline int64_t strip_contact__start_runs(array_double_1d tables, array_do
     return INT64_C(0);
 }
 
-/* Make the sweeps ``first`` ... ``last`` - 1; penetration [m].
+/* Make so many sweeps; penetration [m].
  *
  * Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries
- * that, the strips are those of a wheel that is pressed so deep.
+ * that, the strips are those of a wheel that is pressed so deep.  The last correction is for the patches
+ * alone.
  */
-static inline double strip_contact__sweep_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t first, int64_t last, double force, bool by_penetration)
+static inline double strip_contact__sweep_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t sweeps, double force, bool by_penetration)
 {
     bool yawed;
     int64_t sweep;
+    bool last;
     bool given;
-    double relaxed;
+    double share;
     double penetration;
     yawed = frame__is_yawed(work);
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
-    for (sweep = first; sweep < last; sweep += INT64_C(1))
+    for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
     {
-        if (sweep > INT64_C(0))
-        {
-            strip_runs__renew_runs(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
-        }
+        last = sweep == sweeps - INT64_C(1);
         given = by_penetration;
-        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)) && (sweep < last - INT64_C(1)))
+        if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)) && (!last))
         {
             given = 1;
         }
-        strip_runs__lay_strips(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))), sweep >= last - strip_contact__SMOOTH_SWEEPS);
+        strip_runs__lay_strips(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))), sweep >= sweeps - strip_contact__SMOOTH_SWEEPS);
         penetration = strip_pressures__solve_pressures(work, tables, force, given, yawed);
-        relaxed = 0.5;
-        if (sweep < INT64_C(1))
+        if ((!last) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
         {
-            relaxed = 1.0;
+            share = strip_lengths__RELAXED;
+            if (sweep == INT64_C(0))
+            {
+                /* half-lengths do not swing yet */
+                share = 1.0;
+            }
+            strip_lengths__correct_lengths(work, tables, penetration, yawed, share);
         }
-        strip_lengths__correct_lengths(work, tables, penetration, yawed, relaxed);
+        if (!last)
+        {
+            strip_runs__renew_runs(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
+        }
     }
     return penetration;
 }
@@ -2500,7 +2507,7 @@ static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_d
 }
 
 /* Shapes, leads and edges after this sweep, and the pressures that keep the loads. */
-static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, bool yawed, double relaxed)
+static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, bool yawed, double share)
 {
     int64_t waves;
     int64_t k_end;
@@ -2522,7 +2529,7 @@ static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array
         }
         strip_lengths__end_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(2)));
         strip_lengths__end_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(2)));
-        strip_lengths__move_edges(tables, work, waves, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k, first, relaxed);
+        strip_lengths__move_edges(tables, work, waves, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k, first, share);
         strip_lengths__finish_strips(work, tables, k);
     }
     return INT64_C(0);
@@ -2543,7 +2550,7 @@ static inline int64_t strip_lengths__end_axis(array_double_1d work, int64_t stri
  *
  * p sin t is the part that an edge at a wrong place leaves, with the values at both edges, and a rest.
  */
-static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first, double relaxed)
+static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first, double share)
 {
     int64_t count;
     double start;
@@ -2587,8 +2594,8 @@ static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_do
     }
     least = strip_lengths__LEAST_ROOT * largest;
     half = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START)));
-    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = (*cspan_at(&work, run + layout__STRIP_RUN_START)) - strip_lengths__edge_move(half, relaxed * start / double_max(2, low, least));
-    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) + strip_lengths__edge_move(half, relaxed * stop / double_max(2, high, least));
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = (*cspan_at(&work, run + layout__STRIP_RUN_START)) - strip_lengths__edge_move(half, share * start / double_max(2, low, least));
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) + strip_lengths__edge_move(half, share * stop / double_max(2, high, least));
     /* no farther than wheel and rail are known */
     (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = double_max(2, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START)));
     (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = double_min(2, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_STOP)));
@@ -2598,9 +2605,9 @@ static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_do
 /* How far outwards [m] an edge of a run ``half`` as wide moves, no more than FARTHEST_EDGE of that. */
 static inline double strip_lengths__edge_move(double half, double away)
 {
-    double share;
-    share = away / strip_lengths__FARTHEST_EDGE;
-    return strip_lengths__FARTHEST_EDGE * half * share / sqrt(1.0 + share * share);
+    double far;
+    far = away / strip_lengths__FARTHEST_EDGE;
+    return strip_lengths__FARTHEST_EDGE * half * far / sqrt(1.0 + far * far);
 }
 
 /* Half-lengths, stations and pressures after this sweep of the strips of run ``k``. */
@@ -3001,27 +3008,44 @@ static inline int64_t strip_patches__add_stiffness(array_double_1d work, array_d
  */
 static inline int64_t strip_pressures__eliminate(array_double_1d work, int64_t size)
 {
+    int64_t width;
+    int64_t pair;
     int64_t k;
-    int64_t pivot;
+    int64_t first;
+    int64_t second;
     double inverse;
-    int64_t i;
-    int64_t row;
     double factor;
     int64_t j;
+    double next_inverse;
+    int64_t i;
+    int64_t row;
+    double next_factor;
     int64_t back;
+    int64_t pivot;
     double one;
     double other;
-    for (k = INT64_C(0); k < size - INT64_C(1); k += INT64_C(1))
+    width = size + INT64_C(2);
+    for (pair = INT64_C(0); pair < py_floor_div_int64_t(size, INT64_C(2)); pair += INT64_C(1))
     {
-        pivot = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
-        inverse = 1.0 / (*cspan_at(&work, pivot + k));
-        for (i = k + INT64_C(1); i < size; i += INT64_C(1))
+        /* two columns at a time, so that every row is read and written once for both */
+        k = INT64_C(2) * pair;
+        first = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * k;
+        second = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * (k + INT64_C(1));
+        inverse = 1.0 / (*cspan_at(&work, first + k));
+        factor = (*cspan_at(&work, second + k)) * inverse;
+        for (j = k + INT64_C(1); j < width; j += INT64_C(1))
+        {
+            (*cspan_at(&work, second + j)) -= factor * (*cspan_at(&work, first + j));
+        }
+        next_inverse = 1.0 / (*cspan_at(&work, second + (k + INT64_C(1))));
+        for (i = k + INT64_C(2); i < size; i += INT64_C(1))
         {
             row = layout__WORK_CONTACT + layout__CONTACT_EQUATIONS + INT64_C(98) * i;
             factor = (*cspan_at(&work, row + k)) * inverse;
-            for (j = k + INT64_C(1); j < size + INT64_C(2); j += INT64_C(1))
+            next_factor = ((*cspan_at(&work, row + (k + INT64_C(1)))) - factor * (*cspan_at(&work, first + (k + INT64_C(1))))) * next_inverse;
+            for (j = k + INT64_C(2); j < width; j += INT64_C(1))
             {
-                (*cspan_at(&work, row + j)) -= factor * (*cspan_at(&work, pivot + j));
+                (*cspan_at(&work, row + j)) = (*cspan_at(&work, row + j)) - factor * (*cspan_at(&work, first + j)) - next_factor * (*cspan_at(&work, second + j));
             }
         }
     }

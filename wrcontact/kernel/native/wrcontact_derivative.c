@@ -1,87 +1,15 @@
-/* The third translation unit: the differentiated kernel.  It stands apart so that the compiler spends nothing on it that it
- * would take from the steps.
+/* The third translation unit: the differentiated kernel along one direction.  It stands apart so that the compiler spends nothing
+ * on it that it would take from the steps.
  */
-#include "wrcontact_derivative.h"
-
-#include <string.h>
-
-/* Differentiating leaves values over that nothing asks for. */
-#if defined(__GNUC__) || defined(__clang__)
-#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
-#endif
-#include "../generated/derivative_unit.c"
+#define WRCONTACT_LANES 1
+#include "derivative_passes.h"
 
 int64_t wrcontact_derivative_room(void)
 {
-    return layout__STATE_SIZE + 2 * layout__WORK_SIZE + layout__INPUT_COUNT + layout__OUTPUT_COUNT
-        + 2 * layout__RUN_COUNT * layout__STATION_LIMIT;
-}
-
-/* Over which share of its usual size (as in the table of variables) an input moves for a difference. */
-static const double SHARE = 1e-4;
-
-/* One step at the handle's inputs, moved by `way` along `seed`; the status. */
-static int step_along(const wrcontact_handle *own, const wrcontact_handle *handle, const double *seed, double way)
-{
-    for (int i = 0; i < layout__INPUT_COUNT; i += 1)
-        own->inputs.data[i] = i == layout__IN_ROLL_GUESS ? 0.0 : handle->inputs.data[i] + way * seed[i];
-    own->workspace.data[layout__WORK_KNOWN] = 0.0;
-    return wrcontact_step(own);
-}
-
-/* Rates from steps to either side, as far as these are valid. */
-static void difference(const wrcontact_handle *own, const wrcontact_handle *handle, const double *seed, double *rates)
-{
-    double size = 0.0, ways[2] = {0.0, 0.0};
-    for (int i = 0; i < layout__INPUT_COUNT; i += 1)
-    {
-        const double share = fabs(seed[i]) / layout__INPUT_NOMINALS[i];
-        size = share > size ? share : size;
-    }
-    for (int side = 0; side < 2 && size > 0.0; side += 1)
-    {
-        const double sign = side ? 1.0 : -1.0;
-        ways[side] = step_along(own, handle, seed, sign * SHARE / size) <= layout__UNLOADED ? sign * SHARE / size : 0.0;
-        if (ways[side] == 0.0 && step_along(own, handle, seed, 0.0) > layout__UNLOADED)
-            size = 0.0;
-        for (int i = 0; i < own->outputs.shape[0]; i += 1)
-            rates[i] = side ? own->outputs.data[i] - rates[i] : own->outputs.data[i];
-    }
-    for (int i = 0; i < own->outputs.shape[0]; i += 1)
-        rates[i] = size > 0.0 && ways[1] > ways[0] ? rates[i] / (ways[1] - ways[0]) : 0.0;
-}
-
-static bool all_finite(const double *values, int64_t count)
-{
-    for (int64_t i = 0; i < count; i += 1)
-        if (!isfinite(values[i]))
-            return false;
-    return true;
+    return derivative_room();
 }
 
 int wrcontact_derivative(const wrcontact_handle *handle, const double *seed, double *rates, double *room)
 {
-    const array_double_1d work = span_of(room, layout__WORK_SIZE);
-    const array_double_1d work_t = span_of(work.data + layout__WORK_SIZE, layout__WORK_SIZE);
-    const array_double_1d state = span_of(work_t.data + layout__WORK_SIZE, layout__STATE_SIZE);
-    const array_double_1d inputs = span_of(state.data + layout__STATE_SIZE, layout__INPUT_COUNT);
-    const array_double_1d outputs = span_of(inputs.data + layout__INPUT_COUNT, outline__row_size(handle->tables));
-    const wrcontact_handle own = {handle->tables, state, work, inputs, outputs};
-    memcpy(state.data, handle->state.data, layout__STATE_SIZE * sizeof(double));
-    memcpy(inputs.data, handle->inputs.data, layout__INPUT_COUNT * sizeof(double));
-    if (state.data[layout__STATE_WARM] == 1.0 && isfinite(inputs.data[layout__IN_ROLL_GUESS]))
-        inputs.data[layout__IN_ROLL_GUESS] = 0.0;       /* the search starts where the wheelset stands */
-    work.data[layout__WORK_KNOWN] = 0.0;
-    memset(rates, 0, outputs.shape[0] * sizeof(double));
-    const int status = wrcontact_step(&own);
-    if (status <= layout__UNLOADED)
-    {
-        memset(work_t.data, 0, layout__WORK_SIZE * sizeof(double));
-        memcpy(work_t.data + layout__WORK_INPUTS, seed, layout__INPUT_COUNT * sizeof(double));
-        const bool reported = derivative_wheelset_rules__differentiate_t(handle->tables, work, work_t) == 0;
-        memcpy(rates, work_t.data + layout__WORK_OUTPUTS, outputs.shape[0] * sizeof(double));
-        if (!reported || !all_finite(rates, outputs.shape[0]))
-            difference(&own, handle, seed, rates);
-    }
-    return status;
+    return derivatives(handle, 1, seed, rates, room);
 }

@@ -24,7 +24,7 @@ from ..contact.frame import is_yawed, locate_along_track
 from ..contact.pressed_regions import gather_overlaps, sink_wheel
 from ..layout import Contact, Pair, SideSearch
 from .estimate import first_penetration
-from .strip_lengths import correct_lengths
+from .strip_lengths import RELAXED, correct_lengths
 from .strip_patches import add_stiffness, fill_from_strips
 from .strip_pressures import solve_pressures
 from .strip_runs import begin_runs, deepen_levels, lay_strips, renew_runs
@@ -52,7 +52,7 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
     if contact.frame.pressed:
         count = open_zones(pair, contact)
         start_runs(pair, contact)
-        penetration = sweep_strips(pair, contact, 0, sweeps, force, by_penetration)
+        penetration = sweep_strips(pair, contact, sweeps, force, by_penetration)
     else:
         penetration = prescribed
         if not by_penetration:
@@ -70,7 +70,7 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
             if penetration < SUNK_DEEPER * estimate:
                 break
         start_runs(pair, contact)
-        penetration = sweep_strips(pair, contact, 0, sweeps, force, by_penetration)
+        penetration = sweep_strips(pair, contact, sweeps, force, by_penetration)
     satisfied = contact.strip_problem.count > 0
     if satisfied:
         add_stiffness(pair.tables, contact.regions, contact.strip_problem, contact.equations, count)
@@ -85,7 +85,7 @@ def coarse_contact(pair: Pair, contact: Contact, force: float):
     and without patches: about a per cent off."""
     count = open_zones(pair, contact)
     start_runs(pair, contact)
-    penetration = sweep_strips(pair, contact, 0, FIRST_SWEEPS, force, False)
+    penetration = sweep_strips(pair, contact, FIRST_SWEEPS, force, False)
     satisfied = contact.strip_problem.count > 0
     if satisfied:
         add_stiffness(pair.tables, contact.regions, contact.strip_problem, contact.equations, count)
@@ -111,26 +111,30 @@ def start_runs(pair: Pair, contact: Contact):
     begin_runs(contact.strip_problem, pair.tables.waves)
 
 
-def sweep_strips(pair: Pair, contact: Contact, first: int, last: int, force: float, by_penetration: bool):
-    """Make the sweeps ``first`` ... ``last`` - 1; penetration [m].
+def sweep_strips(pair: Pair, contact: Contact, sweeps: int, force: float, by_penetration: bool):
+    """Make so many sweeps; penetration [m].
 
     Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries
-    that, the strips are those of a wheel that is pressed so deep.
+    that, the strips are those of a wheel that is pressed so deep.  The last correction is for the patches
+    alone.
     """
     tables = pair.tables
     problem = contact.strip_problem
     yawed = is_yawed(contact.frame)
     penetration = problem.penetration
-    for sweep in range(first, last):
-        if sweep > 0:
-            renew_runs(problem, tables.waves)
+    for sweep in range(sweeps):
+        last = sweep == sweeps - 1
         given = by_penetration
-        if contact.frame.pressed and not contact.frame.sunk and sweep < last - 1:
+        if contact.frame.pressed and not contact.frame.sunk and not last:
             given = True
-        lay_strips(problem, tables.waves, sweep >= last - SMOOTH_SWEEPS)
+        lay_strips(problem, tables.waves, sweep >= sweeps - SMOOTH_SWEEPS)
         penetration = solve_pressures(tables, problem, contact.equations, force, given, yawed)
-        relaxed = 0.5
-        if sweep < 1:
-            relaxed = 1.0
-        correct_lengths(tables, problem, penetration, yawed, relaxed)
+        if not last or contact.filling:
+            share = RELAXED
+            if sweep == 0:
+                # half-lengths do not swing yet
+                share = 1.0
+            correct_lengths(tables, problem, penetration, yawed, share)
+        if not last:
+            renew_runs(problem, tables.waves)
     return penetration

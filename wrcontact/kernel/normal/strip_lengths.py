@@ -56,7 +56,7 @@ def correct_strip(tables: Tables, problem: StripProblem, first: int, i: int, pen
     strip.next_axis = strip.axis * corrected(ratio, POWER)
 
 
-def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, yawed: bool, relaxed: float):
+def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, yawed: bool, share: float):
     """Shapes, leads and edges after this sweep, and the pressures that keep the loads."""
     waves = tables.waves
     for k in range(problem.run_count):
@@ -66,7 +66,7 @@ def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, y
             correct_strip(tables, problem, first, i, penetration, yawed)
         end_axis(problem.strips[first], problem.strips[first + 1], problem.strips[first + 2])
         end_axis(problem.strips[last], problem.strips[last - 1], problem.strips[last - 2])
-        move_edges(problem, waves, problem.runs[k], first, relaxed)
+        move_edges(problem, waves, problem.runs[k], first, share)
         finish_strips(tables, problem, k)
 
 
@@ -77,7 +77,7 @@ def end_axis(strip: Strip, inner: Strip, second: Strip):
     strip.next_lead = strip.lead + inner.next_lead - inner.lead
 
 
-def move_edges(problem: StripProblem, waves: Waves, run: StripRun, first: int, relaxed: float):
+def move_edges(problem: StripProblem, waves: Waves, run: StripRun, first: int, share: float):
     """Move both edges of a run towards where its pressure ends like a square root, eq. (S14); ``first`` is
     its first strip.
 
@@ -104,8 +104,8 @@ def move_edges(problem: StripProblem, waves: Waves, run: StripRun, first: int, r
             high = root
     least = LEAST_ROOT * largest
     half = 0.5 * (run.stop - run.start)
-    run.next_start = run.start - edge_move(half, relaxed * start / max(low, least))
-    run.next_stop = run.stop + edge_move(half, relaxed * stop / max(high, least))
+    run.next_start = run.start - edge_move(half, share * start / max(low, least))
+    run.next_stop = run.stop + edge_move(half, share * stop / max(high, least))
     # no farther than wheel and rail are known
     run.next_start = max(run.next_start, problem.zones[problem.traced[run.low].region].start)
     run.next_stop = min(run.next_stop, problem.zones[problem.traced[run.high].region].stop)
@@ -113,8 +113,8 @@ def move_edges(problem: StripProblem, waves: Waves, run: StripRun, first: int, r
 
 def edge_move(half: float, away: float):
     """How far outwards [m] an edge of a run ``half`` as wide moves, no more than FARTHEST_EDGE of that."""
-    share = away / FARTHEST_EDGE
-    return FARTHEST_EDGE * half * share / sqrt(1.0 + share * share)
+    far = away / FARTHEST_EDGE
+    return FARTHEST_EDGE * half * far / sqrt(1.0 + far * far)
 
 
 def finish_strips(tables: Tables, problem: StripProblem, k: int):

@@ -34,14 +34,23 @@ def eliminate(equations: Equations, size: int):
 
     Gauss without exchange of rows: the matrix is that of a positive kernel, largest on the diagonal.
     """
-    for k in range(size - 1):
-        pivot = equations[k]
-        inverse = 1.0 / pivot[k]
-        for i in range(k + 1, size):
+    width = size + 2
+    for pair in range(size // 2):
+        # two columns at a time, so that every row is read and written once for both
+        k = 2 * pair
+        first = equations[k]
+        second = equations[k + 1]
+        inverse = 1.0 / first[k]
+        factor = second[k] * inverse
+        for j in range(k + 1, width):
+            second[j] -= factor * first[j]
+        next_inverse = 1.0 / second[k + 1]
+        for i in range(k + 2, size):
             row = equations[i]
             factor = row[k] * inverse
-            for j in range(k + 1, size + 2):
-                row[j] -= factor * pivot[j]
+            next_factor = (row[k + 1] - factor * first[k + 1]) * next_inverse
+            for j in range(k + 2, width):
+                row[j] = row[j] - factor * first[j] - next_factor * second[j]
     for back in range(size):
         k = size - 1 - back
         pivot = equations[k]

@@ -1,0 +1,70 @@
+"""Places of inputs and outputs by the names of an FMU, for arrays of a stepper."""
+
+from functools import cache, lru_cache
+
+from ..interface.inputs import INPUTS
+from ..interface.variables import INTEGER
+from ..methods.words import did_you_mean
+from ..results.columns import ALWAYS, DEPTH_SIZES, output_places, selected, variable_of
+
+INPUT_ROWS = {row.name: (place, row) for place, row in enumerate(INPUTS)}
+
+
+@cache
+def places(width):
+    """{name: place} of all inputs, and of the outputs in arrays of ``width`` numbers."""
+    return {name: place for name, (place, _) in INPUT_ROWS.items()} | output_places(width)
+
+
+def place_of(name, width):
+    """The place of an input or output; ValueError if there is none."""
+    try:
+        return places(width)[name]
+    except (KeyError, TypeError):
+        hint = did_you_mean(name, places(width)) or "; input_names and output_names list them"
+        raise ValueError(f"there is no input or output {name!r}{hint}") from None
+
+
+@lru_cache
+def differentiated_inputs(by):
+    """Places of the inputs, a tuple of names, that derivatives are taken by."""
+    found = []
+    for name in by:
+        if name not in INPUT_ROWS:
+            hint = did_you_mean(name, INPUT_ROWS) or f"; inputs are {', '.join(INPUT_ROWS)}"
+            raise ValueError(f"by has {name!r}; permitted are names of inputs{hint}")
+        place, row = INPUT_ROWS[name]
+        if row.switch:
+            raise ValueError(f"by has {name!r}, which is true or false; derivatives are by numbers")
+        found.append(place)
+    return found
+
+
+@lru_cache
+def differentiated_outputs(of, width):
+    """Places of the outputs, a tuple of names, whose derivatives are taken, and the least ``side`` and
+    ``depth`` with which a stepper computes them; None for both where every stepper does."""
+    known = output_places(width)
+    for name in of:
+        if name not in known:
+            hint = did_you_mean(name, known) or "; output_names lists them"
+            raise ValueError(f"of has {name!r}; permitted are names of outputs{hint}")
+        if variable_of(name).type == INTEGER:
+            raise ValueError(f"of has {name!r}, which is a count; derivatives are those of numbers")
+    least = [name for name in of if name not in ALWAYS]
+    wanted = selected("both", least, width) if least else None
+    return [known[name] for name in of], wanted and (wanted.side, wanted.depth)
+
+
+def is_computed(least, wanted):
+    """Whether a stepper of which (side, depth) are ``wanted`` computes what ``least`` says."""
+    depths = list(DEPTH_SIZES)          # the deepest is first
+    return (least is None or wanted[0] in ("both", least[0])
+            and depths.index(wanted[1]) <= depths.index(least[1]))
+
+
+def listed(argument, names):
+    """``names`` as a tuple; one name alone is refused, since its letters would be taken for names."""
+    if isinstance(names, str):
+        raise ValueError(f"{argument} is {names!r}; permitted is a list of names, [{names!r}]")
+    return tuple(names)

@@ -1,0 +1,32 @@
+"""The reaction on a rail, about the rail's own reference point."""
+
+import numpy as np
+
+from ..kernel import layout
+from ..methods.numbers import check_choice
+
+SIDES = {"left": 0, "right": 1}
+
+
+def rail_reaction(tables, inputs, outputs, side):
+    """Force (3,) [N] of a wheel on its rail, and its moment (3,) [N m] about the rail's reference point: the
+    highest point of its head, where its displacement has taken it.
+
+    The opposite of the wheel's own, moved from the wheelset's centre C to the point P:
+    ``M_P = -(M_C + (C - P) x F)``.  All in the axes of the track.
+
+    Parameters
+    ----------
+    tables : of the system, with or without what follows its settings.
+    inputs, outputs : of a step, as a stepper has them.
+    side : "left" or "right".
+    """
+    check_choice("side", side, SIDES)
+    settings, given = layout.Tables.at(tables), layout.Inputs.at(np.array(inputs))
+    found = layout.Outputs.at(np.array(outputs))
+    out, sign = found.left[SIDES[side]], 1.0 if side == "right" else -1.0
+    point = np.array([0.0, sign * settings.pairs[SIDES[side]].rail_y + getattr(given, f"{side}_rail_lateral"),
+                      getattr(given, f"{side}_rail_vertical")])
+    centre = np.array([0.0, given.lateral_shift, found.vertical_shift - settings.height])
+    force = np.array(out.force[:])
+    return -force, -(np.array(out.moment[:]) + np.cross(centre - point, force))
