@@ -87,7 +87,7 @@ def trace_constant_curvatures(A, B, force, strips=10, sweeps=6, depth=1.0, share
 def sweep_constant_curvatures(tables, work, force):
     """Penetration [m], area [m2] and peak pressure [Pa] (3,) after all sweeps under ``force`` [N]."""
     contact, side = work.contact, work.sides[1]
-    penetration = sweep_strips(tables.pairs[1], contact, 0, tables.sweeps, force, False)
+    penetration = sweep_strips(tables.pairs[1], contact, tables.sweeps, force, False)
     fill_from_strips(tables, contact, side, 1)
     assert side.patch_count == 1
     np.testing.assert_allclose(side.totals.load, force, rtol=1e-12)
