@@ -23,7 +23,7 @@ What Pyccel writes is tidied like this:
 * ``unit.c`` also defines the fingerprint of the modules (wrcontact/kernel/binding/files.py).
 
 The steps are the files of tools/transpile: ``modules`` reads the Python, ``translator`` runs Pyccel, ``tidy``
-writes the C of one module and ``units`` all files.
+writes the C of one module, ``lanes`` gives rates their type, and ``units`` writes all files.
 
 Before Pyccel the end of a range gets a name (``for k in range(int(work[3]))`` ends at ``k_end``) where the
 loop might change it: C reads it anew in each turn, Python once.

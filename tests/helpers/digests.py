@@ -27,7 +27,7 @@ import wrcontact
 from tests.helpers.paths import HELPERS
 from wrcontact.interface.inputs import INPUT_NAMES, INPUTS
 from wrcontact.kernel import layout
-from wrcontact.kernel.binding.compiler import FLAGS, KERNEL_UNITS, ZIG, compile_library
+from wrcontact.kernel.binding.compiler import FLAGS, FMU_UNITS, ZIG, compile_library
 from wrcontact.kernel.binding.files import HERE, host_platform
 from wrcontact.kernel.binding.fixed_tables import fixed_tables
 from wrcontact.kernel.binding.library import Kernel, declare, default_kernel
@@ -165,7 +165,7 @@ def emulated(name, count=POSES):
     rows = poses(count)
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder, "digest_host.exe")
-        sources = [str(HELPERS / "digest_host.c"), *(str(HERE.parent / unit) for unit in KERNEL_UNITS)]
+        sources = [str(HELPERS / "digest_host.c"), *(str(HERE.parent / unit) for unit in FMU_UNITS)]
         target, *flags = TARGETS[name]
         subprocess.run([*ZIG, "-target", target, *flags, *(flag for flag in FLAGS if flag != "-fPIC"),
                         "-I", str(HERE.parent), *sources, "-o", str(program)], check=True)

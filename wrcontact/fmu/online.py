@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 from ..interface.references import LIST
-from ..kernel.binding.compiler import KERNEL_UNITS, CompilerProblem, compile_platform, has_zig
+from ..kernel.binding.compiler import FMU_UNITS, CompilerProblem, compile_platform, has_zig
 from ..kernel.binding.files import LIBRARY_NAME, library_name
 from ..kernel.binding.fixed_tables import CORRECTION, FIXED
 from ..kernel.binding.library import HERE, LibraryUnusable, fingerprint, open_library
@@ -50,7 +50,7 @@ def compile_kernel(name):
     """The kernel's library for the platform ``name`` as bytes."""
     if f"INT64_C(0x{fingerprint():015x})" not in HERE.joinpath("generated", "unit.c").read_text():
         raise CompilerProblem("the kernel's generated C does not belong to this version of its source")
-    return compile_platform(name, PACKAGE, KERNEL_UNITS, Path(library_name(name)).stem)
+    return compile_platform(name, PACKAGE, FMU_UNITS, Path(library_name(name)).stem)
 
 
 def imported_from(file):

@@ -251,9 +251,10 @@ def declare(library):
     library.wrcontact_cut_patch.restype = library.wrcontact_solve_creep_force.restype = None
     library.wrcontact_derivative.argtypes, library.wrcontact_derivative.restype = [address] * 4, ctypes.c_int
     library.wrcontact_derivative_room.argtypes, library.wrcontact_derivative_room.restype = [], ctypes.c_int64
-    library.wrcontact_jacobian.argtypes = [address, ctypes.c_int64, address, address, address]
-    library.wrcontact_jacobian.restype = ctypes.c_int
-    library.wrcontact_jacobian_room.argtypes, library.wrcontact_jacobian_room.restype = [], ctypes.c_int64
+    if hasattr(library, "wrcontact_jacobian"):          # not in that of an FMU
+        library.wrcontact_jacobian.argtypes = [address, ctypes.c_int64, address, address, address]
+        library.wrcontact_jacobian.restype = ctypes.c_int
+        library.wrcontact_jacobian_room.argtypes, library.wrcontact_jacobian_room.restype = [], ctypes.c_int64
 
 
 def span(array):

@@ -3484,11 +3484,43 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
         {
             derivative_strip_lengths__correct_strip_t(work, work_t, tables, first, i, penetration, penetration_t, yawed);
         }
+        for (i = first + INT64_C(1); i < last; i += INT64_C(1))
+        {
+            derivative_strip_lengths__limit_axis_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)));
+        }
         derivative_strip_lengths__end_axis_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(2)));
         derivative_strip_lengths__end_axis_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(2)));
         derivative_strip_lengths__move_edges_t(tables, work, work_t, waves, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k, first, share, share_t);
         derivative_strip_lengths__finish_strips_t(work, work_t, tables, k);
     }
+    return INT64_C(0);
+}
+
+/* Derivative of ``limit_axis``. */
+static inline int64_t derivative_strip_lengths__limit_axis_t(array_double_1d work, array_lanes_1d work_t, int64_t before, int64_t strip, int64_t after)
+{
+    double v1;
+    lanes v1_t;
+    double v2;
+    double v3;
+    lanes v3_t;
+    v1 = (*cspan_at(&work, before + layout__STRIP_AXIS));
+    EACH_LANE each(v1_t) = each((*lanes_at(&work_t, before + layout__STRIP_AXIS)));
+    if ((*cspan_at(&work, after + layout__STRIP_AXIS)) > v1)
+    {
+        v1 = (*cspan_at(&work, after + layout__STRIP_AXIS));
+        EACH_LANE each(v1_t) = each((*lanes_at(&work_t, after + layout__STRIP_AXIS)));
+    }
+    v2 = strip_lengths__STEEP * v1;
+    v3 = (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
+    EACH_LANE each(v3_t) = each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_AXIS)));
+    if (v2 < v3)
+    {
+        v3 = v2;
+        EACH_LANE each(v3_t) = strip_lengths__STEEP * each(v1_t);
+    }
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_AXIS))) = each(v3_t);
+    (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = v3;
     return INT64_C(0);
 }
 
@@ -3657,9 +3689,9 @@ static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tab
     v12 = v10 / v11;
     lanes rates_1;
     EACH_LANE each(rates_1) = (each(share_t) * start + share * each(start_t) - v12 * each(v11_t)) / v11;
-    derivative_strip_lengths__edge_move_t(&v9, &v9_t, half, half_t, v12, rates_1);
-    EACH_LANE each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START))) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_START))) - each(v9_t);
-    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = (*cspan_at(&work, run + layout__STRIP_RUN_START)) - v9;
+    derivative_strip_lengths__edge_move_t(&v9, &v9_t, half, half_t, v12, rates_1, (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE)), (*lanes_at(&work_t, run + layout__STRIP_RUN_START_MOVE)));
+    EACH_LANE each((*lanes_at(&work_t, run + layout__STRIP_RUN_START_MOVE))) = each(v9_t);
+    (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE)) = v9;
     v14 = share * stop;
     v15 = high;
     EACH_LANE each(v15_t) = each(high_t);
@@ -3671,12 +3703,12 @@ static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tab
     v16 = v14 / v15;
     lanes rates_2;
     EACH_LANE each(rates_2) = (each(share_t) * stop + share * each(stop_t) - v16 * each(v15_t)) / v15;
-    derivative_strip_lengths__edge_move_t(&v13, &v13_t, half, half_t, v16, rates_2);
-    EACH_LANE each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP))) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_STOP))) + each(v13_t);
-    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) + v13;
+    derivative_strip_lengths__edge_move_t(&v13, &v13_t, half, half_t, v16, rates_2, (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE)), (*lanes_at(&work_t, run + layout__STRIP_RUN_STOP_MOVE)));
+    EACH_LANE each((*lanes_at(&work_t, run + layout__STRIP_RUN_STOP_MOVE))) = each(v13_t);
+    (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE)) = v13;
     k17 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START;
-    v18 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START));
-    EACH_LANE each(v18_t) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START)));
+    v18 = (*cspan_at(&work, run + layout__STRIP_RUN_START)) - (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE));
+    EACH_LANE each(v18_t) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_START))) - each((*lanes_at(&work_t, run + layout__STRIP_RUN_START_MOVE)));
     if ((*cspan_at(&work, k17)) > v18)
     {
         v18 = (*cspan_at(&work, k17));
@@ -3685,8 +3717,8 @@ static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tab
     EACH_LANE each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START))) = each(v18_t);
     (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = v18;
     k19 = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_STOP;
-    v20 = (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP));
-    EACH_LANE each(v20_t) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)));
+    v20 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) + (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE));
+    EACH_LANE each(v20_t) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_STOP))) + each((*lanes_at(&work_t, run + layout__STRIP_RUN_STOP_MOVE)));
     if ((*cspan_at(&work, k19)) < v20)
     {
         v20 = (*cspan_at(&work, k19));
@@ -3698,7 +3730,7 @@ static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tab
 }
 
 /* Derivative of ``edge_move``. */
-static inline int64_t derivative_strip_lengths__edge_move_t(double* v5, lanes* result_1, double half, lanes half_t, double away, lanes away_t)
+static inline int64_t derivative_strip_lengths__edge_move_t(double* move, lanes* move_t, double half, lanes half_t, double away, lanes away_t, double before, lanes before_t)
 {
     lanes far_t;
     double far;
@@ -3706,14 +3738,29 @@ static inline int64_t derivative_strip_lengths__edge_move_t(double* v5, lanes* r
     double v2;
     double v3;
     double v4;
+    double v5;
+    lanes known_t;
+    double known;
+    double v6;
+    double v7;
     EACH_LANE each(far_t) = each(away_t) / strip_lengths__FARTHEST_EDGE;
     far = away / strip_lengths__FARTHEST_EDGE;
     v1 = strip_lengths__FARTHEST_EDGE * half;
     v2 = v1 * far;
     v3 = 1.0 + far * far;
     v4 = sqrt(v3);
-    (*v5) = v2 / v4;
-    EACH_LANE each((*result_1)) = (strip_lengths__FARTHEST_EDGE * each(half_t) * far + v1 * each(far_t) - (*v5) * derivative_rates__root_rate(v4, each(far_t) * far + far * each(far_t))) / v4;
+    v5 = v2 / v4;
+    EACH_LANE each((*move_t)) = (strip_lengths__FARTHEST_EDGE * each(half_t) * far + v1 * each(far_t) - v5 * derivative_rates__root_rate(v4, each(far_t) * far + far * each(far_t))) / v4;
+    (*move) = v5;
+    if ((*move) * before < 0.0)
+    {
+        EACH_LANE each(known_t) = derivative_rates__size_rate(before, each(before_t)) + strip_lengths__SWING * each(half_t);
+        known = fabs(before) + strip_lengths__SWING * half;
+        v6 = known + fabs((*move));
+        v7 = known / v6;
+        EACH_LANE each((*move_t)) = each((*move_t)) * v7 + (*move) * ((each(known_t) - v7 * (each(known_t) + derivative_rates__size_rate((*move), each((*move_t))))) / v6);
+        (*move) = (*move) * v7;
+    }
     return 0;
 }
 
@@ -5387,6 +5434,10 @@ static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, arr
         (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = start;
         EACH_LANE each((*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP))) = each(stop_t);
         (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = stop;
+        (*lanes_at(&work_t, run + layout__STRIP_RUN_START_MOVE)) = all_lanes(0.0);
+        (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE)) = 0.0;
+        (*lanes_at(&work_t, run + layout__STRIP_RUN_STOP_MOVE)) = all_lanes(0.0);
+        (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE)) = 0.0;
         (*lanes_at(&work_t, run + layout__STRIP_RUN_ORIGIN)) = all_lanes(0.0);
         (*cspan_at(&work, run + layout__STRIP_RUN_ORIGIN)) = (double)(-INT64_C(1));
         (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = all_lanes(0.0);
@@ -5737,6 +5788,7 @@ static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, 
     int64_t pulling;
     int64_t i;
     int64_t before;
+    int64_t kept;
     int64_t last;
     double v2;
     lanes v2_t;
@@ -5762,8 +5814,13 @@ static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, 
         derivative_strip_runs__add_run_t(work, work_t, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))), (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)), (*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)));
         if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))) > before)
         {
-            (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before + layout__STRIP_RUN_ORIGIN)) = all_lanes(0.0);
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before + layout__STRIP_RUN_ORIGIN)) = (double)(k);
+            kept = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before;
+            (*lanes_at(&work_t, kept + layout__STRIP_RUN_ORIGIN)) = all_lanes(0.0);
+            (*cspan_at(&work, kept + layout__STRIP_RUN_ORIGIN)) = (double)(k);
+            EACH_LANE each((*lanes_at(&work_t, kept + layout__STRIP_RUN_START_MOVE))) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_START_MOVE)));
+            (*cspan_at(&work, kept + layout__STRIP_RUN_START_MOVE)) = (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE));
+            EACH_LANE each((*lanes_at(&work_t, kept + layout__STRIP_RUN_STOP_MOVE))) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_STOP_MOVE)));
+            (*cspan_at(&work, kept + layout__STRIP_RUN_STOP_MOVE)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE));
         }
     }
     else

@@ -408,8 +408,9 @@ static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetra
 /* derivative_strip_lengths.py */
 static inline int64_t derivative_strip_lengths__corrected_t(double* v3, lanes* result_1, double ratio, lanes ratio_t, double power, lanes power_t);
 static inline int64_t derivative_strip_lengths__correct_strip_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t first, int64_t i, double penetration, lanes penetration_t, bool yawed);
+static inline int64_t derivative_strip_lengths__limit_axis_t(array_double_1d work, array_lanes_1d work_t, int64_t before, int64_t strip, int64_t after);
 static inline int64_t derivative_strip_lengths__end_axis_t(array_double_1d work, array_lanes_1d work_t, int64_t strip, int64_t inner, int64_t second);
-static inline int64_t derivative_strip_lengths__edge_move_t(double* v5, lanes* result_1, double half, lanes half_t, double away, lanes away_t);
+static inline int64_t derivative_strip_lengths__edge_move_t(double* move, lanes* move_t, double half, lanes half_t, double away, lanes away_t, double before, lanes before_t);
 static inline int64_t derivative_strip_lengths__move_edges_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t run, int64_t first, double share, lanes share_t);
 static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t k);
 static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double penetration, lanes penetration_t, bool yawed, double share, lanes share_t);

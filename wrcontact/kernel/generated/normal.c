@@ -98,8 +98,9 @@ static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t
 /* normal/strip_lengths.py */
 static inline double strip_lengths__corrected(double ratio, double power);
 static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_double_1d tables, int64_t first, int64_t i, double penetration, bool yawed);
+static inline int64_t strip_lengths__limit_axis(array_double_1d work, int64_t before, int64_t strip, int64_t after);
 static inline int64_t strip_lengths__end_axis(array_double_1d work, int64_t strip, int64_t inner, int64_t second);
-static inline double strip_lengths__edge_move(double half, double away);
+static inline double strip_lengths__edge_move(double half, double away, double before);
 static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first, double share);
 static inline int64_t strip_lengths__finish_strips(array_double_1d work, array_double_1d tables, int64_t k);
 static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, bool yawed, double share);
@@ -2527,11 +2528,22 @@ static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array
         {
             strip_lengths__correct_strip(work, tables, first, i, penetration, yawed);
         }
+        for (i = first + INT64_C(1); i < last; i += INT64_C(1))
+        {
+            strip_lengths__limit_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (i + INT64_C(1)));
+        }
         strip_lengths__end_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(2)));
         strip_lengths__end_axis(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * last, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (last - INT64_C(2)));
         strip_lengths__move_edges(tables, work, waves, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k, first, share);
         strip_lengths__finish_strips(work, tables, k);
     }
+    return INT64_C(0);
+}
+
+/* No longer an axis than those beside it let expect, as they were in this sweep. */
+static inline int64_t strip_lengths__limit_axis(array_double_1d work, int64_t before, int64_t strip, int64_t after)
+{
+    (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = double_min(2, (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)), strip_lengths__STEEP * double_max(2, (*cspan_at(&work, before + layout__STRIP_AXIS)), (*cspan_at(&work, after + layout__STRIP_AXIS))));
     return INT64_C(0);
 }
 
@@ -2594,20 +2606,30 @@ static inline int64_t strip_lengths__move_edges(array_double_1d tables, array_do
     }
     least = strip_lengths__LEAST_ROOT * largest;
     half = 0.5 * ((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START)));
-    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = (*cspan_at(&work, run + layout__STRIP_RUN_START)) - strip_lengths__edge_move(half, share * start / double_max(2, low, least));
-    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) + strip_lengths__edge_move(half, share * stop / double_max(2, high, least));
+    (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE)) = strip_lengths__edge_move(half, share * start / double_max(2, low, least), (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE)));
+    (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE)) = strip_lengths__edge_move(half, share * stop / double_max(2, high, least), (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE)));
     /* no farther than wheel and rail are known */
-    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = double_max(2, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START)));
-    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = double_min(2, (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_STOP)));
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = double_max(2, (*cspan_at(&work, run + layout__STRIP_RUN_START)) - (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_START)));
+    (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = double_min(2, (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) + (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE)), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))) + layout__TRACED_STATION_REGION))) + layout__STRIP_ZONE_STOP)));
     return INT64_C(0);
 }
 
-/* How far outwards [m] an edge of a run ``half`` as wide moves, no more than FARTHEST_EDGE of that. */
-static inline double strip_lengths__edge_move(double half, double away)
+/* How far outwards [m] an edge of a run ``half`` as wide moves, no more than FARTHEST_EDGE of that; less
+ * where it moved to the other side ``before``, since beside a kink of the gap it would swing.
+ */
+static inline double strip_lengths__edge_move(double half, double away, double before)
 {
     double far;
+    double known;
+    double move;
     far = away / strip_lengths__FARTHEST_EDGE;
-    return strip_lengths__FARTHEST_EDGE * half * far / sqrt(1.0 + far * far);
+    move = strip_lengths__FARTHEST_EDGE * half * far / sqrt(1.0 + far * far);
+    if (move * before < 0.0)
+    {
+        known = fabs(before) + strip_lengths__SWING * half;
+        move *= known / (known + fabs(move));
+    }
+    return move;
 }
 
 /* Half-lengths, stations and pressures after this sweep of the strips of run ``k``. */
@@ -3612,6 +3634,8 @@ static inline int64_t strip_runs__add_run(array_double_1d work, int64_t low, int
         (*cspan_at(&work, run + layout__STRIP_RUN_HIGH)) = (double)(high);
         (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)) = start;
         (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)) = stop;
+        (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE)) = 0.0;
+        (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE)) = 0.0;
         (*cspan_at(&work, run + layout__STRIP_RUN_ORIGIN)) = (double)(-INT64_C(1));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)) = (double)(at + INT64_C(1));
     }
@@ -3824,6 +3848,7 @@ static inline int64_t strip_runs__part_run(array_double_1d tables, array_double_
     int64_t pulling;
     int64_t i;
     int64_t before;
+    int64_t kept;
     int64_t last;
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
@@ -3843,7 +3868,10 @@ static inline int64_t strip_runs__part_run(array_double_1d tables, array_double_
         strip_runs__add_run(work, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))), (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)));
         if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))) > before)
         {
-            (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before + layout__STRIP_RUN_ORIGIN)) = (double)(k);
+            kept = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before;
+            (*cspan_at(&work, kept + layout__STRIP_RUN_ORIGIN)) = (double)(k);
+            (*cspan_at(&work, kept + layout__STRIP_RUN_START_MOVE)) = (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE));
+            (*cspan_at(&work, kept + layout__STRIP_RUN_STOP_MOVE)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE));
         }
     }
     else

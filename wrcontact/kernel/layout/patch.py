@@ -246,6 +246,8 @@ class StripRun:
     stop: float
     next_start: float               # and after this sweep
     next_stop: float
+    start_move: float               # how far outwards the edges have moved in this sweep [m]
+    stop_move: float
     origin: int                     # the run of the sweep before whose strips it has; -1: it has new ones
     gaps: FineRow                   # share times sunk depth, less the overlap, at its fine strips [m]
 

@@ -1,7 +1,7 @@
 """Half-lengths, middles and edges of the strips: from what they displace near their ends, eqs. (S6)-(S8), and
 from where their pressures end, eq. (S14)."""
 
-from math import pi, sqrt
+from math import fabs, pi, sqrt
 from typing import Final
 
 from ..contact.pressed import limited
@@ -19,11 +19,15 @@ FLATTEST: Final[float] = 0.1
 #: The outermost axes of a run, which follow from the next two, over the next one.
 LEAST_END: Final[float] = 0.6
 MOST_END: Final[float] = 1.6
+#: Largest axis over the longer one beside it.
+STEEP: Final[float] = 1.5
 #: Smallest axis over the largest one of its run.
 FLAT: Final[float] = 0.05
 #: Share of the move of an edge that is taken, and the farthest one, of half the run.
 RELAXED: Final[float] = 0.5
 FARTHEST_EDGE: Final[float] = 0.25
+#: Moves to and fro that are shorter than this, of half the run, are no swing.
+SWING: Final[float] = 0.05
 #: The regular part of a pressure beside an edge is no less than this share of its largest value.
 LEAST_ROOT: Final[float] = 0.05
 
@@ -64,10 +68,17 @@ def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, y
         last = first + waves.count - 1
         for i in range(1, waves.count - 1):
             correct_strip(tables, problem, first, i, penetration, yawed)
+        for i in range(first + 1, last):
+            limit_axis(problem.strips[i - 1], problem.strips[i], problem.strips[i + 1])
         end_axis(problem.strips[first], problem.strips[first + 1], problem.strips[first + 2])
         end_axis(problem.strips[last], problem.strips[last - 1], problem.strips[last - 2])
         move_edges(problem, waves, problem.runs[k], first, share)
         finish_strips(tables, problem, k)
+
+
+def limit_axis(before: Strip, strip: Strip, after: Strip):
+    """No longer an axis than those beside it let expect, as they were in this sweep."""
+    strip.next_axis = min(strip.next_axis, STEEP * max(before.axis, after.axis))
 
 
 def end_axis(strip: Strip, inner: Strip, second: Strip):
@@ -104,17 +115,22 @@ def move_edges(problem: StripProblem, waves: Waves, run: StripRun, first: int, s
             high = root
     least = LEAST_ROOT * largest
     half = 0.5 * (run.stop - run.start)
-    run.next_start = run.start - edge_move(half, share * start / max(low, least))
-    run.next_stop = run.stop + edge_move(half, share * stop / max(high, least))
+    run.start_move = edge_move(half, share * start / max(low, least), run.start_move)
+    run.stop_move = edge_move(half, share * stop / max(high, least), run.stop_move)
     # no farther than wheel and rail are known
-    run.next_start = max(run.next_start, problem.zones[problem.traced[run.low].region].start)
-    run.next_stop = min(run.next_stop, problem.zones[problem.traced[run.high].region].stop)
+    run.next_start = max(run.start - run.start_move, problem.zones[problem.traced[run.low].region].start)
+    run.next_stop = min(run.stop + run.stop_move, problem.zones[problem.traced[run.high].region].stop)
 
 
-def edge_move(half: float, away: float):
-    """How far outwards [m] an edge of a run ``half`` as wide moves, no more than FARTHEST_EDGE of that."""
+def edge_move(half: float, away: float, before: float):
+    """How far outwards [m] an edge of a run ``half`` as wide moves, no more than FARTHEST_EDGE of that; less
+    where it moved to the other side ``before``, since beside a kink of the gap it would swing."""
     far = away / FARTHEST_EDGE
-    return FARTHEST_EDGE * half * far / sqrt(1.0 + far * far)
+    move = FARTHEST_EDGE * half * far / sqrt(1.0 + far * far)
+    if move * before < 0.0:
+        known = fabs(before) + SWING * half
+        move *= known / (known + fabs(move))
+    return move
 
 
 def finish_strips(tables: Tables, problem: StripProblem, k: int):

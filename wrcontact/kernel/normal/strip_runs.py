@@ -155,6 +155,8 @@ def add_run(problem: StripProblem, low: int, high: int, start: float, stop: floa
         run.high = high
         run.next_start = start
         run.next_stop = stop
+        run.start_move = 0.0
+        run.stop_move = 0.0
         run.origin = -1
         problem.next_count = at + 1
 
@@ -279,7 +281,10 @@ def part_run(problem: StripProblem, waves: Waves, k: int, largest: float):
         before = problem.next_count
         add_run(problem, run.low, run.high, run.next_start, run.next_stop)
         if problem.next_count > before:
-            problem.next_runs[before].origin = k
+            kept = problem.next_runs[before]
+            kept.origin = k
+            kept.start_move = run.start_move
+            kept.stop_move = run.stop_move
     else:
         i = 0
         while i < count:
