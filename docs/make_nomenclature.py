@@ -54,10 +54,10 @@ KERNEL = (
      "slope dx/ds of the line on which the gap of a yawed wheel is smallest", "7.5"),
     ("W", "Region.width_low, Region.width_high", "m", "half-width of the interpenetration", "8.1"),
     ("κ", "", "1/m", "curvature of a profile", "8.9"),
-    ("q", "SolvedStrip.line_load", "N/m", "line load: normal force for each width of a patch", "S6"),
-    ("a²", "SolvedStrip.half_length_square", "m2", "square of the half-length of a strip", "S8"),
-    ("p²", "SolvedStrip.pressure_square", "Pa2", "square of the pressure on the middle of a strip", "S8"),
-    ("h", "SolvedStrip.width", "m", "width of a strip", "S1"),
+    ("q", "SolvedStrip.line_load", "N/m", "line load: normal force for each width of a patch", "S5"),
+    ("a²", "SolvedStrip.half_length_square", "m2", "square of the half-length of a strip", "S6"),
+    ("p²", "SolvedStrip.pressure_square", "Pa2", "square of the pressure on the middle of a strip", "S13"),
+    ("w", "SolvedStrip.width", "m", "width of a strip", "S4"),
     ("Φ", "", "1", "influence of a strip on a place beside it", "S2"),
 )
 

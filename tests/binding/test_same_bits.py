@@ -13,7 +13,7 @@ METHODS = [
     {},
     {"normal_model": "hertz", "longitudinal_curvature": "basic", "stations": 7},
     {"normal_model": "analyn_strip", "stations": 61},
-    {"normal_model": "analyn_strip", "nodes": 38, "strips": 33, "sweeps": 3},
+    {"normal_model": "analyn_strip", "nodes": 38, "strips": 13, "sweeps": 7},
     {"separation": "equidistant", "normal_model": "analyn_strip"},
     *(form for form in FORMS if "lateral_curvature" not in form)]
 #: The uncompiled kernel prepares their tables for seconds.

@@ -94,8 +94,9 @@ PARAMETERS = {
 CLOSE = (1e-8, 1e-7, 1e-6, 1e-5, 1e-4)
 #: 99 % of all derivatives are so near to a central difference, of their size or of a twentieth of the nominal
 #: one: what differences are good for, which near the many edges of FaStrip's stick zones is less.  Measured
-#: are 2e-8 to 3e-7; with vertical loads, which are met to 1e-9, 1.1e-6 for fastsim; for fastrip at most 3e-6.
-MOST = {"polach": 1e-6, "strips": 1e-6, "fastsim": 2e-6, "fastrip": 5e-6}
+#: are 2e-8 to 3e-7; with vertical loads, which are met to 1e-9, 1.1e-6 for fastsim and strips; for fastrip at
+#: most 3e-6.
+MOST = {"polach": 1e-6, "strips": 1.5e-6, "fastsim": 2e-6, "fastrip": 5e-6}
 #: What is beyond this has a kink within the steps; elsewhere rounding leaves less over the smallest steps.
 KINK = 1e-4
 #: Cases that each run of the tests has; the others are full.

@@ -4,6 +4,7 @@ from collections import namedtuple
 
 from tests.helpers.paths import ROOT
 from tests.helpers.planted_laws import LAWS
+from tests.helpers.planted_strips import STRIP_LAWS
 
 #: ``old`` occurs once in the kernel, and is replaced by ``new``; the tests in the room or the file
 #: ``first`` run before all others. ``module`` is the flat name of the kernel's file, or the path of a
@@ -47,9 +48,6 @@ ERRORS = [
           "normal"),
     Error("early_end", "NEARLY_SHARP: Final[float] = 1e-9", "NEARLY_SHARP: Final[float] = 1e-4",
           "Newton's method for the force gives up some steps early", "normal"),
-    Error("strip_near", "return (far * outer - near * inner) / strip.breadth",
-          "return 0.5 * (far * outer - near * inner) / strip.breadth",
-          "neighbouring strips press each other down by half as much", "normal"),
     Error("elastic_loads", "outcome = balance_side(tables, work, 1, right, height)",
           "outcome = balance_side(tables, work, 1, left, height)",
           "the right elastic wheel carries the left one's load", "wheelset"),
@@ -140,7 +138,7 @@ ERRORS = [
     Error("drawn_bound", "low = min(max(low, start), stop)", "low = max(max(low, start), stop)",
           "the search takes the bends at the end of a profile for those of a stretch", "search",
           "prepare_scan"),
-    *(Error(*law) for law in LAWS),
+    *(Error(*law) for law in (*LAWS, *STRIP_LAWS)),
 ]
 
 

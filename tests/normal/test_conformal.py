@@ -29,10 +29,10 @@ def errors_at(model, row):
 @pytest.mark.parametrize("model, mean, worst", [
     # the reference's grid is good to 0.2 % in N and 1 % in area; at 2 degrees of yaw another half-space
     # theory finds 2 % more area than the reference
-    # measured 0.20, 1.17, 1.33, 0.27, 0.33 % in the mean, 0.55, 3.7, 5.3, 0.63, 1.3 % at worst: pressures are
-    # worse than with strips that do not reach over the whole overlap (0.84 and 3.9 %), most at 6.2 mm and
-    # 1 degree of yaw; 28 strips have 0.87 and 3.3 %
-    ("analyn_strip", (0.0026, 0.0138, 0.0172, 0.0034, 0.0039), (0.0083, 0.0555, 0.080, 0.0095, 0.0150)),
+    # measured 0.17, 1.10, 0.69, 0.21, 0.35 % in the mean, 0.49, 2.2, 4.5, 1.1, 1.8 % at worst: the force's
+    # direction at 6.0 mm and 2 degrees of yaw, where the patch lies in two places and the half-space has as
+    # much, otherwise 0.24 and 0.34 %; the pressure at 6.2 mm and 1 degree, otherwise 0.7 %
+    ("analyn_strip", (0.0026, 0.0138, 0.0093, 0.0031, 0.0039), (0.0074, 0.033, 0.0535, 0.0167, 0.027)),
     ("analyn", (0.03, 0.07, 0.035, 0.03, 0.02), (0.06, 0.20, 0.08, 0.07, 0.06)),
     # CONTACT counts cells, which gives 0.5 ... 1 % more area than the edge within the cells, and warns of its
     # own curve in yawed rows beyond 0.025 rad; on a flange the direction of its force is off by 0.6 degrees
@@ -56,18 +56,18 @@ SUNK = {"wide": ((6.24e-3, 0.0, 120e3), (115.1e-6, 154e-6, 1754e6)),
 @pytest.mark.parametrize("name", SUNK)
 @pytest.mark.parametrize("model", ["analyn_strip", pytest.param("halfspace", marks=pytest.mark.full)])
 def test_a_rigid_wheel_sinks_straight_down(model, name):
-    """Strips have 4.7 % too much area in the patch that lies in two places."""
+    """Strips have 0.12, 1.65 and 1.27 % at most."""
     (shift, yaw, force), wanted = SUNK[name]
     side = system_of(model).evaluate(shift, math.radians(yaw), force, side="right").right
-    near = (2e-3, 0.012, 2e-3) if model == "halfspace" else (0.01, 0.03 if yaw == 0 else 0.055, 0.04)
+    near = (2e-3, 0.012, 2e-3) if model == "halfspace" else (2e-3, 0.025, 0.02)
     for found, value, allowed in zip((side.penetration, side.area, side.max_pressure), wanted, near):
         assert found == pytest.approx(value, rel=allowed)
     assert side.normal_force == pytest.approx(force, rel=1e-6)
 
 
 def test_a_rigid_wheel_is_a_compliant_one_where_it_has_sunk():
-    """Within what two layouts of 24 strips differ by: on one wheel at the height that its penetration
-    says."""
+    """At the height that its penetration says: measured 0.6 and 3.2 %, since the first strips begin at other
+    levels."""
     for pose in random_poses(40, 61, low=2e4):
         shift, yaw, force = pose[[layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_NORMAL_FORCE]]
         rigid = system_of().evaluate(shift, yaw, force)
@@ -76,16 +76,18 @@ def test_a_rigid_wheel_is_a_compliant_one_where_it_has_sunk():
             height = rigid.vertical_shift + side.penetration / math.cos(side.contact_angle)
             stands = getattr(system_of(contact_mode="compliant").evaluate(
                 shift, yaw, vertical_shift_input=height, roll_input=rigid.roll), name)
-            assert stands.normal_force == pytest.approx(force, rel=0.025), (name, *pose)
+            assert stands.normal_force == pytest.approx(force, rel=9e-3), (name, *pose)
             assert stands.max_pressure == pytest.approx(side.max_pressure, rel=0.05), (name, *pose)
 
 
-@pytest.mark.parametrize("model", ["analyn", "analyn_strip"])
-def test_nothing_jumps_where_a_patch_begins_to_turn(model):
+@pytest.mark.parametrize("model, steps", [
+    # measured 1.3e-4, 4.9e-4, 3.7e-4
+    ("analyn_strip", (2e-4, 7.5e-4, 6e-4)), ("analyn", (2e-3, 1e-2, 1e-2))])
+def test_nothing_jumps_where_a_patch_begins_to_turn(model, steps):
     """Through 15 degrees between the normals, and through the conformal zone, in steps of 0.5 um: no step of
     the load at one depth."""
     shifts = np.arange(5.9e-3, 5.95e-3, 0.5e-6)
     table = system_of(model, contact_mode="rigid").evaluate_many(shifts, 0.0, 78.5e3)
-    for name, allowed in (("penetration", 2e-3), ("area", 1e-2), ("max_pressure", 1e-2)):
+    for name, allowed in zip(("penetration", "area", "max_pressure"), steps):
         values = getattr(table.right, name)
         assert np.abs(np.diff(values) / values[1:]).max() < allowed, name

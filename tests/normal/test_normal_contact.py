@@ -111,8 +111,8 @@ def test_hertz_model_is_hertz_with_the_curvatures_at_the_contact(shift):
 
 
 @pytest.mark.parametrize("model, penetration, area, pressure, centroid", [
-    # measured 0.58, 1.39, 3.34 % and 0.29 mm on a tread patch 20 mm wide; 0.38, 0.90, 0.47 % and 0.021 mm
-    ("analyn", 0.0088, 0.0209, 0.048, 4.3e-4), ("analyn_strip", 0.0058, 0.0134, 0.0071, 3.1e-5)])
+    # measured 0.58, 1.39, 3.34 % and 0.29 mm on a tread patch 20 mm wide; 0.12, 0.54, 0.68 % and 0.032 mm
+    ("analyn", 0.0088, 0.0209, 0.048, 4.3e-4), ("analyn_strip", 0.0017, 0.0081, 0.0102, 4.8e-5)])
 @pytest.mark.parametrize("case", planar_cases(), ids=lambda case: f"{case['y_ws_mm']}mm")
 def test_complete_theory_on_the_planar_gap(case, model, penetration, area, pressure, centroid):
     """CONTACT's frictionless solution for the gap in the tangent plane, whose area follows elements of 0.1 mm
@@ -137,9 +137,8 @@ def test_complete_theory_on_the_planar_gap(case, model, penetration, area, press
 @pytest.mark.parametrize("model, mean, worst", [
     # measured 0.71, 1.29, 0.72 % and 1.29, 6.48, 3.21 %
     ("analyn", (0.0092, 0.0168, 0.0094), (0.0194, 0.0972, 0.0481)),
-    # measured 0.36, 0.55, 0.54 % and 0.99, 0.84, 2.54 %; the pressure was 0.33 and 0.87 % with strips that do
-    # not reach over the whole overlap: at 6.5 mm and 2 degrees of yaw it is 2.5 % low (0.03 % with 48 strips)
-    ("analyn_strip", (0.0045, 0.0072, 0.0070), (0.0147, 0.0126, 0.0381)),
+    # measured 0.22, 0.44, 0.42 % and 0.72, 0.97, 0.78 %
+    ("analyn_strip", (0.0033, 0.0066, 0.0063), (0.0108, 0.0146, 0.0117)),
     # measured 0.20, 0.24, 0.11 % and 0.57, 1.05, 0.30 %
     ("halfspace", (0.0027, 0.0032, 0.0014), (0.0086, 0.0158, 0.0045)),
 ])

@@ -77,9 +77,9 @@ def test_light_loads_are_ellipses(force, yaw):
         assert single.mean() > 0.97
         peak = here.max_pressure * here.area / force
         assert np.all(peak[single] > 1.4) and np.all(peak[single] < 1.6)
-        # measured 0.25, 0.52, 0.13 % in the mean and 1.31, 2.27, 3.18 % at most
-        for name, mean, allowed in (("penetration", 0.0033, 0.0197), ("area", 0.0068, 0.034),
-                                    ("max_pressure", 0.0017, 0.048)):
+        # measured 0.04, 0.07, 0.09 % in the mean and 0.30, 1.40, 3.20 % at most
+        for name, mean, allowed in (("penetration", 6e-4, 0.0045), ("area", 1.1e-3, 0.021),
+                                    ("max_pressure", 1.35e-3, 0.048)):
             ratio = getattr(here, name) / getattr(there, name)
             difference = np.abs(ratio[single] - 1)
             assert difference.mean() < mean, name
@@ -88,24 +88,24 @@ def test_light_loads_are_ellipses(force, yaw):
 
 @pytest.mark.parametrize("shift, yaw", [(0.0, 0.0), (1e-3, 0.01), (4e-3, -0.02), (6e-3, 0.0), (6.5e-3, 0.02)])
 def test_light_loads_scale_like_hertz(shift, yaw):
-    """Penetration and area with N^(2/3), pressure with N^(1/3), over nine decades."""
+    """Penetration and area with N^(2/3), pressure with N^(1/3), over six decades; measured 1.4e-4."""
     forces = np.geomspace(1e-6, 1.0, 13)
     side = system_of().evaluate_many(shift, yaw, forces).right
     for name, power in zip(NAMES, (2 / 3, 2 / 3, 1 / 3)):
         constant = getattr(side, name) / forces**power
-        np.testing.assert_allclose(constant / constant[0], 1.0, atol=0.01)
+        np.testing.assert_allclose(constant / constant[0], 1.0, atol=2.1e-4)
 
 
 # --- prescribed penetration -----------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("model, middle, most, worst", [
-    # measured 0.10, 0.59, 1.9 % with strips
-    ("analyn_strip", 1.3e-3, 7.6e-3, 0.028), ("analyn", 2e-3, 0.03, 0.1)])
+    # measured 0.0014, 0.11, 0.40 % with strips
+    ("analyn_strip", 2.2e-5, 1.7e-3, 6e-3), ("analyn", 2e-3, 0.03, 0.1)])
 def test_prescribed_penetration_is_the_inverse(model, middle, most, worst):
     """The first strips lie over what overlaps at the estimated penetration in one case, and at the prescribed
-    one in the other: 1 % of the load, more only where a region appears. So does the window over which ANALYN
-    takes its lateral curvature: a few per cent of it, and much less of the force."""
+    one in the other: some parts of a thousand of the load, where a region appears. So does the window over
+    which ANALYN takes its lateral curvature: a few per cent of it, and much less of the force."""
     ratios = []
     for shift, yaw, force in random_poses(150, 45, low=1e3)[:, POSE]:
         one = system_of(model).evaluate(shift, yaw, force)
@@ -138,9 +138,11 @@ def test_a_region_that_is_deeper_than_estimated_takes_up_load(pose, side):
     """By the half-space; the strips find it where they are given the same penetration."""
     truth = getattr(system_of("halfspace").evaluate(*pose), side)
     back = system_of().evaluate(*pose[:2], penetration=truth.penetration, side=side, outputs="patches")
-    assert getattr(back, side).normal_force == pytest.approx(pose[2], rel=0.02)
+    assert getattr(back, side).normal_force == pytest.approx(pose[2], rel=7e-3)
     error = errors(getattr(system_of().evaluate(*pose), side), truth)
-    assert np.all(np.abs(error) < (0.01, 0.05, 0.03)), error
+    # measured 0.12, 0.73 and 3.8 %: the peak of the first pose lies on a joint of arcs in a patch over both
+    # regions; 12 strips have 1.1 % there
+    assert np.all(np.abs(error) < (1.8e-3, 0.011, 0.056)), error
 
 
 @pytest.mark.parametrize("model", ["analyn", "analyn_strip"])
@@ -211,16 +213,19 @@ ROUGH = {
     "the rigid contact jumps, or moves a millimetre in 10 um": [(6.04, 6.30)],
     "the contact passes a joint of the flange's arcs: the half-space moves that fast too": [(6.33, 6.44)],
 }
-#: The same with strips, which see the second region a little longer.
-ROUGH_STRIPS = [(-0.10, -0.02), (4.60, 4.72)]
-#: Of their area and width also, where a strip at the edge takes up load or loses it: its half-length does not
-#: begin at zero. The area steps by 1.1 % at most, the width by 1.5 %. At 2.56 mm such a strip of the first
-#: layout moves the second one: penetration and pressure step by 0.4 and 0.3 %. Strips with planes had two
-#: such places of the area.
-ROUGH_EDGES = {"area": [(5.61, 5.66), (5.73, 5.78), (6.30, 6.32)],
-               "patch_width": [(-1.30, -1.19), (2.54, 2.61), (5.62, 5.66), (5.76, 5.78)]}
-#: Second differences there, of two steps after each other; measured 1.8 %.
+#: The same with strips, at the same places, but narrower.
+ROUGH_STRIPS = [(-0.37, -0.33), (0.18, 0.27), (4.41, 4.58), (4.77, 4.90), (5.34, 5.58), (6.13, 6.31),
+                (6.34, 6.46)]
+#: Of area, peak and width also where the patch's edge passes the joint of the wheel's arcs, from -1.09 mm on,
+#: and where the second part of a patch becomes a run of its own, from 5.58 mm on.
+ROUGH_EDGES = {"area": [(-1.09, -1.01)], "max_pressure": [(-1.09, -1.01), (5.66, 5.72)],
+               "patch_width": [(5.58, 5.66)]}
+#: Second differences there; measured 1.5 %.
 ROUGHEST_EDGE = 0.02
+#: The median everywhere; measured 2.4e-5 and 1.7e-5, both of the width.
+MEDIAN = {"analyn": 3.7e-5, "analyn_strip": 2.6e-5}
+#: Share of the shifts in windows.
+ROUGH_SHARE = {"analyn": 0.17, "analyn_strip": 0.1}
 
 
 def roughness(model, yaw, name):
@@ -236,22 +241,20 @@ def roughness(model, yaw, name):
 @pytest.mark.parametrize("yaw", [0.0, 0.01])
 @pytest.mark.parametrize("model", ["analyn", "analyn_strip"])
 def test_outputs_move_smoothly(model, yaw, name):
-    """Second differences over 10 um below 1 % but for named places, the median 1e-4 or less."""
+    """Second differences over 10 um below 1 % but for named places, the median some 1e-5."""
     rough = roughness(model, yaw, name)
-    windows = sum(ROUGH.values(), [])
+    windows, edges = sum(ROUGH.values(), []), []
     if model == "analyn_strip":
-        windows += ROUGH_STRIPS
-    named = len(windows)
-    if model == "analyn_strip":
-        windows += ROUGH_EDGES.get(name, [])
+        windows, edges = ROUGH_STRIPS, ROUGH_EDGES.get(name, [])
     shift = SWEEP[1:-1] * 1e3
-    inside = np.any([(shift >= low) & (shift <= high) for low, high in windows], axis=0)
-    plain = np.any([(shift >= low) & (shift <= high) for low, high in windows[:named]], axis=0)
-    assert np.all(rough[inside & ~plain] < ROUGHEST_EDGE)
+    named, beside = (np.any([(shift >= low) & (shift <= high) for low, high in [(9.0, 9.0), *places]], axis=0)
+                     for places in (windows, edges))
+    assert np.all(rough[beside & ~named] < ROUGHEST_EDGE)
+    inside = named | beside
     worst = np.argmax(np.where(inside, 0.0, rough))
     assert rough[~inside].max() < 0.01, (shift[worst], rough[worst])
-    assert np.median(rough) < 1e-4
-    assert inside.mean() < 0.25
+    assert np.median(rough) < MEDIAN[model]
+    assert inside.mean() < ROUGH_SHARE[model]
 
 
 @pytest.mark.parametrize("model", ["analyn", "analyn_strip"])

@@ -28,9 +28,9 @@ def errors_at(model, shifts):
 
 @pytest.mark.full
 @pytest.mark.parametrize("model, worst",
-                         [("analyn", (0.05, 0.08, 0.09)), ("analyn_strip", (0.012, 0.04, 0.034))])
+                         [("analyn", (0.05, 0.08, 0.09)), ("analyn_strip", (0.0035, 0.031, 0.018))])
 def test_half_space_where_a_region_appears(model, worst):
-    """Strips measure 1.0, 2.9 and 3.1 % at most."""
+    """Strips measure 0.23, 2.1 and 1.2 % at most."""
     error = np.abs(errors_at(model, HARD))
     assert np.all(error.max(axis=0) <= worst), dict(zip(HARD, error.round(4).tolist()))
 
@@ -77,9 +77,10 @@ def test_half_space_on_random_poses(count, seed, material):
     are larger under the same force."""
     found, near, where = compare_on_random_poses(count, seed, **material)
     error = np.abs(found)
-    # measured 0.16, 0.32, 0.28 % on the first poses, 0.20, 0.40, 0.37 % on the thousand stored ones
-    assert np.all(error[~near].mean(axis=0) <= (0.0026, 0.0052, 0.0048)), error[~near].mean(axis=0)
-    for rows, limit in ((np.flatnonzero(~near), (0.02, 0.06, 0.06)),
-                        (np.flatnonzero(near), (0.03, 0.10, 0.35))):
+    # measured 0.04, 0.14, 0.12 % on the first poses, 0.03, 0.25, 0.22 % of aluminium
+    assert np.all(error[~near].mean(axis=0) <= (5.5e-4, 3.8e-3, 3.4e-3)), error[~near].mean(axis=0)
+    # measured 0.20, 3.4, 3.0 % at most on the longest run, near jumps 0.50, 5.0, 2.4 %
+    for rows, limit in ((np.flatnonzero(~near), (0.003, 0.05, 0.045)),
+                        (np.flatnonzero(near), (0.0076, 0.075, 0.036))):
         for row in rows:
             assert np.all(error[row] <= limit), (found[row].round(4), where[row])

@@ -99,7 +99,11 @@ def test_settings_are_the_parameters(prepared):
                   separation=methods["separation"], longitudinal=methods["longitudinal_curvature"],
                   lateral=methods["lateral_curvature"], tangential=methods["tangential_model"])
     np.testing.assert_allclose([getattr(tables, name) for name in wanted], list(wanted.values()), rtol=1e-15)
-    assert (tables.nodes, tables.stride, tables.strips, tables.sweeps) == tuple(system.resolution)
+    resolution = system.resolution
+    assert (tables.nodes, tables.stride, tables.sweeps) == (resolution.nodes, resolution.stride,
+                                                            resolution.sweeps)
+    if methods["normal_model"] == layout.MODEL_ANALYN_STRIP:
+        assert tables.waves.count == resolution.strips
     assert np.isnan(tables.penetration[:]).all()
     known = {**chosen, **methods, "tolerance": chosen["tolerance"] or 0.01}
     np.testing.assert_array_equal(tables.parameters[:], [known[name] for name in KERNEL_PARAMETERS])
@@ -116,7 +120,11 @@ def test_tables_lie_one_after_the_other(prepared):
     hertz, influence, starts, wheel, wheel_bends, rail, rail_bends, arc, at_arc, scan = places
     assert hertz == layout.SETTING_COUNT and places == sorted(places)
     np.testing.assert_array_equal(numbers[hertz:influence], hertz_table())
-    np.testing.assert_array_equal(numbers[influence:starts], influence_table())
+    waves = starts
+    if system.parameters["normal_model"] == "analyn_strip":
+        waves = layout.offset(tables.waves, numbers)
+        assert starts - waves == layout.WAVES_SIZE
+    np.testing.assert_array_equal(numbers[influence:waves], influence_table())
     assert wheel - starts == layout.STARTS_SIZE
     if system.parameters["lateral_curvature"] == "adaptive":
         assert wheel_bends == rail and rail_bends == arc

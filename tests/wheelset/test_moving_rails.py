@@ -128,8 +128,8 @@ def test_rolling_a_rail_is_another_inclination(name, pose):
         # contact does: the wheel touches first straight above, by each rail's own vertical; stations of
         # strips lie between the ends of the overlap: 6e-7 of the force
         assert mine.normal_force == pytest.approx(theirs.normal_force, rel=few if "strips" in name else 2e-7)
-        # strips end where the first estimate of the patch does, which knows down: a few millionths of it
-        assert mine.area == pytest.approx(theirs.area, rel=1e-5 if "strips" in name else 2e-7)
+        # and 5e-7 of the area
+        assert mine.area == pytest.approx(theirs.area, rel=1e-6 if "strips" in name else 2e-7)
         for name_of in ("x", "y", "z"):
             assert getattr(mine.force, name_of) == pytest.approx(getattr(theirs.force, name_of), rel=few,
                                                                  abs=1e-3)
@@ -150,7 +150,8 @@ def test_roll_and_height_over_rolled_rails_are_those_of_another_inclination(name
     over rails with this inclination."""
     found, wanted = over_rolled_rails(pose, {}, **METHODS[name])
     # nodes of patches are traced to 1e-6 m in either frame, which moves heights by its square over radii
-    near = 1e-12 if name == "rigid hertz" else 1e-11
+    # stations of strips lie between the ends of the overlap, which know down: 1.4e-10
+    near = {"rigid hertz": 1e-12, "elastic strips": 2.2e-10}.get(name, 1e-11)
     assert found.roll == pytest.approx(wanted.roll, abs=near)
     assert found.vertical_shift == pytest.approx(wanted.vertical_shift, abs=near)
 

@@ -109,7 +109,7 @@ STRIP_LADDER = {
     0.015: Resolution(8, 2, 8, 5),
     0.01: Resolution(8, 2, 10, 6),
     0.007: Resolution(8, 2, 10, 7),
-    0.004: Resolution(8, 2, 12, 9),
+    0.004: Resolution(8, 2, 14, 9),
 }
 
 
