@@ -11,7 +11,14 @@ from tests.helpers.constant_curvatures import (
     trace_constant_curvatures,
 )
 from wrcontact.kernel.normal import strip_pressures
-from wrcontact.kernel.normal.strip_lengths import TESTED, edge_move, end_axis, limit_axis, move_edges
+from wrcontact.kernel.normal.strip_lengths import (
+    TESTED,
+    correct_lengths,
+    edge_move,
+    end_axis,
+    limit_axis,
+    move_edges,
+)
 from wrcontact.kernel.normal.strip_runs import deepen_levels, lay_strips
 
 A, FORCE = 1.087, 78.5e3
@@ -247,3 +254,16 @@ def test_the_peak_of_a_gap_with_a_joint(at, allowed):
     20 sweeps, eq. (S13)."""
     few, many = peaks_at_a_joint(at, 8, 12), peaks_at_a_joint(at, 16, 20)
     assert few == pytest.approx(many, rel=allowed), few / many - 1
+
+
+def test_middles_beside_the_ridge_move_towards_it():
+    """Displacements are alike to both sides of middles that lie on one line, a little before the ridge:
+    by the gap alone they come back by 0.6 of the way, eq. (S7)."""
+    tables, work, exact = trace_constant_curvatures(A, A, FORCE)
+    problem = work.contact.strip_problem
+    for i in range(problem.count):
+        problem.strips[i].lead = 1e-4
+    lay_strips(problem, tables.waves, True)
+    strip_pressures.solve_pressures(tables, problem, work.contact.equations, FORCE, False, True)
+    correct_lengths(tables, problem, exact, True, 1.0)
+    np.testing.assert_allclose(strip_numbers(problem, "next_lead"), 4e-5, rtol=1e-6)
