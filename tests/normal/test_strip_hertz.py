@@ -11,7 +11,14 @@ from tests.helpers.constant_curvatures import (
     trace_constant_curvatures,
 )
 from wrcontact.kernel.normal import strip_pressures
-from wrcontact.kernel.normal.strip_lengths import TESTED, edge_move, end_axis, move_edges
+from wrcontact.kernel.normal.strip_lengths import (
+    TESTED,
+    correct_lengths,
+    edge_move,
+    end_axis,
+    limit_axis,
+    move_edges,
+)
 from wrcontact.kernel.normal.strip_runs import deepen_levels, lay_strips
 
 A, FORCE = 1.087, 78.5e3
@@ -138,8 +145,24 @@ def test_edges_move_to_where_a_line_contact_ends(shift):
 
 def test_no_edge_moves_far():
     """By no more than a quarter of half the run, the same way outwards and inwards; small moves in full."""
-    assert edge_move(2.0, 1e-4) == pytest.approx(2e-4, rel=1e-6)
-    assert edge_move(2.0, 1e6) == -edge_move(2.0, -1e6) == pytest.approx(0.5, rel=1e-9)
+    assert edge_move(2.0, 1e-4, 0.0) == pytest.approx(2e-4, rel=1e-6)
+    assert edge_move(2.0, 1e6, 0.3) == -edge_move(2.0, -1e6, -0.3) == pytest.approx(0.5, rel=1e-9)
+
+
+def test_an_edge_that_swings_swings_less():
+    """Back by no more than it came and a twentieth of half the run together; short moves are no swing."""
+    assert edge_move(2.0, 1e6, -0.1) == -edge_move(2.0, -1e6, 0.1) == pytest.approx(0.5 * 0.2 / 0.7, rel=1e-9)
+    assert edge_move(2.0, 1e-4, -1e-3) == pytest.approx(2e-4, rel=2e-3)
+
+
+def test_no_axis_is_much_longer_than_those_beside_it():
+    _, work, _ = trace_constant_curvatures(A, A, FORCE)
+    before, strip, after = (work.contact.strip_problem.strips[i] for i in range(3))
+    before.axis, after.axis = 2.0, 1.0
+    for wanted, found in ((9.0, 3.0), (2.9, 2.9)):
+        strip.next_axis = wanted
+        limit_axis(before, strip, after)
+        assert strip.next_axis == pytest.approx(found, rel=1e-12)
 
 
 @pytest.mark.parametrize("squeeze, sweeps, width, errors", [
@@ -231,3 +254,16 @@ def test_the_peak_of_a_gap_with_a_joint(at, allowed):
     20 sweeps, eq. (S13)."""
     few, many = peaks_at_a_joint(at, 8, 12), peaks_at_a_joint(at, 16, 20)
     assert few == pytest.approx(many, rel=allowed), few / many - 1
+
+
+def test_middles_beside_the_ridge_move_towards_it():
+    """Displacements are alike to both sides of middles that lie on one line, a little before the ridge:
+    by the gap alone they come back by 0.6 of the way, eq. (S7)."""
+    tables, work, exact = trace_constant_curvatures(A, A, FORCE)
+    problem = work.contact.strip_problem
+    for i in range(problem.count):
+        problem.strips[i].lead = 1e-4
+    lay_strips(problem, tables.waves, True)
+    strip_pressures.solve_pressures(tables, problem, work.contact.equations, FORCE, False, True)
+    correct_lengths(tables, problem, exact, True, 1.0)
+    np.testing.assert_allclose(strip_numbers(problem, "next_lead"), 4e-5, rtol=1e-6)
