@@ -1421,9 +1421,6 @@ static const double elastic__SAME_GAP = 1e-09;
 static const double elastic__COARSE = 2e-06;
 static const double elastic__LONGEST_MOVE = 0.0002;
 static const double elastic__SINGULAR = 0.02;
-static const double elastic__ALONG = 0.1;
-static const double elastic__LEAST_FACTOR = 0.4;
-static const double elastic__MOST_FACTOR = 2.5;
 static const double elastic__LEAST_LEVER = 0.01;
 
 /* wheelset/leaning.py */

@@ -24,7 +24,6 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, ar
 /* wheelset/elastic.py */
 static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d tables, array_double_1d work);
 static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, double arm, double rate);
-static inline int64_t elastic__corrected_row(double* result_0, double* result_1, double per_height, double per_roll, double move_height, double move_roll, double change);
 static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double height);
 static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, double rate);
 static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d tables, array_double_1d work, double roll);
@@ -854,55 +853,30 @@ static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, doub
  */
 static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double height)
 {
-    double left;
-    double right;
+    double before_left;
+    double before_right;
     double move_height;
     double move_roll;
-    left = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height;
-    right = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)) - height;
+    double size;
+    double off_left;
+    double off_right;
+    before_left = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT));
+    before_right = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT));
+    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height;
+    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)) - height;
     move_height = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
     move_roll = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL));
-    if ((move_height != 0.0) || (move_roll != 0.0))
-    {
-        elastic__corrected_row(cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT), cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)), move_height, move_roll, left - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)));
-        elastic__corrected_row(cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT), cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)), move_height, move_roll, right - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)));
-    }
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) = left;
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) = right;
-    return INT64_C(0);
-}
-
-/* Derivatives of a residual that has changed by ``change`` with a move.
- *
- * A side's residual follows its own approach, at a rate that hardly differs from trial to trial: where the
- * move was along that, both derivatives get the same factor. Else they change as little as explains the
- * change (Broyden 1965).
- */
-static inline int64_t elastic__corrected_row(double* result_0, double* result_1, double per_height, double per_roll, double move_height, double move_roll, double change)
-{
-    double predicted;
-    double size;
-    double along;
-    double factor;
-    double off;
-    predicted = per_height * move_height + per_roll * move_roll;
     size = move_height * move_height + move_roll * move_roll;
-    along = predicted * predicted;
-    if (along > elastic__ALONG * size * (per_height * per_height + per_roll * per_roll))
+    if (size > 0.0)
     {
-        factor = double_min(2, double_max(2, change / predicted, elastic__LEAST_FACTOR), elastic__MOST_FACTOR);
-        per_height *= factor;
-        per_roll *= factor;
+        off_left = ((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) - before_left - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) * move_height - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) * move_roll) / size;
+        off_right = ((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) - before_right - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) * move_height - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) * move_roll) / size;
+        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) += off_left * move_height;
+        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) += off_left * move_roll;
+        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) += off_right * move_height;
+        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) += off_right * move_roll;
     }
-    else
-    {
-        off = (change - predicted) / size;
-        per_height += off * move_height;
-        per_roll += off * move_roll;
-    }
-    (*result_0) = per_height;
-    (*result_1) = per_roll;
-    return 0;
+    return INT64_C(0);
 }
 
 /* The move of height and roll that lets the residuals vanish; whether there is one. */

@@ -46,11 +46,6 @@ LONGEST_MOVE: Final[float] = 2e-4
 #: Smallest determinant of the residuals' derivatives [-]; -(lever_left + lever_right) / arm
 #: to begin with, 0.3 ... 2.
 SINGULAR: Final[float] = 0.02
-#: Square of the cosine between a move and a residual's derivatives from which on they get a factor, and this
-#: within limits.
-ALONG: Final[float] = 0.1
-LEAST_FACTOR: Final[float] = 0.4
-MOST_FACTOR: Final[float] = 2.5
 #: Smallest sum of both levers [m] for a first estimate of the roll; flanges of 73 deg have none.
 LEAST_LEVER: Final[float] = 1e-2
 
@@ -178,38 +173,22 @@ def begin_derivatives(method: Broyden, supports: Supports, arm: float, rate: flo
 def update(method: Broyden, supports: Supports, height: float):
     """The residuals of a trial at ``height`` [m], and the derivatives that the last move has
     shown (Broyden 1965)."""
-    left = supports[0].height - height
-    right = supports[1].height - height
+    before_left = method.left
+    before_right = method.right
+    method.left = supports[0].height - height
+    method.right = supports[1].height - height
     move_height = method.move_height
     move_roll = method.move_roll
-    if move_height != 0.0 or move_roll != 0.0:
-        method.left_height, method.left_roll = corrected_row(method.left_height, method.left_roll,
-                                                             move_height, move_roll, left - method.left)
-        method.right_height, method.right_roll = corrected_row(method.right_height, method.right_roll,
-                                                               move_height, move_roll, right - method.right)
-    method.left = left
-    method.right = right
-
-
-def corrected_row(per_height: float, per_roll: float, move_height: float, move_roll: float, change: float):
-    """Derivatives of a residual that has changed by ``change`` with a move.
-
-    A side's residual follows its own approach, at a rate that hardly differs from trial to trial: where the
-    move was along that, both derivatives get the same factor. Else they change as little as explains the
-    change (Broyden 1965).
-    """
-    predicted = per_height * move_height + per_roll * move_roll
     size = move_height * move_height + move_roll * move_roll
-    along = predicted * predicted
-    if along > ALONG * size * (per_height * per_height + per_roll * per_roll):
-        factor = min(max(change / predicted, LEAST_FACTOR), MOST_FACTOR)
-        per_height *= factor
-        per_roll *= factor
-    else:
-        off = (change - predicted) / size
-        per_height += off * move_height
-        per_roll += off * move_roll
-    return per_height, per_roll
+    if size > 0.0:
+        off_left = (method.left - before_left - method.left_height * move_height
+                    - method.left_roll * move_roll) / size
+        off_right = (method.right - before_right - method.right_height * move_height
+                     - method.right_roll * move_roll) / size
+        method.left_height += off_left * move_height
+        method.left_roll += off_left * move_roll
+        method.right_height += off_right * move_height
+        method.right_roll += off_right * move_roll
 
 
 @seldom
