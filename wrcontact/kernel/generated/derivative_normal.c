@@ -3282,6 +3282,10 @@ static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetrati
     (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
     {
+        if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) == INT64_C(0))
+        {
+            break;
+        }
         last = sweep == sweeps - INT64_C(1);
         given = by_penetration;
         if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)) && (!last))
@@ -5733,6 +5737,14 @@ static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables
     {
         derivative_strip_runs__part_run_t(tables, work, work_t, waves, k, largest, largest_t);
     }
+    if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))) == INT64_C(0))
+    {
+        k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+        for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+        {
+            derivative_strip_runs__keep_run_t(work, work_t, k);
+        }
+    }
     k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
     for (k = INT64_C(0); k < k_end; k += INT64_C(1))
     {
@@ -5776,6 +5788,28 @@ static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables
     return INT64_C(0);
 }
 
+/* Derivative of ``keep_run``. */
+static inline int64_t derivative_strip_runs__keep_run_t(array_double_1d work, array_lanes_1d work_t, int64_t k)
+{
+    int64_t run;
+    int64_t before;
+    int64_t kept;
+    run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+    before = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
+    derivative_strip_runs__add_run_t(work, work_t, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))), (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)), (*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)));
+    if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))) > before)
+    {
+        kept = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before;
+        (*lanes_at(&work_t, kept + layout__STRIP_RUN_ORIGIN)) = all_lanes(0.0);
+        (*cspan_at(&work, kept + layout__STRIP_RUN_ORIGIN)) = (double)(k);
+        EACH_LANE each((*lanes_at(&work_t, kept + layout__STRIP_RUN_START_MOVE))) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_START_MOVE)));
+        (*cspan_at(&work, kept + layout__STRIP_RUN_START_MOVE)) = (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE));
+        EACH_LANE each((*lanes_at(&work_t, kept + layout__STRIP_RUN_STOP_MOVE))) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_STOP_MOVE)));
+        (*cspan_at(&work, kept + layout__STRIP_RUN_STOP_MOVE)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE));
+    }
+    return INT64_C(0);
+}
+
 /* Derivative of ``part_run``. */
 static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t k, double largest, lanes largest_t)
 {
@@ -5787,8 +5821,6 @@ static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, 
     double limit;
     int64_t pulling;
     int64_t i;
-    int64_t before;
-    int64_t kept;
     int64_t last;
     double v2;
     lanes v2_t;
@@ -5810,18 +5842,7 @@ static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, 
     }
     if ((pulling == INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)) + layout__STRIP_Y)) >= limit) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + count - INT64_C(2)) + layout__STRIP_Y)) >= limit))
     {
-        before = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
-        derivative_strip_runs__add_run_t(work, work_t, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))), (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)), (*lanes_at(&work_t, run + layout__STRIP_RUN_NEXT_STOP)));
-        if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))) > before)
-        {
-            kept = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before;
-            (*lanes_at(&work_t, kept + layout__STRIP_RUN_ORIGIN)) = all_lanes(0.0);
-            (*cspan_at(&work, kept + layout__STRIP_RUN_ORIGIN)) = (double)(k);
-            EACH_LANE each((*lanes_at(&work_t, kept + layout__STRIP_RUN_START_MOVE))) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_START_MOVE)));
-            (*cspan_at(&work, kept + layout__STRIP_RUN_START_MOVE)) = (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE));
-            EACH_LANE each((*lanes_at(&work_t, kept + layout__STRIP_RUN_STOP_MOVE))) = each((*lanes_at(&work_t, run + layout__STRIP_RUN_STOP_MOVE)));
-            (*cspan_at(&work, kept + layout__STRIP_RUN_STOP_MOVE)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE));
-        }
+        derivative_strip_runs__keep_run_t(work, work_t, k);
     }
     else
     {

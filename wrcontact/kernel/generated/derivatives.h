@@ -453,6 +453,7 @@ static inline int64_t derivative_strip_runs__gap_beside_t(double* result_0, lane
 static inline int64_t derivative_strip_runs__lay_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t strip, int64_t low, int64_t high, double u, lanes u_t);
 static inline int64_t derivative_strip_runs__smooth_gaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t run, int64_t first);
 static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, bool smooth);
+static inline int64_t derivative_strip_runs__keep_run_t(array_double_1d work, array_lanes_1d work_t, int64_t k);
 static inline int64_t derivative_strip_runs__pressed_end_t(double* station, lanes* station_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t k, int64_t i, int64_t outward);
 static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t k, double largest, lanes largest_t);
 static inline int64_t derivative_strip_runs__sample_strips_t(double* v4, lanes* v4_t, double* v5, lanes* v5_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t low, double station, lanes station_t);

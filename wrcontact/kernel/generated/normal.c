@@ -143,6 +143,7 @@ static inline double strip_runs__gap_beside(array_double_1d work, int64_t strip,
 static inline int64_t strip_runs__lay_strip(array_double_1d work, int64_t strip, int64_t low, int64_t high, double u);
 static inline int64_t strip_runs__smooth_gaps(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t first);
 static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_double_1d work, int64_t waves, bool smooth);
+static inline int64_t strip_runs__keep_run(array_double_1d work, int64_t k);
 static inline double strip_runs__pressed_end(array_double_1d tables, array_double_1d work, int64_t waves, int64_t k, int64_t i, int64_t outward);
 static inline int64_t strip_runs__part_run(array_double_1d tables, array_double_1d work, int64_t waves, int64_t k, double largest);
 static inline int64_t strip_runs__sample_strips(double* result_0, double* result_1, array_double_1d tables, array_double_1d work, int64_t waves, int64_t low, double station);
@@ -2426,6 +2427,10 @@ static inline double strip_contact__sweep_strips(array_double_1d tables, array_d
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
     for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
     {
+        if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) == INT64_C(0))
+        {
+            break;
+        }
         last = sweep == sweeps - INT64_C(1);
         given = by_penetration;
         if (((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0) && (!((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_SUNK)) == 1.0)) && (!last))
@@ -3807,6 +3812,15 @@ static inline int64_t strip_runs__renew_runs(array_double_1d tables, array_doubl
     {
         strip_runs__part_run(tables, work, waves, k, largest);
     }
+    if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))) == INT64_C(0))
+    {
+        /* nothing presses any more: the strips stay, and the force will press them */
+        k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUN_COUNT)));
+        for (k = INT64_C(0); k < k_end; k += INT64_C(1))
+        {
+            strip_runs__keep_run(work, k);
+        }
+    }
     k_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
     for (k = INT64_C(0); k < k_end; k += INT64_C(1))
     {
@@ -3838,6 +3852,25 @@ static inline int64_t strip_runs__renew_runs(array_double_1d tables, array_doubl
     return INT64_C(0);
 }
 
+/* Add run ``k`` to the next runs, with its strips. */
+static inline int64_t strip_runs__keep_run(array_double_1d work, int64_t k)
+{
+    int64_t run;
+    int64_t before;
+    int64_t kept;
+    run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
+    before = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
+    strip_runs__add_run(work, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))), (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)));
+    if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))) > before)
+    {
+        kept = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before;
+        (*cspan_at(&work, kept + layout__STRIP_RUN_ORIGIN)) = (double)(k);
+        (*cspan_at(&work, kept + layout__STRIP_RUN_START_MOVE)) = (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE));
+        (*cspan_at(&work, kept + layout__STRIP_RUN_STOP_MOVE)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE));
+    }
+    return INT64_C(0);
+}
+
 /* Add what is pressed of run ``k`` to the next runs; the largest y of all strips is given. */
 static inline int64_t strip_runs__part_run(array_double_1d tables, array_double_1d work, int64_t waves, int64_t k, double largest)
 {
@@ -3847,8 +3880,6 @@ static inline int64_t strip_runs__part_run(array_double_1d tables, array_double_
     double limit;
     int64_t pulling;
     int64_t i;
-    int64_t before;
-    int64_t kept;
     int64_t last;
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     count = (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
@@ -3864,15 +3895,7 @@ static inline int64_t strip_runs__part_run(array_double_1d tables, array_double_
     }
     if ((pulling == INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)) + layout__STRIP_Y)) >= limit) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + count - INT64_C(2)) + layout__STRIP_Y)) >= limit))
     {
-        before = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT)));
-        strip_runs__add_run(work, (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_LOW))), (int64_t)((*cspan_at(&work, run + layout__STRIP_RUN_HIGH))), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_START)), (*cspan_at(&work, run + layout__STRIP_RUN_NEXT_STOP)));
-        if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT))) > before)
-        {
-            kept = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before;
-            (*cspan_at(&work, kept + layout__STRIP_RUN_ORIGIN)) = (double)(k);
-            (*cspan_at(&work, kept + layout__STRIP_RUN_START_MOVE)) = (*cspan_at(&work, run + layout__STRIP_RUN_START_MOVE));
-            (*cspan_at(&work, kept + layout__STRIP_RUN_STOP_MOVE)) = (*cspan_at(&work, run + layout__STRIP_RUN_STOP_MOVE));
-        }
+        strip_runs__keep_run(work, k);
     }
     else
     {

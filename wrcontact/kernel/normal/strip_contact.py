@@ -123,6 +123,8 @@ def sweep_strips(pair: Pair, contact: Contact, sweeps: int, force: float, by_pen
     yawed = is_yawed(contact.frame)
     penetration = problem.penetration
     for sweep in range(sweeps):
+        if problem.count == 0:
+            break
         last = sweep == sweeps - 1
         given = by_penetration
         if contact.frame.pressed and not contact.frame.sunk and not last:

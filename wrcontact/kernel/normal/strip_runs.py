@@ -248,6 +248,10 @@ def renew_runs(problem: StripProblem, waves: Waves):
     problem.next_count = 0
     for k in range(problem.run_count):
         part_run(problem, waves, k, largest)
+    if problem.next_count == 0:
+        # nothing presses any more: the strips stay, and the force will press them
+        for k in range(problem.run_count):
+            keep_run(problem, k)
     for k in range(problem.next_count):
         after = problem.next_runs[k]
         for i in range(count):
@@ -267,6 +271,18 @@ def renew_runs(problem: StripProblem, waves: Waves):
     problem.count = problem.run_count * count
 
 
+def keep_run(problem: StripProblem, k: int):
+    """Add run ``k`` to the next runs, with its strips."""
+    run = problem.runs[k]
+    before = problem.next_count
+    add_run(problem, run.low, run.high, run.next_start, run.next_stop)
+    if problem.next_count > before:
+        kept = problem.next_runs[before]
+        kept.origin = k
+        kept.start_move = run.start_move
+        kept.stop_move = run.stop_move
+
+
 def part_run(problem: StripProblem, waves: Waves, k: int, largest: float):
     """Add what is pressed of run ``k`` to the next runs; the largest y of all strips is given."""
     run = problem.runs[k]
@@ -278,13 +294,7 @@ def part_run(problem: StripProblem, waves: Waves, k: int, largest: float):
         if problem.strips[first + i].y < limit:
             pulling += 1
     if pulling == 0 and problem.strips[first + 1].y >= limit and problem.strips[first + count - 2].y >= limit:
-        before = problem.next_count
-        add_run(problem, run.low, run.high, run.next_start, run.next_stop)
-        if problem.next_count > before:
-            kept = problem.next_runs[before]
-            kept.origin = k
-            kept.start_move = run.start_move
-            kept.stop_move = run.stop_move
+        keep_run(problem, k)
     else:
         i = 0
         while i < count:
