@@ -88,7 +88,7 @@ def all_rows(effort):
 def batch(system, poses, **options):
     """A call of evaluate_many."""
     shift, yaw = poses
-    return lambda: system.evaluate_many(shift, yaw, FORCE, **options)
+    return lambda: system.evaluate_many(shift, yaw, FORCE, threads=1, **options)
 
 
 def batch_row(name, kind, effort, poses=None, setting="", outputs="all", **options):

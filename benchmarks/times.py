@@ -115,13 +115,13 @@ def resting_evaluate(count):
 
 def loaded(poses, transfer):
     shift, yaw = poses
-    return lambda: system().evaluate_many(shift, yaw, FORCE, transfer)
+    return lambda: system().evaluate_many(shift, yaw, FORCE, transfer, threads=1)
 
 
 def wrong_start(poses):
     """Poses with a given roll guess, which start the search without known contacts."""
     shift, yaw = poses
-    return lambda: system().evaluate_many(shift, yaw, FORCE, roll_guess=1e-3, outputs="geometry")
+    return lambda: system().evaluate_many(shift, yaw, FORCE, roll_guess=1e-3, outputs="geometry", threads=1)
 
 
 def sunk(poses):
