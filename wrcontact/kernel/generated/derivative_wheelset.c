@@ -598,6 +598,8 @@ static inline int64_t derivative_report__report_load_t(array_double_1d work, arr
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_FRICTION_POWER)) = (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER));
     EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER))) = each((*lanes_at(&work_t, forces + layout__FORCES_WEAR_NUMBER)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE))) = each((*lanes_at(&work_t, forces + layout__FORCES_DRIVING_TORQUE)));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE));
     return INT64_C(0);
 }
 
