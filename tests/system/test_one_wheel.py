@@ -75,7 +75,8 @@ def test_a_left_wheel_is_the_mirror_image_of_a_right_one():
     for motion, rails in poses(10, seed=12):
         given = {**motion, **rails["right"]}
         one = right.evaluate(**given)
-        other = left.evaluate(**{name: -value if name in mirrored else value for name, value in given.items()})
+        other = left.evaluate(**{name: -value if name in mirrored else value
+                                 for name, value in given.items()})
         assert one.status == other.status, given
         np.testing.assert_allclose(numbers(other), numbers(one) * side_signs(), rtol=1e-12, atol=1e-9,
                                    err_msg=str(given))
@@ -91,7 +92,8 @@ def test_a_wheel_that_rolls_freely_has_no_longitudinal_force():
         torques = np.array([wheel.evaluate(wheel_rate=rate, **pose).driving_torque for rate in rates])
         if torques[0] == torques[1]:
             break
-        rates = np.array([rates[1], rates[1] - torques[1] * (rates[1] - rates[0]) / (torques[1] - torques[0])])
+        slope = (torques[1] - torques[0]) / (rates[1] - rates[0])
+        rates = np.array([rates[1], rates[1] - torques[1] / slope])
     free = wheel.evaluate(wheel_rate=rates[1], **pose)
     limit = 0.3 * free.normal_force
     assert abs(free.driving_torque) < 1e-6 * limit and abs(free.force.x) < 2e-3 * limit
@@ -122,11 +124,11 @@ def test_the_other_wheel_does_not_matter():
     """A wheelset is off its profiles where the flange of one wheel is in its rail; the other wheel alone is
     not."""
     whole = ContactSystem(contact_mode="compliant")
-    given = {"vertical_shift_input": 1.4e-4, "left_rail_lateral": 0.05}
-    assert whole.evaluate(**given).status == Status.OFF_PROFILE
-    assert WheelContact(side="left").evaluate(vertical_shift_input=1.4e-4,
-                                              rail_lateral=0.05).status == Status.OFF_PROFILE
-    one, alone = WheelContact().evaluate(vertical_shift_input=1.4e-4), whole.evaluate(**given, side="right")
+    pose = {"vertical_shift_input": 2e-4}
+    assert whole.evaluate(**pose, left_rail_lateral=0.05).status == Status.OFF_PROFILE
+    assert WheelContact(side="left").evaluate(**pose, rail_lateral=0.05).status == Status.OFF_PROFILE
+    one = WheelContact().evaluate(**pose)
+    alone = whole.evaluate(**pose, left_rail_lateral=0.05, side="right")
     assert one.status == alone.status == Status.VALID and one.normal_force == alone.right.normal_force > 1e4
 
 

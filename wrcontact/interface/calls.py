@@ -128,7 +128,8 @@ def describe_wheel_inputs(function, rows):
     found = signature(function).parameters
     named = [_parameter(name, row.start, False) for name, row in rows.items()]
     function.__signature__ = Signature([found["self"], *named, found["outputs"]])
-    _fill(function, "{inputs}", [f"        {name} : {row.meaning} [{row.unit}]." for name, row in rows.items()])
+    _fill(function, "{inputs}", [f"        {name} : {row.meaning} [{row.unit}]."
+                                 for name, row in rows.items()])
 
 
 def describe_parameters(system):

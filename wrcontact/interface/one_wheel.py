@@ -30,7 +30,8 @@ def unknown_wheel_input(name):
     """The TypeError on a keyword that no input of one wheel has."""
     if name in WITHOUT:
         return TypeError(f"one wheel has no input {name!r}: {WITHOUT[name]}")
-    return TypeError(f"there is no input {name!r}; inputs of one wheel are {', '.join(wheel_inputs('right'))}")
+    known = ", ".join(wheel_inputs("right"))
+    return TypeError(f"there is no input {name!r}; inputs of one wheel are {known}")
 
 
 def checked_wheel(given):
