@@ -154,6 +154,9 @@ def _lines(row):
         return
     if row.family is None:
         known = row.number
+        if known.switch:
+            yield f"    {row.name} : {row.meaning}."
+            return
         yield f"    {row.name} : {row.meaning}, {known.low:g} ... {known.high:g}{unit_behind(known.unit)}."
         return
     yield f"    {row.name} : {row.family.decides}:"

@@ -7,7 +7,9 @@ from .parameters import LEFT, PARAMETERS
 #: Inputs and parameters of a wheelset that have no meaning for one wheel, and why.
 LOADED = "its load follows from its height"
 WITHOUT = {"normal_force": LOADED, "load_transfer": LOADED, "load": LOADED,
-           "roll_guess": "its roll is given"}
+           "roll_guess": "its roll is given", "independent_wheels": "it turns by its own wheel_rate"}
+#: Inputs that one wheel has under the name of a wheelset's.
+SHARED = ("wheel_rate",)
 #: The only contact mode of one wheel.
 MODE = "compliant"
 
@@ -17,7 +19,7 @@ def own_name(name, side):
     ``right.friction``; "" for what it does not have."""
     owner, dot, rest = name.partition(".")
     if dot and owner in SIDES:
-        return rest if owner == side else ""
+        return rest if owner == side and rest not in SHARED else ""
     return "" if name in WITHOUT else name
 
 

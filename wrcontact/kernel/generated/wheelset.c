@@ -66,7 +66,7 @@ static inline int64_t requested__check_inputs(array_double_1d work, array_double
 static inline double requested__side_force(array_double_1d work, int64_t index);
 static inline bool requested__is_requested(array_double_1d tables, int64_t index);
 static inline int64_t requested__requested_outcome(array_double_1d tables, array_double_1d work, int64_t status);
-static inline bool requested__is_rolling(array_double_1d work);
+static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables);
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work);
 static inline int64_t requested__release_friction(array_double_1d work);
 static inline bool requested__carries_friction(array_double_1d tables, array_double_1d work);
@@ -1664,19 +1664,23 @@ static inline int64_t requested__requested_outcome(array_double_1d tables, array
     return outcome;
 }
 
-/* Whether the wheelset runs or its wheels turn: then there are no creepages. */
-static inline bool requested__is_rolling(array_double_1d work)
+/* Whether the wheelset runs or its wheels turn: otherwise there are no creepages. */
+static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables)
 {
-    bool result;
-    result = ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE)) != 0.0);
-    return result;
+    bool rolling;
+    rolling = ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE)) != 0.0);
+    if (motion__are_independent(tables))
+    {
+        rolling = ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_WHEEL_RATE)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_WHEEL_RATE)) != 0.0);
+    }
+    return rolling;
 }
 
 /* Whether there are creep forces: a model is chosen, and the wheelset rolls. */
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work)
 {
     bool result;
-    result = ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && requested__is_rolling(work);
+    result = ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && requested__is_rolling(work, tables);
     return result;
 }
 
@@ -1919,6 +1923,10 @@ static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_d
     right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
     motion__open_motion(work, tables, right);
     motion__mirror_motion(work, right, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
+    if (motion__are_independent(tables))
+    {
+        motion__turn_wheels(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right);
+    }
     motion__open_left_rail(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
     motion__open_right_rail(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL);
     motion__set_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
@@ -1935,7 +1943,7 @@ static inline int64_t rubbing__move_patches(array_double_1d tables, array_double
     int64_t number_end;
     int64_t number;
     int64_t patch;
-    if (!requested__is_rolling(work))
+    if (!requested__is_rolling(work, tables))
     {
         return INT64_C(0);
     }
