@@ -58,8 +58,8 @@ MOTION = (
 
 #: Read where the parameter independent_wheels is true.
 RATES = tuple(
-    Input(f"{side}.wheel_rate", "rad/s", 20.0, "rotation about the axle, positive when it rolls forward, read "
-          "instead of wheel_rate if independent_wheels is true; 0 with free_rolling means speed / its "
+    Input(f"{side}.wheel_rate", "rad/s", 20.0, "rotation about the axle, positive when it rolls forward, "
+          "read instead of wheel_rate if independent_wheels is true; 0 with free_rolling means speed / its "
           "nominal_radius", -WHEEL_LIMIT, WHEEL_LIMIT, field=f"{side}_wheel_rate",
           place=f"{side.capitalize()} wheel", limited=True)
     for side in ("left", "right"))
