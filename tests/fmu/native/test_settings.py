@@ -22,7 +22,8 @@ def test_set_parameters_are_the_start_values_and_the_model(kept, tmp_path, kind)
     files = kept("python" if kind == "python" else "native", settings=SETTINGS)
     file = files[0 if kind == "python" else kind - 2]
     described = {v.name: v.start for v in read_model_description(str(file)).modelVariables}
-    assert {name: described[name] for name in SETTINGS} == {name: number_text(value) for name, value in SETTINGS.items()}
+    assert {name: described[name] for name in SETTINGS} == {
+        name: number_text(value) for name, value in SETTINGS.items()}
     assert (described["gauge_depth"], described["wheel_profile"]) == ("0.014", "S1002")
     host, rows = Host(file, tmp_path / "host"), moving_track(4, compliant=True)
     seen = host.ask("trajectory", rows=rows, names=OUTPUT_NAMES)["seen"]
