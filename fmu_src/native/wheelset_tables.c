@@ -250,5 +250,6 @@ int wheelset_build(wheelset *self)
         return 1;
     self->tables.data[layout__TABLES_STATIONS] = (double)self->core.stations;
     self->tables.data[layout__TABLES_PARAMETERS + layout__PARAMETERS_STATIONS] = (double)self->core.stations;
+    self->tables.data[layout__TABLES_SIDES] = MODEL_SIDES;
     return 0;
 }
