@@ -14,12 +14,13 @@ from .state import WheelsetState
 from .status import Status, explain
 from .stepper import Stepper
 from .system import ContactSystem
+from .wheel import WheelContact, WheelState
 
 __version__ = "0.2.0.dev0"
 __all__ = ["ContactSystem", "CreepForces", "CreepPatch", "Friction", "Material", "Profile", "ProfileFile",
-           "ProfileWarning", "Status", "Stepper", "Track", "UnusualValueWarning", "Wheelset",
-           "WheelsetState", "check", "creep_forces", "elliptic_patch", "explain", "motion_of",
-           "outlined_patch", "patch_of", *_methods]
+           "ProfileWarning", "Status", "Stepper", "Track", "UnusualValueWarning", "WheelContact",
+           "WheelState", "Wheelset", "WheelsetState", "check", "creep_forces", "elliptic_patch", "explain",
+           "motion_of", "outlined_patch", "patch_of", *_methods]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
 _LATER = frozenset({"conditioning", "halfspace", "plots", "study"})

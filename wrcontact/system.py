@@ -281,7 +281,7 @@ class ContactSystem:
 
         Rows with status 2, 3 or 4 are NaN.  ``penetration`` is one value, or (left, right), for all rows.
         ``outputs`` may also be a list of names, ``["roll", "right.patch", "left.area"]``, or "status" for
-        the outcome of the whole contact alone.  The table has memory only for what is wanted: 4.3 kB a row
+        the outcome of the whole contact alone.  The table has memory only for what is wanted: 4.4 kB a row
         for all outputs, 8 B for one.
 
         ``threads`` share the rows of a long table, with the same bits; None are as many as this process has

@@ -86,7 +86,11 @@ int wheelset_may_set_boolean(wheelset *self, uint32_t reference, bool value)
 {
     if (wheelset_check(self, reference, MODEL_BOOLEAN) || check_settable(self, model_variables + reference))
         return 1;
-    if (self->core.phase == PHASE_CONTINUOUS && (self->core.values[reference] != 0.0) != value)
+    const bool changes = (self->core.values[reference] != 0.0) != value;
+    if (model_variables[reference].causality == MODEL_PARAMETER && self->core.locked && changes)
+        return wheelset_refuse(self, "%s is fixed at %s after initialisation and cannot become %s",
+                               model_variables[reference].name, value ? "False" : "True", value ? "True" : "False");
+    if (self->core.phase == PHASE_CONTINUOUS && changes)
         return wheelset_refuse(self, "%s is a Boolean and can be changed only in event mode, not in continuous-time mode",
                                model_variables[reference].name);
     return 0;

@@ -47,9 +47,9 @@ static int fill_setup(wheelset *self, double *setup)
     {
         const model_variable *variable = model_variables + i;
         const double number = self->core.values[i];
-        if (variable->causality != MODEL_PARAMETER || variable->type != MODEL_REAL)
+        if (variable->causality != MODEL_PARAMETER || variable->type == MODEL_STRING)
             continue;
-        if (!(variable->low <= number && number <= variable->high))
+        if (variable->type == MODEL_REAL && !(variable->low <= number && number <= variable->high))
             return wheelset_refuse(self, "%s is %s; permitted is %s ... %s%s", variable->name,
                                    sentence_shortest(number, value, sizeof value), SIX_DIGITS(variable->low),
                                    SIX_DIGITS(variable->high), variable->unit);
@@ -250,5 +250,6 @@ int wheelset_build(wheelset *self)
         return 1;
     self->tables.data[layout__TABLES_STATIONS] = (double)self->core.stations;
     self->tables.data[layout__TABLES_PARAMETERS + layout__PARAMETERS_STATIONS] = (double)self->core.stations;
+    self->tables.data[layout__TABLES_SIDES] = MODEL_SIDES;
     return 0;
 }

@@ -153,7 +153,8 @@ def test_every_input_and_parameter_has_an_option(run):
                                             "--load-transfer", "--vertical-shift-mm", "--roll-deg", "--speed",
                                             "--lateral-velocity", "--vertical-velocity", "--yaw-rate",
                                             "--roll-rate", "--wheel-rate", "--track-curvature",
-                                            "--left-friction", "--right-friction",
+                                            "--left-friction", "--right-friction", "--left-wheel-rate",
+                                            "--right-wheel-rate",
                                             *(f"--{side}-rail-{part}" for side in ("left", "right")
                                               for part in ("lateral-mm", "vertical-mm", "roll-deg",
                                                            "lateral-velocity", "vertical-velocity",

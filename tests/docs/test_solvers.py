@@ -14,15 +14,19 @@ pytestmark = pytest.mark.skipif(not default_kernel().compiled,
 PAGE = (ROOT / "docs" / "solvers.md").read_text(encoding="utf-8")
 
 
-def test_the_example_runs():
-    code, = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
+def test_the_examples_run():
     names = {}
-    exec(code, names)
+    first, second = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
+    exec(first, names)
     # the wheelset stands on its load
     assert names["force"][2] == pytest.approx(-109e3, rel=0.01) and names["moment"].shape == (3,)
     assert names["slopes"].shape == (2, 3) and np.isfinite(names["slopes"]).all()
     assert names["on_rail"][2] == pytest.approx(54.5e3, rel=0.1)
     assert abs(names["about_rail"][0]) < 54.5e3 * 0.03          # half a head's width is its lever at most
+    exec(second, names)
+    assert names["state"].status == 0 and not names["table"].status.all()
+    # a wheel and its rail that sink together stay as they are
+    assert names["slopes"].sum() == pytest.approx(0.0, abs=1e-6 * abs(names["slopes"][0, 0]))
 
 
 @pytest.mark.full

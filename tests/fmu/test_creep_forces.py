@@ -21,6 +21,7 @@ OUTLINE = [f"right.{name}[{j}]" for name in ("shear", "slip") for j in (8, 16, 2
 STARTS = {"rigid": {}, "elastic": {"contact_mode": "elastic"},
           "compliant": {"contact_mode": "compliant", "contact_damping": 0.3},
           "vertical": {"load": "vertical"},
+          "independent": {"independent_wheels": True, "contact_mode": "elastic"},
           "wet": {"flange_friction_ratio": 0.4, "friction_fall": 0.5, "friction_fall_rate": 0.6,
                   "slope_reduction": 0.6, "slope_reduction_rate": 0.5}}
 
@@ -33,6 +34,7 @@ def rolling_rows(mode, count=8):
                 "lateral_velocity": 0.04 * np.cos(k), "track_curvature": 2e-3 * (k % 3 - 1),
                 "left.friction": 0.1 + 0.05 * k, "right.friction": 0.5 - 0.05 * k, "free_rolling": k != 3}
         row["wheel_rate"] = row["speed"] / 0.46 * 1.002 if k % 4 == 2 else 0.0
+        row["left.wheel_rate"], row["right.wheel_rate"] = row["wheel_rate"] * 0.999, row["wheel_rate"] * 1.001
     return rows
 
 

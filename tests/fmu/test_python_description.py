@@ -10,7 +10,7 @@ from tests.helpers.fmus import WARM_START, assert_same, evaluated
 from wrcontact import ContactSystem
 from wrcontact.interface import variables
 from wrcontact.interface.friction import FRICTION
-from wrcontact.interface.inputs import MOTION, RAILS
+from wrcontact.interface.inputs import MOTION, RAILS, RATES
 from wrcontact.interface.variables import INPUT, OUTPUT, PARAMETER, REFERENCE, VARIABLES
 from wrcontact.methods import CHOICES
 
@@ -61,7 +61,7 @@ def test_dependencies(description):
     # declared once for all methods: in elastic contact all that is read moves everything, velocities and
     # friction too, where friction carries a part of a vertical load
     read = {"lateral_shift", "yaw", "normal_force", "load_transfer", "vertical_shift_input", "roll_input",
-            *(row.name for row in (*RAILS, *MOTION, *FRICTION))}
+            *(row.name for row in (*RAILS, *MOTION, *FRICTION, *RATES))}
     for name, inputs in follows.items():
         given = {"vertical_shift_input", "roll_input"} if name.startswith("equilibrium.") else set()
         assert inputs == read - given, name
@@ -95,7 +95,8 @@ FREE = {"rigid": {"roll_guess": lambda name: True, "normal_force": is_geometry, 
         "elastic": {name: lambda name: True for name in ("roll_guess", "vertical_shift_input", "roll_input")},
         "compliant": {name: lambda name: True for name in ("roll_guess", "normal_force", "load_transfer")}}
 
-MOVING = {row.name for row in MOTION}
+OF_WHEELS = {row.name for row in RATES}
+MOVING = {row.name for row in MOTION} | OF_WHEELS
 RUBBING = {row.name for row in FRICTION}
 #: Words in the names of what creep forces change, while friction carries no part of the load.
 OF_CREEP = ("tangential.", "stick_share", "max_shear", "friction_power", "saturation", "wear_number",
@@ -107,6 +108,7 @@ METHODS = {"rigid": {}, "elastic": {}, "compliant": {},
            "elastic, creep forces": {"tangential_model": "polach"},
            "compliant, creep forces": {"tangential_model": "polach"},
            "rigid, vertical load": {"tangential_model": "polach", "load": "vertical"},
+           "rigid, independent wheels": {"tangential_model": "polach", "independent_wheels": True},
            "elastic, vertical load": {"tangential_model": "polach", "load": "vertical"}}
 
 
@@ -115,6 +117,8 @@ def does_not_follow(mode, methods, moved, name):
     creep = "tangential_model" in methods
     if moved in ("vertical_velocity", "roll_rate") and mode != "compliant":
         return True         # they follow from contact
+    if moved in ({"wheel_rate"} if "independent_wheels" in methods else OF_WHEELS):
+        return True         # it is not read
     if moved in MOVING | RUBBING:
         creepage = ".creepage." in name and moved in MOVING
         rubbed = creep and any(word in name for word in OF_CREEP) and "normal." not in name
@@ -132,11 +136,12 @@ def test_declared_dependencies_hold(case):
     system = ContactSystem(contact_mode=mode, **methods)
     pose = {"lateral_shift": 1.3e-3, "yaw": 2e-3, "roll_guess": 0.0, "normal_force": 78.5e3,
             "load_transfer": 0.05, "vertical_shift_input": 0.2e-3, "roll_input": -7e-5, "speed": 20.0,
-            **dict.fromkeys((row.name for row in (*MOTION[1:], *RAILS)), 0.0), "free_rolling": 1.0,
+            **dict.fromkeys((row.name for row in (*MOTION[1:], *RAILS, *RATES)), 0.0), "free_rolling": 1.0,
             **dict.fromkeys(RUBBING, 0.3)}
     changes = {"lateral_shift": 1e-4, "yaw": 1e-3, "roll_guess": 1e-3, "normal_force": 1e3,
                "load_transfer": 0.01, "vertical_shift_input": 1e-6, "roll_input": 1e-6,
-               **{row.name: 0.1 * row.nominal for row in (*MOTION, *RAILS, *FRICTION)}, "free_rolling": -1.0}
+               **{row.name: 0.1 * row.nominal for row in (*MOTION, *RAILS, *FRICTION, *RATES)},
+               "free_rolling": -1.0}
     assert set(changes) == set(INPUT_NAMES)
     present = evaluated(pose, system.stepper())
     assert present["status"] == 0

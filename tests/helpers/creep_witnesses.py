@@ -270,10 +270,14 @@ def wear_number(wheel):
     yield value, EXACT * value
 
 
-def driving_torque(scene):
+def side_torque(wheel):
     """About the axle, which is yawed and rolled; a wheel turns forward against the axle's direction to the
     right."""
-    wheels = list(scene.wheels.values())
-    moments = [side_creep(wheel)[1] for wheel in wheels]
-    yield -sum(moments) @ axle(wheels[0]), (EXACT * 1e3 + EXACT * np.abs(moments).max()
-                                            + sum(bowed(wheel) for wheel in wheels))
+    moment = side_creep(wheel)[1]
+    yield -moment @ axle(wheel), EXACT * 1e3 + EXACT * np.abs(moment).max() + bowed(wheel)
+
+
+def driving_torque(scene):
+    """That of both wheels."""
+    parts = [next(side_torque(wheel)) for wheel in scene.wheels.values()]
+    yield sum(torque for torque, _ in parts), sum(tolerance for _, tolerance in parts)

@@ -75,10 +75,11 @@ def poses(count=POSES):
     draw = random.Random(26)
     rows = np.zeros((count, layout.INPUT_COUNT))
     for row in rows:
-        values = {name: draw.uniform(-1.0, 1.0) for name in INPUT_NAMES}
+        # rates of independent wheels are not read, and came later
+        values = {name: draw.uniform(-1.0, 1.0) for name in INPUT_NAMES if not name.endswith(".wheel_rate")}
         yawed, moved = draw.random() < 0.5, draw.random() < 1.0 / 3.0
         for place, entry in enumerate(INPUTS):
-            row[place] = start_of(entry) + values[entry.name] * size_of(entry.name, yawed, moved)
+            row[place] = start_of(entry) + values.get(entry.name, 0.0) * size_of(entry.name, yawed, moved)
     return rows
 
 

@@ -129,8 +129,8 @@ def session(lines=None, **start):
     """The session that the Python FMU runs, initialised."""
     made = Session(tell=(lambda sentence: None) if lines is None else lines.append)
     for name, value in start.items():
-        (made.set_strings if VARIABLES[PLACE[name]].type == STRING
-         else made.set_reals)([REFERENCE[name]], [value])
+        setters = {STRING: made.set_strings, BOOLEAN: made.set_booleans}
+        setters.get(VARIABLES[PLACE[name]].type, made.set_reals)([REFERENCE[name]], [value])
     made.start()
     return made
 

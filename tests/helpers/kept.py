@@ -55,7 +55,7 @@ def digest(maker, chosen):
     """A hash of the package, of its libraries, of the profiles, and of the versions of what packs them."""
     chosen = dict(chosen)
     found = hashlib.sha256(repr((maker, package(), sorted(chosen))).encode())
-    found.update(repr(chosen.pop("settings", None)).encode())
+    found.update(repr((chosen.pop("settings", None), chosen.pop("side", None))).encode())
     for _, file in sorted(chosen.items()):
         found.update(f"{Path(file).name}\0".encode() + Path(file).read_bytes())
     return found.hexdigest()

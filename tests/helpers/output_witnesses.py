@@ -398,6 +398,7 @@ LOAD = {
     **{f"normal.moment.{axis}": ("N.m", normal_moment(index)) for index, axis in enumerate("xyz")},
     "friction_power": ("W", creep.side_power),
     "wear_number": ("N", creep.wear_number),
+    "driving_torque": ("N.m", creep.side_torque),
 }
 PATCH = {
     "normal_force": ("N", of_patch("load", OF_LOAD)),

@@ -28,6 +28,8 @@ def bad_input(fmi):
         "Integer output": lambda: fmi.values(fmi.integer("Set"), c, [reference["status"]], whole),
         "fixed Real": lambda: fmi.set(c, gauge=1.5),
         "fixed Real nan": lambda: fmi.set(c, gauge=math.nan),
+        "fixed Boolean": lambda: fmi.values("SetBoolean", c, [reference["independent_wheels"]],
+                                            ((c_int if fmi.version == 2 else c_bool) * 1)(1)),
         "fixed String": lambda: fmi.set_text(c, "load", b"vertical"),
         "fixed String with signs": lambda: fmi.set_text(c, "load", b"%s%n%%d #7"),
         "String without letters": lambda: fmi.set_text(c, "load", None),

@@ -15,7 +15,7 @@ OF_POSE = {"lateral_shift", "yaw", "normal_force", "load_transfer", "vertical_sh
 OF_PROFILES = {"wheel", "rail", "rail_inclination", "gauge", "gauge_depth", "running_circle_distance",
                "nominal_radius", "youngs_modulus", "poisson_ratio"}
 #: What belongs to motion and friction has one of these in its name.
-MOVES = re.compile("speed|velocity|_rate|curvature$|friction|slope_")
+MOVES = re.compile("independent|speed|velocity|_rate|curvature$|friction|slope_")
 METHODS_OF_CURVATURE = {"longitudinal_curvature", "lateral_curvature"}
 #: Options that --help shows; --help-all shows the others too.
 USUAL = {"lateral_shift", "yaw", "normal_force", "load_transfer", "wheel", "rail", "rail_inclination",
@@ -39,6 +39,11 @@ WORDS = {
     "roll_rate": "How fast the roll grows, read with --contact-mode compliant alone",
     "wheel_rate": "Rotation of the wheelset about its axle, positive when it rolls forward; 0 is that of "
                   "free rolling, --speed / --nominal-radius-mm",
+    **{f"{side}_wheel_rate": f"{side.capitalize()} wheel: rotation about the axle with --independent-wheels, "
+                             "positive when it rolls forward; 0 is that of free rolling"
+       for side in ("left", "right")},
+    "independent_wheels": "Each wheel turns by itself, with --left-wheel-rate and --right-wheel-rate instead "
+                          "of --wheel-rate",
     "left_friction": "Left wheel: coefficient of friction, read with a --tangential-model",
     "right_friction": "Right wheel: coefficient of friction, read with a --tangential-model",
     "flange_friction_angle": "Contact angle half-way between the friction of the tread and that of the "

@@ -13,7 +13,7 @@ import typer
 
 from ..interface.parameters import GEOMETRY as GEOMETRY_NAMES
 from ..interface.parameters import LEFT, PARAMETERS
-from ..interface.variables import INPUT, PARAMETER, REAL, UNITS, VARIABLES
+from ..interface.variables import BOOLEAN, INPUT, PARAMETER, REAL, UNITS, VARIABLES
 from ..methods.words import did_you_mean
 from ..results.words import unit_name
 from ..status import distinct
@@ -113,6 +113,8 @@ def _option(variable):
     kind, reading = str, {"metavar": "|".join(row.family.names()) if row and row.family else "NAME"}
     if variable.type == REAL:
         kind, reading = float, {"metavar": "NUMBER", "parser": ratio if name.endswith(RATIO) else number}
+    if variable.type == BOOLEAN:
+        kind, reading, start = bool, {}, "no"
     option = typer.Option(option_of(variable), help=words, show_default=False, hidden=name not in USUAL,
                           rich_help_panel=group_of(name), **reading)
     return Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[kind | None, option])

@@ -21,13 +21,15 @@ from .typed import SWEEP, Typed
 VECTOR_AXES = ("x", "y", "z")
 #: What only creep forces give, and the parts of a force without them.
 OF_CREEP = ("tangential.", "stick_share", "max_shear", "friction_power", "saturation", "wear_number",
-            "normal.")
+            "driving_torque", "normal.")
 SIDE_NUMBERS = [row for row in single_numbers(SIDE) if row[0] != "patch_count"]
 SIDE_ROWS = [row for row in SIDE_NUMBERS if not row[0].startswith(OF_CREEP)]
 SIDE_CREEP_ROWS = [row for row in SIDE_NUMBERS if row[0].startswith(OF_CREEP)]
 PATCH_ROWS = [row for row in single_numbers(PATCH) if not row[0].startswith(("creepage.", *OF_CREEP))]
 CREEPAGE_ROWS = [row for row in single_numbers(PATCH) if row[0].startswith("creepage.")]
 CREEP_ROWS = [row for row in single_numbers(PATCH) if row[0].startswith(OF_CREEP)]
+#: Places of the inputs without all of which nothing rolls.
+RATES = [layout.IN_SPEED, layout.IN_WHEEL_RATE, layout.IN_LEFT_WHEEL_RATE, layout.IN_RIGHT_WHEEL_RATE]
 #: Columns for each wheel in a printed sweep: heading, name, unit, digits after the point; the others with
 #: creep forces: which share of the friction is used, and its power.
 SWEEP_COLUMNS = (("y_wheel", "contact.y_wheel", "m", 3), ("area", "area", "m2", 1),
@@ -124,7 +126,7 @@ def state_table(state, rubbing=False):
 
 def is_rolling(inputs):
     """Whether there are creepages at these inputs."""
-    return bool(inputs[..., [layout.IN_SPEED, layout.IN_WHEEL_RATE]].any())
+    return bool(inputs[..., RATES].any())
 
 
 def _of_patch(side, k, name, unit):
@@ -163,7 +165,7 @@ def sweep_outputs(columns):
 
 def sweep_columns(system, given):
     """Columns for each wheel in a sweep whose inputs are ``given`` by name."""
-    rolling = any(given.get(name) for name in ("speed", "wheel_rate"))
+    rolling = any(given.get(name) for name in ("speed", "wheel_rate", "left_wheel_rate", "right_wheel_rate"))
     return CREEP_COLUMNS if has_model(system) and rolling else SWEEP_COLUMNS
 
 

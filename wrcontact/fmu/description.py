@@ -2,16 +2,13 @@
 
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
-from ..interface.variables import INPUT, OUTPUT, PARAMETER, PLACE, REFERENCE, UNITS, VARIABLES, select
+from ..interface.variables import INPUT, OUTPUT, PARAMETER, REFERENCE, UNITS, VARIABLES
+from .variants import WHEELSET
 
-MODEL = "WheelsetContact"
-#: Without names of methods, of which there are more now and then.
-DESCRIPTION = ("Wheel-rail contact of a wheelset on track: contact points and roll, contact patches with "
-               "their pressures, creepages and creep forces, resultant forces and moments, friction power")
+MODEL = WHEELSET.model
 
 #: Of co-simulation and of model exchange.
 COMMON = {
-    "modelIdentifier": MODEL,
     "needsExecutionTool": "false",
     "canBeInstantiatedOnlyOncePerProcess": "false",
     "canNotUseMemoryManagementFunctions": "true",
@@ -34,23 +31,24 @@ LOG_CATEGORIES = {
 }
 
 
-def model_description(guid, tool, version, starts, units=()):
+def model_description(guid, tool, version, starts, units=(), variant=WHEELSET):
     """The whole file as bytes; ``starts`` holds start values that differ from the table's, ``units`` the C
-    files to compile of a native FMU, which has its sources with it."""
-    root = Element("fmiModelDescription", fmiVersion="2.0", modelName=MODEL, guid=guid,
-                   description=DESCRIPTION, version=version, generationTool=tool,
+    files to compile of a native FMU, which has its sources with it; ``variant`` is a wheelset or one
+    wheel."""
+    root = Element("fmiModelDescription", fmiVersion="2.0", modelName=variant.model, guid=guid,
+                   description=variant.description, version=version, generationTool=tool,
                    variableNamingConvention="structured")
     if units:
         root.set("numberOfEventIndicators", "0")
     for kind, abilities in (NATIVE if units else PYTHON).items():
-        element = SubElement(root, kind, abilities)
+        element = SubElement(root, kind, {"modelIdentifier": variant.model, **abilities})
         if units:
             files = SubElement(element, "SourceFiles")
             for name in units:
                 SubElement(files, "File", name=name)
     describe_common(root)
-    _variables(SubElement(root, "ModelVariables"), starts)
-    _structure(SubElement(root, "ModelStructure"))
+    _variables(SubElement(root, "ModelVariables"), starts, variant)
+    _structure(SubElement(root, "ModelStructure"), variant)
     return xml_file(root)
 
 
@@ -75,12 +73,13 @@ def describe_common(root):
     SubElement(root, "DefaultExperiment", startTime="0", stopTime="1", stepSize="0.001")
 
 
-def _variables(parent, starts):
+def _variables(parent, starts, variant):
     """Every variable, in the order of the table."""
-    for variable in VARIABLES:
+    for place, variable in variant.variables():
         element = SubElement(parent, "ScalarVariable", name=variable.name,
-                             valueReference=str(REFERENCE[variable.name]), description=variable.description,
-                             causality=variable.causality, variability=variable.variability)
+                             valueReference=str(REFERENCE[VARIABLES[place].name]),
+                             description=variable.description, causality=variable.causality,
+                             variability=variable.variability)
         if variable.causality != INPUT:
             element.set("initial", "exact" if variable.causality == PARAMETER else "calculated")
         SubElement(element, variable.type, attributes_of(variable, starts))
@@ -109,15 +108,18 @@ def number_text(value):
     return repr(value) if isinstance(value, float) else str(value)
 
 
-def _structure(parent):
+def _structure(parent, variant):
     """Which inputs each output follows, and what is computed in initialisation from which inputs and
     parameters."""
-    known = [PLACE[variable.name] for variable in select(PARAMETER)]
+    variables = [variable for _, variable in variant.variables()]
+    places = {variable.name: place for place, variable in enumerate(variables)}
+    known = [places[variable.name] for variable in variables if variable.causality == PARAMETER]
     for section, extra in (("Outputs", []), ("InitialUnknowns", known)):
         unknowns = SubElement(parent, section)
-        for variable in select(OUTPUT):
-            inputs = [PLACE[name] for name in variable.depends_on]
-            _unknown(unknowns, PLACE[variable.name], inputs + extra)
+        for variable in variables:
+            if variable.causality == OUTPUT:
+                inputs = [places[name] for name in variable.depends_on]
+                _unknown(unknowns, places[variable.name], inputs + extra)
 
 
 def _unknown(parent, place, follows):

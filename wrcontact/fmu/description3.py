@@ -9,11 +9,11 @@ from ..interface.references import STORED, numbered
 from ..interface.rows import Run
 from ..interface.variables import BOOLEAN, INPUT, INTEGER, OUTPUT, PARAMETER, REAL, STRING, VARIABLES
 from ..kernel.layout import STATION_COUNT, STATION_LEAST, STATION_LIMIT
-from .description import DESCRIPTION, MODEL, attributes_of, describe_common, xml_file
+from .description import attributes_of, describe_common, xml_file
+from .variants import WHEELSET
 
 #: Of co-simulation and of model exchange.
 CAPABILITIES = {
-    "modelIdentifier": MODEL,
     "needsExecutionTool": "false",
     "canBeInstantiatedOnlyOncePerProcess": "false",
     "canGetAndSetFMUState": "true",
@@ -44,7 +44,7 @@ class Block(NamedTuple):
     reference: int
 
 
-def variable_blocks():
+def variable_blocks(variant=WHEELSET):
     """The :class:`Block` of every FMI 3 variable, in the order of the table.
 
     Arrays have as many values as there are stations; one of STATION_COUNT lies in the table.
@@ -56,33 +56,33 @@ def variable_blocks():
         found.append((array[1], place, run) if array else (name, place, SINGLE))
         place, run = (place + STATION_COUNT, run + 1) if array else (place + 1, run)
     references = numbered([name for name, *_ in found], 3)
-    return [Block(*block, references[block[0]]) for block in found]
+    return [Block(own, *block, references[name]) for name, *block in found if (own := variant.name(name))]
 
 
-def model_description(token, tool, version, starts, units=()):
+def model_description(token, tool, version, starts, units=(), variant=WHEELSET):
     """The whole file as bytes; ``starts`` holds start values that differ from the table's; ``units`` stand in
     the build description here."""
-    root = Element("fmiModelDescription", fmiVersion="3.0", modelName=MODEL, instantiationToken=token,
-                   description=DESCRIPTION, version=version, generationTool=tool,
+    root = Element("fmiModelDescription", fmiVersion="3.0", modelName=variant.model, instantiationToken=token,
+                   description=variant.description, version=version, generationTool=tool,
                    variableNamingConvention="structured")
     for kind, abilities in KINDS.items():
-        SubElement(root, kind, abilities)
+        SubElement(root, kind, {"modelIdentifier": variant.model, **abilities})
     describe_common(root)
-    blocks = variable_blocks()
+    blocks = variable_blocks(variant)
     variables = SubElement(root, "ModelVariables")
     for block in blocks:
-        _variable(variables, block, starts)
-    _structure(SubElement(root, "ModelStructure"), blocks)
+        _variable(variables, block, starts, variant)
+    _structure(SubElement(root, "ModelStructure"), blocks, variant)
     return xml_file(root)
 
 
-def build_description(units):
+def build_description(units, variant=WHEELSET):
     """The file sources/buildDescription.xml as bytes: which C files are compiled, by which compiler, and how.
 
     The options are those of gcc, which is named with them; clang takes the same ones.
     """
     root = Element("fmiBuildDescription", fmiVersion="3.0")
-    configuration = SubElement(root, "BuildConfiguration", modelIdentifier=MODEL)
+    configuration = SubElement(root, "BuildConfiguration", modelIdentifier=variant.model)
     files = SubElement(configuration, "SourceFileSet", language="C11", compiler="gcc",
                        compilerOptions="-O3 -ffp-contract=off -fno-math-errno")
     for name in units:
@@ -91,7 +91,7 @@ def build_description(units):
     return xml_file(root)
 
 
-def _variable(parent, block, starts):
+def _variable(parent, block, starts, variant):
     """One variable, or one array of them."""
     name, first, run, reference = block
     if first == TIME:
@@ -104,7 +104,7 @@ def _variable(parent, block, starts):
                    description="Number of stations of an outline, evenly spaced over the loaded width",
                    start=str(STATION_COUNT), min=str(STATION_LEAST), max=str(STATION_LIMIT))
         return
-    variable = VARIABLES[first]
+    variable = variant.variable(VARIABLES[first])
     element = SubElement(parent, TYPES[variable.type], name=name, valueReference=str(reference),
                          description=variable.description if run == SINGLE else _of_all(variable),
                          causality=variable.causality, variability=variable.variability)
@@ -127,17 +127,18 @@ def _of_all(variable):
     return f"{variable.place.split(',')[0]}: {variable.meaning}"
 
 
-def _structure(parent, blocks):
+def _structure(parent, blocks, variant):
     """Which inputs each output follows, and what is computed in initialisation from which inputs and
     parameters."""
     known = {block.name: block.reference for block in blocks}
-    parameters = [known[v.name] for v in VARIABLES if v.causality == PARAMETER]
+    parameters = [known[v.name] for _, v in variant.variables() if v.causality == PARAMETER]
     for section, extra in (("Output", []), ("InitialUnknown", parameters)):
         for _, first, run, reference in blocks:
             if first < 0 or VARIABLES[first].causality != OUTPUT:
                 continue
             size = [STATIONS_REFERENCE] if extra and run != SINGLE else []
-            follows = sorted([known[name] for name in VARIABLES[first].depends_on] + extra + size)
+            inputs = [known[name] for name in variant.variable(VARIABLES[first]).depends_on]
+            follows = sorted(inputs + extra + size)
             SubElement(parent, section, valueReference=str(reference),
                        dependencies=" ".join(map(str, follows)),
                        dependenciesKind=" ".join("dependent" for _ in follows))

@@ -7,6 +7,7 @@ from ..conventions import SIDES
 from ..interface.variables import folded
 from ..methods import CHOICES, family_of
 from .archive import SOURCES
+from .variants import WHEELSET
 
 ICON = SOURCES / "icon.svg"
 
@@ -19,6 +20,13 @@ th, td { text-align: left; vertical-align: top; padding: .2em .6em; border-botto
 .equation { margin: .6em 2em; font-family: serif; font-size: 110%; }
 code, td span { white-space: nowrap; }
 h1 svg { width: 1.6em; height: 1.6em; vertical-align: middle; margin-right: .4em; }
+"""
+
+ONE_WHEEL = """
+<p>This FMU is one side of a compliant wheelset by itself. Its pose, velocities and moment are those of the point on the wheel's
+axis that lies half the <code>running_circle_distance</code> inside of the running circle, in the nominal position the centre
+of a wheelset; <code>wheel_rate</code> is the wheel's own rotation. Names have no <code>left.</code> and <code>right.</code>;
+what is said of both wheels, of a load that is given and of other contact modes does not apply.</p>
 """
 
 USE = """
@@ -137,12 +145,13 @@ def documentation_page(version, description, about):
     about : HTML on this kind of FMU only, from ``about_python`` or ``about_native``.
     """
     root = fromstring(description)
+    model, subject = root.get("modelName"), escape(root.get("description").partition(":")[0])
     versions = f"FMI {escape(root.get('fmiVersion'))}, wrcontact {escape(version)}"
     tables = "".join(_table(title, causality, root) for causality, title in TABLES.items())
     return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>WheelsetContact</title>\n'
-        f"<style>{STYLE}</style>\n</head>\n<body>\n<h1>{ICON.read_text(encoding='utf-8')}WheelsetContact</h1>\n"
-        f"<p>Wheel-rail contact of one wheelset on track; {versions}.</p>\n"
+        f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>{model}</title>\n'
+        f"<style>{STYLE}</style>\n</head>\n<body>\n<h1>{ICON.read_text(encoding='utf-8')}{model}</h1>\n"
+        f"<p>{subject}; {versions}.</p>\n{'' if model == WHEELSET.model else ONE_WHEEL}"
         f"{USE}{about}{METHOD.replace('{models}', tangential_models())}{_abilities(root)}{tables}"
         '<p>Licences: <a href="licenses/">licenses</a>.</p>\n</body>\n</html>\n'
     )

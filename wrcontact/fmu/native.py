@@ -19,9 +19,9 @@ from .archive import SOURCES, archive, chosen_starts, fingerprint, licence, prob
 from .documentation import about_native, documentation_page
 from .online import PACKAGE
 from .terminals import terminals_and_icons
+from .variants import WHEELSET, single_wheel
 
 NATIVE = SOURCES / "native"
-MODEL = description.MODEL
 HIDDEN = ("-DWRCONTACT_EXPORT=",)       # the kernel's own functions stay inside
 HEADERS = {2: ("fmi2Functions.h", "fmi2FunctionTypes.h", "fmi2TypesPlatform.h"),
            3: ("fmi3Functions.h", "fmi3FunctionTypes.h", "fmi3PlatformTypes.h")}
@@ -29,9 +29,9 @@ DESCRIPTIONS = {2: description.model_description, 3: description3.model_descript
 
 
 def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cache=None, smoothing=None,
-                      settings=None):
+                      settings=None, side=None):
     """Pack ``WheelsetContact_native_fmi2.fmu`` and ``..._fmi3.fmu`` into the folder ``output`` and return
-    their paths.
+    their paths; those of one wheel are called ``WheelContact_...``.
 
     Parameters
     ----------
@@ -42,19 +42,24 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cach
     cache : folder in which compiled sources are kept for the next FMUs; None keeps nothing.
     smoothing : of measured points [m], as for :meth:`wrcontact.Profile.from_file`.
     settings : start values of other parameters, by their names in the FMU.
+    side : None for a wheelset; "right" or "left" for one wheel by itself, on this rail.
 
     Raises
     ------
     ValueError
         when a profile or a setting cannot be used or a compiler fails; the sentence says why.
     """
-    starts, profiles = packed_profiles(smoothing, settings, wheel_profile=wheel, rail_profile=rail)
+    variant = single_wheel(side) if side else WHEELSET
+    starts, profiles = packed_profiles(smoothing, variant.starts(settings), wheel_profile=wheel,
+                                       rail_profile=rail)
+    variant.check(starts)
     with tempfile.TemporaryDirectory() as folder:
         platforms, cache = platforms or [host_platform()], cache or Path(folder, "cache")
-        made = {version: native_fmu(version, starts, profiles, platforms, folder, cache)
+        made = {version: native_fmu(version, starts, profiles, platforms, folder, cache, variant)
                 for version in tracked(HEADERS, "packing the native FMUs")}
     Path(output).mkdir(parents=True, exist_ok=True)
-    targets = {Path(output, f"{MODEL}_native_fmi{version}.fmu"): data for version, data in made.items()}
+    targets = {Path(output, f"{variant.model}_native_fmi{version}.fmu"): data
+               for version, data in made.items()}
     for target, data in targets.items():
         write_atomically(target, data)
     return list(targets)
@@ -66,15 +71,17 @@ def packed_profiles(smoothing=None, settings=None, **chosen):
     return starts, {**{name: standard_profile(name) for name in BUILDERS}, **own}
 
 
-def native_fmu(version, starts, profiles, platforms, folder, cache):
+def native_fmu(version, starts, profiles, platforms, folder, cache, variant):
     """The archive of one version of FMI as bytes; ``folder`` is for scratch, ``cache`` for compiled
     sources."""
-    entries = uncompiled(version, starts, profiles, platforms)
+    entries = uncompiled(version, starts, profiles, platforms, variant)
     contents = {name.removeprefix("sources/"): content for name, content in entries.items()
                 if name.startswith("sources/")}
-    for platform, library in libraries(contents, compiled_units(version), platforms, folder, cache).items():
+    made = libraries(contents, compiled_units(version), variant.model, platforms, folder, cache)
+    for platform, library in made.items():
         place = PLATFORMS[platform]
-        entries[f"binaries/{place.fmi2 if version == 2 else place.name}/{MODEL}{place.suffix}"] = library
+        name = place.fmi2 if version == 2 else place.name
+        entries[f"binaries/{name}/{variant.model}{place.suffix}"] = library
     data = archive(entries)
     problems = problems_of(data)
     if problems:
@@ -82,11 +89,11 @@ def native_fmu(version, starts, profiles, platforms, folder, cache):
     return data
 
 
-def uncompiled(version, starts, profiles, platforms):
+def uncompiled(version, starts, profiles, platforms, variant=WHEELSET):
     """Every entry of the archive but the libraries for ``platforms``."""
     tool = f"wrcontact {__version__}, native"
-    token = f"{{{fingerprint(described('', version, tool, starts, profiles))[:32]}}}"
-    entries = described(token, version, tool, starts, profiles)
+    token = f"{{{fingerprint(described('', version, tool, starts, profiles, variant))[:32]}}}"
+    entries = described(token, version, tool, starts, profiles, variant)
     about = about_native(version, platforms, profiles)
     entries["documentation/index.html"] = documentation_page(__version__, entries["modelDescription.xml"],
                                                              about).encode()
@@ -94,23 +101,24 @@ def uncompiled(version, starts, profiles, platforms):
                 "fmi": headers_licence(entries[f"sources/{HEADERS[version][0]}"]),
                 "mingw-w64": windows_licence(platforms)}
     entries |= {f"documentation/licenses/{name}.txt": text for name, text in licences.items() if text}
-    return entries | terminals_and_icons(version, variable_names(version))
+    return entries | terminals_and_icons(version, variable_names(version), variant)
 
 
-def described(token, version, tool, starts, profiles):
+def described(token, version, tool, starts, profiles, variant):
     """The model description and the sources."""
     units = compiled_units(version)
     entries = {f"sources/{name}": content
-               for name, content in sources(version, token, starts, profiles).items()}
+               for name, content in sources(version, token, starts, profiles, variant).items()}
     if version == 3:
-        entries["sources/buildDescription.xml"] = description3.build_description(units)
-    return entries | {"modelDescription.xml": DESCRIPTIONS[version](token, tool, __version__, starts, units)}
+        entries["sources/buildDescription.xml"] = description3.build_description(units, variant)
+    page = DESCRIPTIONS[version](token, tool, __version__, starts, units, variant)
+    return entries | {"modelDescription.xml": page}
 
 
-def sources(version, token, starts, profiles):
+def sources(version, token, starts, profiles, variant=WHEELSET):
     """Everything that the library is compiled from, by path."""
     headers = Path(fmpy.__file__).parent / "c-code"
-    blocks = blocks_of(version)
+    blocks = blocks_of(version, variant)
     kernel = [file for folder in ("native", "generated")
               for file in sorted((PACKAGE / "kernel" / folder).glob("*.[ch]")) if "jacobian" not in file.name]
     adapters = [file for file in sorted(NATIVE.glob("*.[ch]")) if serves(file, version)]
@@ -118,16 +126,17 @@ def sources(version, token, starts, profiles):
         **{f"kernel/{file.parent.name}/{file.name}": file.read_bytes() for file in kernel},
         **{file.name: file.read_bytes() for file in adapters},
         **{name: (headers / name).read_bytes() for name in HEADERS[version]},
-        "model_sizes.h": native_model.sizes_header(blocks).encode(),
-        "model.c": native_model.model_code(token, starts, profiles, blocks).encode(),
+        "model_sizes.h": native_model.sizes_header(blocks, variant).encode(),
+        "model.c": native_model.model_code(token, starts, profiles, blocks, variant).encode(),
     }
 
 
-def blocks_of(version):
+def blocks_of(version, variant=WHEELSET):
     """(first, run) of every value reference from 0 on, as in model.h: RETIRED where there is no variable."""
-    found = {block.reference: (block.first, block.run) for block in description3.variable_blocks()}
+    found = {block.reference: (block.first, block.run) for block in description3.variable_blocks(variant)}
     if version == 2:
-        found = {REFERENCE[name]: (place, description3.SINGLE) for name, place in PLACE.items()}
+        found = {REFERENCE[name]: (place, description3.SINGLE) for name, place in PLACE.items()
+                 if variant.name(name)}
     nothing = description3.RETIRED, description3.SINGLE
     return [found.get(reference, nothing) for reference in range(max(found) + 1)]
 
@@ -150,13 +159,14 @@ def compiled_units(version):
     return [*adapters, "model.c", *FMU_UNITS]
 
 
-def libraries(contents, units, platforms, folder, cache):
-    """The library of each platform as bytes, made in a scratch folder of its own inside ``folder``."""
+def libraries(contents, units, name, platforms, folder, cache):
+    """The library ``name`` of each platform as bytes, made in a scratch folder of its own inside
+    ``folder``."""
     place = Path(tempfile.mkdtemp(dir=folder))
     write_sources(contents, place)
 
     def compiled(platform):
-        return compile_platform(platform, place, units, MODEL, HIDDEN, cache,
+        return compile_platform(platform, place, units, name, HIDDEN, cache,
                                 lambda made, total: tracked(made, f"compiling for {platform}", total))
 
     return {platform: compiled(platform) for platform in tracked(platforms, "platforms")}

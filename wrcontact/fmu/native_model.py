@@ -26,7 +26,7 @@ from ..kernel.prepare.scan import FINE_STEP
 from ..methods import NUMBERS, family_of
 from ..methods.numbers import unit_behind
 from ..profiles.definition import definition
-from ..status import SENTENCES, Status, Terms, written
+from ..status import SENTENCES, Status, written
 
 TEXT = 256        #: bytes of a String, with the zero at its end
 SENTENCE = 1024   #: and of a sentence
@@ -39,11 +39,11 @@ TYPES = {REAL: "MODEL_REAL", INTEGER: "MODEL_INTEGER", BOOLEAN: "MODEL_BOOLEAN",
          STRING: "MODEL_STRING"}
 
 
-def sizes_header(blocks):
+def sizes_header(blocks, variant):
     """The text of model_sizes.h, which is the same for all profiles."""
     sizes = {
         "VARIABLES": len(VARIABLES), "INPUTS": layout.INPUT_COUNT, "EQUILIBRIUM": EQUILIBRIUM,
-        "FIRST_OUTPUT": FIRST_OUTPUT,
+        "FIRST_OUTPUT": FIRST_OUTPUT, "SIDES": variant.sides,
         "OUTPUTS": STATUS - FIRST_OUTPUT, "STATUS": STATUS,
         "TOLERANCE": PLACE["tolerance"], "STRINGS": len(STRINGS), "TEXT": TEXT, "SENTENCE": SENTENCE,
         "WHEEL_SLOT": STRINGS.index("wheel_profile"), "RAIL_SLOT": STRINGS.index("rail_profile"),
@@ -66,7 +66,7 @@ def sizes_header(blocks):
                       *lines, "", "#endif"]) + "\n"
 
 
-def model_code(token, starts, profiles, blocks):
+def model_code(token, starts, profiles, blocks, variant):
     """The text of model.c: ``starts`` holds start values that differ from the table's, ``profiles`` all that
     can be chosen by their names, ``blocks`` the (first, run) of every value reference, as in model.h."""
     parts = [BANNER, '#include "model.h"', "", "#include <math.h>", "",
@@ -76,7 +76,7 @@ def model_code(token, starts, profiles, blocks):
             rows = [f"    {{{text(name)}, {NUMBERS[variable.name][name]}}}," for name in variable.choices]
             parts += [f"static const model_choice {variable.name}_choices[] = {{", *rows, "};", ""]
     parts += ["const model_variable model_variables[MODEL_VARIABLES] = {",
-              *(row(v, starts) for v in VARIABLES), "};", ""]
+              *(row(v, starts, variant) for v in VARIABLES), "};", ""]
     rows = []
     for number, (name, profile) in enumerate(profiles.items()):
         values = definition(profile)
@@ -84,7 +84,8 @@ def model_code(token, starts, profiles, blocks):
         rows.append(f"    {{{text(name)}, {text(profile.kind)}, profile_{number}, {len(values)}}},")
     parts += ["const model_profile model_profiles[] = {", *rows, "};",
               f"const int model_profile_count = {len(rows)};", "", *ladder_code()]
-    parts += ["const model_sentence model_sentences[MODEL_SENTENCES] = {", *map(said, SENTENCES), "};", ""]
+    parts += ["const model_sentence model_sentences[MODEL_SENTENCES] = {",
+              *(said(one, variant) for one in SENTENCES), "};", ""]
     parts += numbers("const double model_setup[MODEL_SETUP]", default_setup())
     parts += numbers("const double model_fixed[MODEL_FIXED_SIZE]", fixed_tables())
     rows = [f"    {{{first}, {run}}}," for first, run in blocks]
@@ -97,16 +98,16 @@ def default_setup():
     return np.nan_to_num(setup_of(*checked_parameters({}, {})))
 
 
-def said(sentence):
+def said(sentence, variant):
     """One sentence on a status as C, with the numbers of inputs where their values are."""
-    words = written(sentence.text, Terms(), lambda name: f"{{{INPUT_NAMES.index(name)}}}")
+    words = written(sentence.text, variant.terms(), lambda name: f"{{{INPUT_NAMES.index(name)}}}")
     limit = "NAN" if math.isnan(sentence.limit) else repr(sentence.limit)
     compliant = -1 if sentence.compliant is None else int(sentence.compliant)
     return (f"    {{{int(sentence.status)}, {compliant}, TEST_{sentence.test.upper()}, "
             f"{INPUT_NAMES.index(sentence.name)}, {limit}, {text(words)}}},")
 
 
-def row(variable, starts):
+def row(variable, starts, variant):
     """One variable as C."""
     start = starts.get(variable.name, variable.start)
     number = float(start) if isinstance(start, (bool, float)) else 0.0
@@ -115,8 +116,9 @@ def row(variable, starts):
     setup = PLACES.get(variable.name, -1)
     slot = STRINGS.index(variable.name) if variable.type == STRING else -1
     choices = f"{variable.name}_choices" if variable.choices else "0"
-    cells = [text(variable.name), TYPES[variable.type], CAUSALITIES[variable.causality],
-             text(unit_behind(variable.unit) if variable.unit else ""), repr(number), repr(low), repr(high),
+    cells = [text(variant.name(variable.name) or variable.name), TYPES[variable.type],
+             CAUSALITIES[variable.causality], text(unit_behind(variable.unit) if variable.unit else ""),
+             repr(number), repr(low), repr(high),
              str(setup), str(slot),
              text(start) if slot >= 0 else "0", choices, str(len(variable.choices))]
     return f"    {{{', '.join(cells)}}},"

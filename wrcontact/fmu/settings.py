@@ -29,6 +29,10 @@ def settings_of(words):
 
 
 def _number(name, value):
+    if ROWS[name].number.switch:
+        if value.lower() not in ("true", "false"):
+            raise ValueError(f"{name} is {value!r}; permitted is true or false")
+        return value.lower() == "true"
     try:
         return float(value)
     except ValueError:

@@ -9,6 +9,7 @@ from ..interface.inputs import RAILS as RAIL_INPUTS
 from ..interface.variables import INPUT, OUTPUT, VARIABLES
 from .archive import SOURCES
 from .description import xml_file
+from .variants import WHEELSET
 
 #: Inputs by what they are called in a connection: an axle's pose has no variable "roll_input".
 POSE = {"lateral_shift": "lateral_shift", "vertical_shift": "vertical_shift_input", "roll": "roll_input",
@@ -19,8 +20,9 @@ FRICTION = {row.name: row.name for row in FRICTION_INPUTS}
 LOAD = {"normal_force": "normal_force", "load_transfer": "load_transfer"}
 
 
-def terminals_and_icons(version, names):
-    """Entries of the archive for FMI ``version`` (2 or 3), whose variables are called ``names``.
+def terminals_and_icons(version, names, variant=WHEELSET):
+    """Entries of the archive for FMI ``version`` (2 or 3), whose variables are those of a wheelset with these
+    ``names`` that the ``variant`` has.
 
     FMI 2 takes the file over from FMI 3 as it is: its schema, which is that of FMI 3, permits only versions
     3.x of it, in an archive of FMI 2 too.
@@ -32,6 +34,10 @@ def terminals_and_icons(version, names):
     SubElement(picture, "Icon", corners)
     parent = SubElement(root, "Terminals")
     for name, (kind, meaning, members) in terminals(names).items():
+        members = {variant.name(member) or member: own for member, variable in members.items()
+                   if (own := variant.name(variable))}
+        if not members:
+            continue
         terminal = SubElement(parent, "Terminal", name=name, matchingRule="bus",
                               terminalKind=f"wrcontact.{kind}", description=meaning)
         for member, variable in members.items():

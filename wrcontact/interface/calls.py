@@ -123,6 +123,15 @@ def describe_inputs(function):
     _fill(function, "{inputs}", [f"        {row.keyword} : {row.words} [{row.unit}]." for row in INPUTS])
 
 
+def describe_wheel_inputs(function, rows):
+    """The same for one wheel, whose inputs are ``rows`` by their names."""
+    found = signature(function).parameters
+    named = [_parameter(name, row.start, False) for name, row in rows.items()]
+    function.__signature__ = Signature([found["self"], *named, found["outputs"]])
+    _fill(function, "{inputs}", [f"        {name} : {row.meaning} [{row.unit}]."
+                                 for name, row in rows.items()])
+
+
 def describe_parameters(system):
     """Give :class:`~wrcontact.ContactSystem` its signature, with every keyword, and the words of the
     parameters."""
@@ -145,6 +154,9 @@ def _lines(row):
         return
     if row.family is None:
         known = row.number
+        if known.switch:
+            yield f"    {row.name} : {row.meaning}."
+            return
         yield f"    {row.name} : {row.meaning}, {known.low:g} ... {known.high:g}{unit_behind(known.unit)}."
         return
     yield f"    {row.name} : {row.family.decides}:"

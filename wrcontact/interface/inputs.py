@@ -56,6 +56,14 @@ MOTION = (
               RATE_LIMIT, limited=True))),
 )
 
+#: Read where the parameter independent_wheels is true.
+RATES = tuple(
+    Input(f"{side}.wheel_rate", "rad/s", 20.0, "rotation about the axle, positive when it rolls forward, "
+          "read instead of wheel_rate if independent_wheels is true; 0 with free_rolling means speed / its "
+          "nominal_radius", -WHEEL_LIMIT, WHEEL_LIMIT, field=f"{side}_wheel_rate",
+          place=f"{side.capitalize()} wheel", limited=True)
+    for side in ("left", "right"))
+
 #: Usual loads of a wheel that is not lifted [N]: those of a hand trolley, and of an axle of 200 t. One in kN
 #: that is taken for N lies below, and one in N that is taken for kN above.
 USUAL_LOAD = (500.0, 1e6)
@@ -82,6 +90,7 @@ INPUTS = (
     *RAILS,
     *MOTION,
     *FRICTION,
+    *RATES,
 )
 
 INPUT_NAMES = tuple(row.name for row in INPUTS)

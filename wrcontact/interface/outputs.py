@@ -93,6 +93,8 @@ SIDE = (
     Output("friction_power", "W", 1e3, "power that friction takes from the motion, sum over the patches"),
     Output("wear_number", "N", 100.0, "wear number T gamma: creep forces times creepages without spin, sum "
            "over the patches", 0.0),
+    Output("driving_torque", "N.m", 1e3, "torque of the creep forces about the axle, positive where they "
+           "turn the wheel forward"),
     Blocks("patch", PATCH_LIMIT, PATCH, "patch"),
     Run("station", "m", 1e-3, "lateral position of an outline station in the contact plane, from the contact "
         "point to the field side"),

@@ -62,6 +62,8 @@ OTHERS = {
     "contact_damping": Number(0.0, 0.0, 100.0, "s/m", "Contact damping in the contact_mode compliant: forces "
                               "are multiplied by 1 + damping times the speed of the approach, and are never "
                               "below zero", nominal=0.1),
+    "independent_wheels": Number(False, 0, 1, "1", "Whether each wheel turns by itself, with left.wheel_rate "
+                                 "and right.wheel_rate instead of wheel_rate", switch=True),
     "stations": Number(STATION_COUNT, STATION_LEAST, STATION_LIMIT, "1", "Stations of a patch's outline",
                        whole=True, python_only=True),
     "smoothing": Number(None, 0.0, 0.5e-3, "m", "Permitted RMS distance between the curve and the points of "

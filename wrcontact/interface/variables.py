@@ -82,6 +82,8 @@ def _parameter(row):
         choices = row.family.names(python=False) if row.family else ()
         return Variable(row.fmu_name, PARAMETER, row.meaning, STRING, start=start, keyword=row.name,
                         choices=choices)
+    if known.switch:
+        return Variable(row.fmu_name, PARAMETER, row.meaning, BOOLEAN, start=start, keyword=row.name)
     return Variable(row.fmu_name, PARAMETER, row.meaning, unit=known.unit, start=start, minimum=known.low,
                     maximum=known.high, nominal=known.nominal or row.start, keyword=row.name)
 

@@ -70,6 +70,7 @@ class Number:
     usual : (low, high) outside which a value is permitted but rather a typing error; see
         :class:`UnusualValueWarning`.
     ratio : whether it may also be a text, "1:40" or "1/40".
+    switch : whether it is True or False, a Boolean in an FMU; the kernel reads 1 or 0.
     """
 
     default: float | int | None
@@ -84,6 +85,7 @@ class Number:
     python_only: bool = False
     usual: tuple | None = None
     ratio: bool = False
+    switch: bool = False
 
     def checked(self, name, value, context=""):
         """``value`` as a float or int within the range; None where that is the default.
@@ -96,6 +98,10 @@ class Number:
         """
         if value is None and self.default is None:
             return None
+        if self.switch:
+            if not is_truth(value):
+                raise ValueError(f"{name} is {value!r}; permitted is True or False")
+            return bool(value)
         if self.ratio and isinstance(value, str):
             found = ratio_of(value)
         else:
@@ -167,10 +173,14 @@ def ratio_of(text):
         return math.nan
 
 
+def is_truth(value):
+    """Whether ``value`` is True or False, also numpy's."""
+    return isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b"
+
+
 def is_plain(value):
     """Whether ``value`` is neither a text nor a truth value, which float() would take for numbers."""
-    truth = isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b"
-    return not truth and not isinstance(value, (str, bytes))
+    return not is_truth(value) and not isinstance(value, (str, bytes))
 
 
 def _number(value):

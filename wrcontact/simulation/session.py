@@ -223,16 +223,18 @@ class Session:
         return [int(values[place]) for place in self._integer_places]
 
     def set_booleans(self, references, values):
-        """Set inputs that are switches, all of them or none."""
-        self._settable(references, values, BOOLEAN)
-        for reference, value in zip(references, values, strict=True):
+        """Set switches, all of them or none."""
+        variables = self._settable(references, values, BOOLEAN)
+        for variable, reference, value in zip(variables, references, values, strict=True):
             place = _place(reference, BOOLEAN)
+            if variable.causality == PARAMETER:
+                self._set_parameter(variable, bool(value))
             if self._values[place] != bool(value):
                 self._values[place] = bool(value)
                 self._stale = True
 
     def get_booleans(self, references):
-        """Inputs that are switches."""
+        """Values of switches."""
         return [bool(self._values[_place(reference, BOOLEAN)]) for reference in references]
 
     def step(self, time=None, size=0.0):

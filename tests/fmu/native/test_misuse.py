@@ -19,7 +19,9 @@ def assert_refused(answers):
 
 NAMED = {"Integer as Real": "status", "String as Real": "load", "output": "roll", "half a list": "roll",
          "unknown reference": "4711", "fixed Real": "gauge is fixed at 1.435",
-         "fixed String": "load is fixed at 'normal'", "step of nan": "nan s", "step of -1 s": "-1.0 s",
+         "fixed String": "load is fixed at 'normal'",
+         "fixed Boolean": "independent_wheels is fixed at False after initialisation and cannot become True",
+         "step of nan": "nan s", "step of -1 s": "-1.0 s",
          "long String": "load has 5000 bytes", "String without letters": "load is a NULL pointer",
          "too few values": "30 values; these variables have 31",
          "state: freed": "saved state is not one of this instance", "state: cut at 64": "holds 64 bytes",
@@ -44,6 +46,7 @@ UNIT_OF_INPUT = {"lateral_shift": " m", "yaw": " rad", "roll_guess": " rad", "no
                  "lateral_velocity": " m/s", "vertical_velocity": " m/s", "yaw_rate": " rad/s",
                  "roll_rate": " rad/s", "wheel_rate": " rad/s", "track_curvature": " 1/m",
                  "left.friction": "", "right.friction": "",
+                 "left.wheel_rate": " rad/s", "right.wheel_rate": " rad/s",
                  **{f"{side}.rail_{part}_velocity": unit for side in ("left", "right")
                     for part, unit in (("lateral", " m/s"), ("vertical", " m/s"), ("roll", " rad/s"))},
                  **{f"{side}.rail_{part}": unit for side in ("left", "right")

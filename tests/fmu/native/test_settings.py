@@ -8,9 +8,11 @@ from tests.helpers.cases import OUTPUT_NAMES, moving_track
 from tests.helpers.fmus import WARM_START, Host, assert_same, needs_compiler, session, stepped
 from wrcontact.cli import main
 from wrcontact.fmu.archive import chosen_starts
+from wrcontact.fmu.description import number_text
 
 SETTINGS = {"contact_mode": "compliant", "tangential_model": "polach", "contact_damping": 0.7, "gauge": 1.433,
-            "left_nominal_radius": 0.459, "left_rail_inclination": 0.0}
+            "left_nominal_radius": 0.459, "left_rail_inclination": 0.0,
+            "independent_wheels": True}
 
 
 @needs_compiler
@@ -20,7 +22,8 @@ def test_set_parameters_are_the_start_values_and_the_model(kept, tmp_path, kind)
     files = kept("python" if kind == "python" else "native", settings=SETTINGS)
     file = files[0 if kind == "python" else kind - 2]
     described = {v.name: v.start for v in read_model_description(str(file)).modelVariables}
-    assert {name: described[name] for name in SETTINGS} == {name: str(SETTINGS[name]) for name in SETTINGS}
+    assert {name: described[name] for name in SETTINGS} == {
+        name: number_text(value) for name, value in SETTINGS.items()}
     assert (described["gauge_depth"], described["wheel_profile"]) == ("0.014", "S1002")
     host, rows = Host(file, tmp_path / "host"), moving_track(4, compliant=True)
     seen = host.ask("trajectory", rows=rows, names=OUTPUT_NAMES)["seen"]
@@ -42,6 +45,7 @@ REFUSED = {
     "gauge=wide": "gauge is 'wide'; permitted is a number, in SI units",
     "gauge=14.35": "gauge is 14.35; permitted is 0.5 ... 2 m",
     "gauge=nan": "gauge is nan; permitted is 0.5 ... 2 m",
+    "independent_wheels=1": "independent_wheels is '1'; permitted is true or false",
     "left_nominal_radius=0.01": "left_nominal_radius is 0.01; permitted is 0.1 ... 1 m",
     "wheel_profile=cone20": "wheel_profile is chosen by its own argument wheel, which takes built-in names "
                             "too",

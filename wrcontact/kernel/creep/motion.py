@@ -25,6 +25,8 @@ from ..layout import (CURVATURE_LIMIT, RATE_LIMIT, SPEED_LIMIT, VELOCITY_LIMIT, 
 def is_moderate(inputs: Inputs) -> bool:
     """Whether no velocity among the inputs is beyond its limit."""
     moderate = not (fabs(inputs.speed) > SPEED_LIMIT or fabs(inputs.wheel_rate) > WHEEL_LIMIT)
+    if fabs(inputs.left_wheel_rate) > WHEEL_LIMIT or fabs(inputs.right_wheel_rate) > WHEEL_LIMIT:
+        moderate = False
     if fabs(inputs.lateral_velocity) > VELOCITY_LIMIT or fabs(inputs.vertical_velocity) > VELOCITY_LIMIT:
         moderate = False
     if fabs(inputs.yaw_rate) > RATE_LIMIT or fabs(inputs.roll_rate) > RATE_LIMIT:
@@ -45,12 +47,24 @@ def is_rail_moderate(lateral: float, vertical: float, roll: float) -> bool:
     return not (fabs(lateral) > VELOCITY_LIMIT or fabs(vertical) > VELOCITY_LIMIT or fabs(roll) > RATE_LIMIT)
 
 
-def rolling_rate(tables: Tables, inputs: Inputs):
-    """Rotation of the wheelset about its axle [rad/s], positive when it rolls forward."""
-    rate = inputs.wheel_rate
+def rolling_rate(inputs: Inputs, given: float, radius: float):
+    """Rotation about the axle [rad/s], positive when it rolls forward, of which the input ``given`` says as
+    much; 0 may stand for that of free rolling with a nominal ``radius`` [m]."""
+    rate = given
     if rate == 0.0 and inputs.free_rolling != 0.0:
-        rate = inputs.speed / tables.height
+        rate = inputs.speed / radius
     return rate
+
+
+def are_independent(tables: Tables) -> bool:
+    """Whether each wheel turns by itself."""
+    return tables.parameters.independent_wheels != 0.0
+
+
+def turn_wheels(tables: Tables, left: Motion, right: Motion, inputs: Inputs):
+    """Give each wheel its own rotation."""
+    left.wheel_rate = rolling_rate(inputs, inputs.left_wheel_rate, tables.pairs[0].radius)
+    right.wheel_rate = rolling_rate(inputs, inputs.right_wheel_rate, tables.pairs[1].radius)
 
 
 def open_motion(tables: Tables, motion: Motion, inputs: Inputs, wheelset: Wheelset):
@@ -60,7 +74,7 @@ def open_motion(tables: Tables, motion: Motion, inputs: Inputs, wheelset: Wheels
     sin_roll, cos_roll = sine_cosine(wheelset.roll)
     motion.speed = inputs.speed
     motion.lateral = inputs.lateral_velocity
-    motion.wheel_rate = rolling_rate(tables, inputs)
+    motion.wheel_rate = rolling_rate(inputs, inputs.wheel_rate, tables.height)
     motion.track_rate = inputs.speed * inputs.track_curvature
     motion.turn_z = inputs.yaw_rate
     motion.ahead_x = cos_yaw

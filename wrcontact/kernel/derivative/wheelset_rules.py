@@ -21,7 +21,7 @@ from ..surface.gap import gap_per_roll, vertical_gap
 from ..wheelset.compliant import is_damped, load_at_height
 from ..wheelset.elastic import UNBALANCED
 from ..wheelset.forces import sum_forces
-from ..wheelset.requested import LOAD_RATES, carried_share, carries_friction, side_force
+from ..wheelset.requested import LOAD_RATES, carried_share, carries_friction, is_requested, side_force
 from ..wheelset.leaning import set_reference
 from ..wheelset.rubbing import move_patches, open_given_motion, rub_patches
 from ..wheelset.report import report
@@ -172,10 +172,10 @@ def follow_compliant(tables: Tables, work: Work):
     work.wheelset.vertical_shift = height
     if is_damped(tables):
         open_given_motion(tables, work)
-    follow_minimum(tables, work, 0)
-    load_at_height(tables, work, 0, height)
-    follow_minimum(tables, work, 1)
-    load_at_height(tables, work, 1, height)
+    for index in range(2):
+        if is_requested(tables, index):
+            follow_minimum(tables, work, index)
+            load_at_height(tables, work, index, height)
 
 
 def differentiate(tables: Tables, work: Work) -> bool:

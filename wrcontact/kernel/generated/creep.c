@@ -93,7 +93,9 @@ static inline int64_t march__march_strips(array_double_1d tables, array_double_1
 /* creep/motion.py */
 static inline bool motion__is_rail_moderate(double lateral, double vertical, double roll);
 static inline bool motion__is_moderate(array_double_1d work);
-static inline double motion__rolling_rate(array_double_1d work, array_double_1d tables);
+static inline double motion__rolling_rate(array_double_1d work, double given, double radius);
+static inline bool motion__are_independent(array_double_1d tables);
+static inline int64_t motion__turn_wheels(array_double_1d work, array_double_1d tables, int64_t left, int64_t right);
 static inline int64_t motion__open_motion(array_double_1d work, array_double_1d tables, int64_t motion);
 static inline int64_t motion__mirror_motion(array_double_1d work, int64_t motion, int64_t mirrored);
 static inline int64_t motion__open_left_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail);
@@ -2150,6 +2152,10 @@ static inline bool motion__is_moderate(array_double_1d work)
 {
     bool moderate;
     moderate = !((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED))) > layout__SPEED_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE))) > layout__WHEEL_LIMIT));
+    if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_WHEEL_RATE))) > layout__WHEEL_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_WHEEL_RATE))) > layout__WHEEL_LIMIT))
+    {
+        moderate = 0;
+    }
     if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY))) > layout__VELOCITY_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY))) > layout__VELOCITY_LIMIT))
     {
         moderate = 0;
@@ -2179,16 +2185,34 @@ static inline bool motion__is_rail_moderate(double lateral, double vertical, dou
     return !((fabs(lateral) > layout__VELOCITY_LIMIT) || (fabs(vertical) > layout__VELOCITY_LIMIT) || (fabs(roll) > layout__RATE_LIMIT));
 }
 
-/* Rotation of the wheelset about its axle [rad/s], positive when it rolls forward. */
-static inline double motion__rolling_rate(array_double_1d work, array_double_1d tables)
+/* Rotation about the axle [rad/s], positive when it rolls forward, of which the input ``given`` says as
+ * much; 0 may stand for that of free rolling with a nominal ``radius`` [m].
+ */
+static inline double motion__rolling_rate(array_double_1d work, double given, double radius)
 {
     double rate;
-    rate = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE));
+    rate = given;
     if ((rate == 0.0) && ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_FREE_ROLLING)) != 0.0))
     {
-        rate = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) / (*cspan_at(&tables, layout__TABLES_HEIGHT));
+        rate = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) / radius;
     }
     return rate;
+}
+
+/* Whether each wheel turns by itself. */
+static inline bool motion__are_independent(array_double_1d tables)
+{
+    bool result;
+    result = (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_INDEPENDENT_WHEELS)) != 0.0;
+    return result;
+}
+
+/* Give each wheel its own rotation. */
+static inline int64_t motion__turn_wheels(array_double_1d work, array_double_1d tables, int64_t left, int64_t right)
+{
+    (*cspan_at(&work, left + layout__MOTION_WHEEL_RATE)) = motion__rolling_rate(work, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)));
+    (*cspan_at(&work, right + layout__MOTION_WHEEL_RATE)) = motion__rolling_rate(work, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)));
+    return INT64_C(0);
 }
 
 /* What the inputs say of the motion of the ``wheelset``, as the right side sees it.  Vertical velocity
@@ -2204,7 +2228,7 @@ static inline int64_t motion__open_motion(array_double_1d work, array_double_1d 
     circle__sine_cosine(&sin_roll, &cos_roll, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
     (*cspan_at(&work, motion + layout__MOTION_SPEED)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED));
     (*cspan_at(&work, motion + layout__MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
-    (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) = motion__rolling_rate(work, tables);
+    (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) = motion__rolling_rate(work, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_HEIGHT)));
     (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE));
     (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
     (*cspan_at(&work, motion + layout__MOTION_AHEAD_X)) = cos_yaw;

@@ -276,6 +276,7 @@ static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double
     double roll;
     lanes height_t;
     double height;
+    int64_t index;
     EACH_LANE each(roll_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL)));
     roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
     EACH_LANE each(height_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT)));
@@ -290,10 +291,14 @@ static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double
     {
         derivative_rubbing__open_given_motion_t(tables, work, work_t);
     }
-    derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(0));
-    derivative_compliant__load_at_height_t(tables, work, work_t, INT64_C(0), height, height_t);
-    derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(1));
-    derivative_compliant__load_at_height_t(tables, work, work_t, INT64_C(1), height, height_t);
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        if (requested__is_requested(tables, index))
+        {
+            derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, index);
+            derivative_compliant__load_at_height_t(tables, work, work_t, index, height, height_t);
+        }
+    }
     return INT64_C(0);
 }
 

@@ -3669,16 +3669,34 @@ static inline int64_t derivative_march__sqrt_of_t(double* root, lanes* root_t, d
  */
 
 /* Derivative of ``rolling_rate``. */
-static inline int64_t derivative_motion__rolling_rate_t(double* rate, lanes* rate_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables)
+static inline int64_t derivative_motion__rolling_rate_t(double* rate, lanes* rate_t, array_double_1d work, array_lanes_1d work_t, double given, lanes given_t, double radius, lanes radius_t)
 {
-    EACH_LANE each((*rate_t)) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE)));
-    (*rate) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE));
+    double v1;
+    EACH_LANE each((*rate_t)) = each(given_t);
+    (*rate) = given;
     if (((*rate) == 0.0) && ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_FREE_ROLLING)) != 0.0))
     {
-        EACH_LANE each((*rate_t)) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED))) / (*cspan_at(&tables, layout__TABLES_HEIGHT));
-        (*rate) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) / (*cspan_at(&tables, layout__TABLES_HEIGHT));
+        v1 = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) / radius;
+        EACH_LANE each((*rate_t)) = (each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED))) - v1 * each(radius_t)) / radius;
+        (*rate) = v1;
     }
     return 0;
+}
+
+/* Derivative of ``turn_wheels``. */
+static inline int64_t derivative_motion__turn_wheels_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t left, int64_t right)
+{
+    double v1;
+    lanes v1_t;
+    double v2;
+    lanes v2_t;
+    derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_WHEEL_RATE)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)), all_lanes(0.0));
+    EACH_LANE each((*lanes_at(&work_t, left + layout__MOTION_WHEEL_RATE))) = each(v1_t);
+    (*cspan_at(&work, left + layout__MOTION_WHEEL_RATE)) = v1;
+    derivative_motion__rolling_rate_t(&v2, &v2_t, work, work_t, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_WHEEL_RATE)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)), all_lanes(0.0));
+    EACH_LANE each((*lanes_at(&work_t, right + layout__MOTION_WHEEL_RATE))) = each(v2_t);
+    (*cspan_at(&work, right + layout__MOTION_WHEEL_RATE)) = v2;
+    return INT64_C(0);
 }
 
 /* Derivative of ``open_motion``. */
@@ -3701,7 +3719,7 @@ static inline int64_t derivative_motion__open_motion_t(array_double_1d work, arr
     (*cspan_at(&work, motion + layout__MOTION_SPEED)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED));
     EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY)));
     (*cspan_at(&work, motion + layout__MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
-    derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, tables);
+    derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_HEIGHT)), all_lanes(0.0));
     EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE))) = each(v1_t);
     (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) = v1;
     EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED))) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE)));

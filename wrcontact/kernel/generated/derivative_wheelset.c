@@ -598,6 +598,8 @@ static inline int64_t derivative_report__report_load_t(array_double_1d work, arr
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_FRICTION_POWER)) = (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER));
     EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER))) = each((*lanes_at(&work_t, forces + layout__FORCES_WEAR_NUMBER)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE))) = each((*lanes_at(&work_t, forces + layout__FORCES_DRIVING_TORQUE)));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE));
     return INT64_C(0);
 }
 
@@ -829,6 +831,10 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d ta
     right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
     derivative_motion__open_motion_t(work, work_t, tables, right);
     derivative_motion__mirror_motion_t(work, work_t, right, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
+    if (motion__are_independent(tables))
+    {
+        derivative_motion__turn_wheels_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right);
+    }
     derivative_motion__open_left_rail_t(tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
     derivative_motion__open_right_rail_t(tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL);
     derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
@@ -843,7 +849,7 @@ static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables,
     int64_t number_end;
     int64_t number;
     int64_t patch;
-    if (!requested__is_rolling(work))
+    if (!requested__is_rolling(work, tables))
     {
         return INT64_C(0);
     }

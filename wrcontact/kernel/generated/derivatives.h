@@ -220,7 +220,8 @@ static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array
 static inline int64_t derivative_march__march_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table);
 
 /* derivative_motion.py */
-static inline int64_t derivative_motion__rolling_rate_t(double* rate, lanes* rate_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables);
+static inline int64_t derivative_motion__rolling_rate_t(double* rate, lanes* rate_t, array_double_1d work, array_lanes_1d work_t, double given, lanes given_t, double radius, lanes radius_t);
+static inline int64_t derivative_motion__turn_wheels_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t left, int64_t right);
 static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t motion);
 static inline int64_t derivative_motion__mirror_motion_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t mirrored);
 static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail);

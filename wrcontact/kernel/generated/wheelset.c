@@ -15,7 +15,8 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
 
 /* wheelset/compliant.py */
 static OUT_OF_LINE bool compliant__is_damped(array_double_1d tables);
-static OUT_OF_LINE bool compliant__follow_starts(array_double_1d tables, array_double_1d work);
+static OUT_OF_LINE bool compliant__search_near(array_double_1d tables, array_double_1d work, int64_t index, int64_t row);
+static OUT_OF_LINE bool compliant__search_requested(array_double_1d tables, array_double_1d work);
 static OUT_OF_LINE int64_t compliant__damp_patch(array_double_1d work, int64_t patch, double factor);
 static OUT_OF_LINE int64_t compliant__damp_patches(array_double_1d work, array_double_1d tables, int64_t side);
 static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, array_double_1d work, int64_t index, double height);
@@ -64,7 +65,7 @@ static inline int64_t requested__check_inputs(array_double_1d work, array_double
 static inline double requested__side_force(array_double_1d work, int64_t index);
 static inline bool requested__is_requested(array_double_1d tables, int64_t index);
 static inline int64_t requested__requested_outcome(array_double_1d tables, array_double_1d work, int64_t status);
-static inline bool requested__is_rolling(array_double_1d work);
+static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables);
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work);
 static inline int64_t requested__release_friction(array_double_1d work);
 static inline bool requested__carries_friction(array_double_1d tables, array_double_1d work);
@@ -516,7 +517,7 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, ar
     {
         rubbing__open_given_motion(tables, work);
     }
-    if (!roll__search_both(work, tables, compliant__follow_starts(tables, work)))
+    if (!compliant__search_requested(tables, work))
     {
         return layout__OFF_PROFILE;
     }
@@ -535,26 +536,49 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, ar
     return status;
 }
 
-/* Whether both smallest gaps could be followed from where they are known near the lateral shift. */
-static OUT_OF_LINE bool compliant__follow_starts(array_double_1d tables, array_double_1d work)
+/* Search the smallest gaps of the requested sides, each by itself; whether their wheels are above their
+ * rails.
+ */
+static OUT_OF_LINE bool compliant__search_requested(array_double_1d tables, array_double_1d work)
 {
     int64_t row;
-    int64_t start;
-    bool known;
+    bool above;
     row = roll__nearest_start(tables, (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)));
-    known = 0;
-    if (row >= INT64_C(0))
+    above = 1;
+    if (requested__is_requested(tables, INT64_C(0)))
+    {
+        above = compliant__search_near(tables, work, INT64_C(0), row);
+    }
+    if (requested__is_requested(tables, INT64_C(1)) && (!compliant__search_near(tables, work, INT64_C(1), row)))
+    {
+        above = 0;
+    }
+    return above;
+}
+
+/* Search a side, from the smallest gap that is known near the lateral shift in this ``row`` if it can be
+ * followed; whether its wheel is above its rail.
+ */
+static OUT_OF_LINE bool compliant__search_near(array_double_1d tables, array_double_1d work, int64_t index, int64_t row)
+{
+    int64_t side;
+    bool known;
+    int64_t start;
+    bool result;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    known = row >= INT64_C(0);
+    if (known)
     {
         start = (int64_t)((*cspan_at(&tables, layout__TABLES_STARTS))) + layout__STARTS_ROWS + layout__START_SIZE * row;
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_LEFT));
-        (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_RIGHT));
-        known = roll__follow_side(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES);
-        if (known)
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_LEFT));
+        if (index == INT64_C(1))
         {
-            known = roll__follow_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1));
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)) = (*cspan_at(&tables, start + layout__START_RIGHT));
         }
+        known = roll__follow_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * index, side);
     }
-    return known;
+    result = smallest_gap__search_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * index, side, known);
+    return result;
 }
 
 /* The load of a side whose wheelset has the vertical shift ``height`` [m], if it is requested; its
@@ -1383,6 +1407,7 @@ static inline int64_t report__report_load(array_double_1d work, int64_t side, in
     report__write_vector(work, out + layout__SIDE_OUTPUTS_NORMAL_MOMENT, forces + layout__FORCES_NORMAL_MOMENT, mirror, 1.0);
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_FRICTION_POWER)) = (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE));
     return INT64_C(0);
 }
 
@@ -1613,19 +1638,23 @@ static inline int64_t requested__requested_outcome(array_double_1d tables, array
     return outcome;
 }
 
-/* Whether the wheelset runs or its wheels turn: then there are no creepages. */
-static inline bool requested__is_rolling(array_double_1d work)
+/* Whether the wheelset runs or its wheels turn: otherwise there are no creepages. */
+static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables)
 {
-    bool result;
-    result = ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE)) != 0.0);
-    return result;
+    bool rolling;
+    rolling = ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE)) != 0.0);
+    if (motion__are_independent(tables))
+    {
+        rolling = ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_WHEEL_RATE)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_WHEEL_RATE)) != 0.0);
+    }
+    return rolling;
 }
 
 /* Whether there are creep forces: a model is chosen, and the wheelset rolls. */
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work)
 {
     bool result;
-    result = ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && requested__is_rolling(work);
+    result = ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && requested__is_rolling(work, tables);
     return result;
 }
 
@@ -1868,6 +1897,10 @@ static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_d
     right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
     motion__open_motion(work, tables, right);
     motion__mirror_motion(work, right, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
+    if (motion__are_independent(tables))
+    {
+        motion__turn_wheels(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right);
+    }
     motion__open_left_rail(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
     motion__open_right_rail(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL);
     motion__set_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
@@ -1884,7 +1917,7 @@ static inline int64_t rubbing__move_patches(array_double_1d tables, array_double
     int64_t number_end;
     int64_t number;
     int64_t patch;
-    if (!requested__is_rolling(work))
+    if (!requested__is_rolling(work, tables))
     {
         return INT64_C(0);
     }

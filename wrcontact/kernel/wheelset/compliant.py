@@ -12,7 +12,8 @@ from ..layout import (DEPTH_GEOMETRY, MODE_COMPLIANT, OFF_PROFILE, ROLLING_STRIP
                       SideSearch, Tables, Work, seldom)
 from ..creep.creepage import approach_rate
 from ..patch.filling import total_patches
-from ..search.roll import follow_side, nearest_start, place_both, search_both
+from ..search.roll import follow_side, nearest_start, place_both
+from ..search.smallest_gap import search_side
 from .leaning import set_reference
 from .requested import is_requested
 from .rubbing import open_given_motion
@@ -35,7 +36,7 @@ def solve_compliant(tables: Tables, work: Work):
     work.wheelset.vertical_shift = height
     if is_damped(tables):
         open_given_motion(tables, work)
-    if not search_both(tables, work.sides, follow_starts(tables, work)):
+    if not search_requested(tables, work):
         return OFF_PROFILE
     status = VALID
     clear_side(work.sides[0])
@@ -49,18 +50,31 @@ def solve_compliant(tables: Tables, work: Work):
 
 
 @seldom
-def follow_starts(tables: Tables, work: Work) -> bool:
-    """Whether both smallest gaps could be followed from where they are known near the lateral shift."""
+def search_requested(tables: Tables, work: Work) -> bool:
+    """Search the smallest gaps of the requested sides, each by itself; whether their wheels are above their
+    rails."""
     row = nearest_start(tables.starts, work.inputs.lateral_shift)
-    known = False
-    if row >= 0:
+    above = True
+    if is_requested(tables, 0):
+        above = search_near(tables, work, 0, row)
+    if is_requested(tables, 1) and not search_near(tables, work, 1, row):
+        above = False
+    return above
+
+
+@seldom
+def search_near(tables: Tables, work: Work, index: int, row: int) -> bool:
+    """Search a side, from the smallest gap that is known near the lateral shift in this ``row`` if it can be
+    followed; whether its wheel is above its rail."""
+    side = work.sides[index]
+    known = row >= 0
+    if known:
         start = tables.starts.rows[row]
-        work.sides[0].best_y = start.left
-        work.sides[1].best_y = start.right
-        known = follow_side(tables.pairs[0], work.sides[0])
-        if known:
-            known = follow_side(tables.pairs[1], work.sides[1])
-    return known
+        side.best_y = start.left
+        if index == 1:
+            side.best_y = start.right
+        known = follow_side(tables.pairs[index], side)
+    return search_side(tables.pairs[index], side, known)
 
 
 @seldom

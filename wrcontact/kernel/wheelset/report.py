@@ -111,6 +111,7 @@ def report_load(side: SideSearch, out: SideOutputs, mirror: float):
     write_vector(out.normal_moment, forces.normal_moment, mirror, 1.0)
     out.friction_power = forces.friction_power
     out.wear_number = forces.wear_number
+    out.driving_torque = forces.driving_torque
 
 
 def report_patches(side: SideSearch, out: SideOutputs, mirror: float):

@@ -14,7 +14,7 @@ from math import fabs, isfinite
 from typing import Final
 
 from ..creep.friction import is_frictional
-from ..creep.motion import is_moderate
+from ..creep.motion import are_independent, is_moderate
 from ..layout import (FRICTION_LIMIT, INPUT_COUNT, INVALID_INPUT, LOAD_VERTICAL, MODE_COMPLIANT, OFF_PROFILE,
                       RAIL_LIMIT, RAIL_ROLL_LIMIT, ROLL_LIMIT, SIDES_BOTH, SIDES_LEFT, TANGENTIAL_NONE,
                       UNLOADED, VALID, Inputs, Support, Tables, Work)
@@ -93,14 +93,17 @@ def requested_outcome(tables: Tables, work: Work, status: int):
     return outcome
 
 
-def is_rolling(inputs: Inputs) -> bool:
-    """Whether the wheelset runs or its wheels turn: then there are no creepages."""
-    return inputs.speed != 0.0 or inputs.wheel_rate != 0.0
+def is_rolling(tables: Tables, inputs: Inputs) -> bool:
+    """Whether the wheelset runs or its wheels turn: otherwise there are no creepages."""
+    rolling = inputs.speed != 0.0 or inputs.wheel_rate != 0.0
+    if are_independent(tables):
+        rolling = inputs.speed != 0.0 or inputs.left_wheel_rate != 0.0 or inputs.right_wheel_rate != 0.0
+    return rolling
 
 
 def has_creep_forces(tables: Tables, work: Work) -> bool:
     """Whether there are creep forces: a model is chosen, and the wheelset rolls."""
-    return tables.tangential != TANGENTIAL_NONE and is_rolling(work.inputs)
+    return tables.tangential != TANGENTIAL_NONE and is_rolling(tables, work.inputs)
 
 
 def release_friction(work: Work):

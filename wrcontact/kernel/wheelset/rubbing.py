@@ -17,8 +17,9 @@ from math import sqrt
 from ..creep.creep_force import solve_creep_force
 from ..creep.creepage import STANDSTILL, move_patch, move_strips
 from ..creep.friction import multiply_creepages, patch_friction, slope_factor
-from ..creep.motion import (constrain_loaded, constrain_touching, mirror_motion, open_left_rail, open_motion,
-                            open_right_rail, set_contact_rates, set_rates)
+from ..creep.motion import (are_independent, constrain_loaded, constrain_touching, mirror_motion,
+                            open_left_rail, open_motion, open_right_rail, set_contact_rates, set_rates,
+                            turn_wheels)
 from ..layout import (DEPTH_ALL, MODE_COMPLIANT, MODE_ELASTIC, ROLLING_STRIP_LIMIT, TANGENTIAL_NONE, Outline,
                       Patch, Rolling, RollingStrip, SideSearch, Tables, Work)
 from .forces import sum_side
@@ -32,6 +33,8 @@ def open_given_motion(tables: Tables, work: Work):
     right = work.sides[1].motion
     open_motion(tables, right, work.inputs, work.wheelset)
     mirror_motion(right, left)
+    if are_independent(tables):
+        turn_wheels(tables, left, right, work.inputs)
     open_left_rail(tables.pairs[0], left.rail, work.inputs)
     open_right_rail(tables.pairs[1], right.rail, work.inputs)
     set_rates(left, right, work.inputs.vertical_velocity, work.inputs.roll_rate)
@@ -40,7 +43,7 @@ def open_given_motion(tables: Tables, work: Work):
 def move_patches(tables: Tables, work: Work):
     """Creepages of all patches and their strips, if the wheelset rolls; in compliant contact vertical
     velocity and roll rate are given, otherwise they follow from contact with both rails."""
-    if not is_rolling(work.inputs):
+    if not is_rolling(tables, work.inputs):
         return
     open_given_motion(tables, work)
     if tables.mode != MODE_COMPLIANT:
