@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import exudyn
 import numpy as np
 from exudyn.utilities import (
+    Force,
     MarkerBodyRigid,
     ObjectConnectorRigidBodySpringDamper,
     ObjectGround,
@@ -125,14 +126,22 @@ class Vehicle:
     def marker(self, body, place=(0, 0, 0)):
         return self.mbs.AddMarker(MarkerBodyRigid(bodyNumber=body, localPosition=list(place)))
 
+    def spring(self, ends, stiffness, damping, load):
+        """A spring between two markers, in the axes of the first, and what it carries at rest: a vertical force.
+
+        As an offset of the spring the load would turn with the first body, and exudyn gives no moment for that.
+        """
+        self.mbs.AddObject(ObjectConnectorRigidBodySpringDamper(
+            markerNumbers=ends, stiffness=np.diag(stiffness), damping=np.diag(damping)))
+        for end, down in zip(ends, (-load, load)):
+            self.mbs.AddLoad(Force(markerNumber=end, loadVector=[0, 0, down]))
+
     def hang(self, axle, frame, way, primary):
-        """The axle boxes of a wheelset in the frame, with the load that they carry at rest."""
-        sag = (data.LOAD - data.WHEELSET.mass * data.GRAVITY) / 2 / primary.stiffness[2]
+        """The axle boxes of a wheelset in the frame."""
+        load = (data.LOAD - data.WHEELSET.mass * data.GRAVITY) / 2
         for side in (-data.HALF_BOXES, data.HALF_BOXES):
             ends = [self.marker(frame, [way, side, data.FRAME.height - self.height]), self.marker(axle, [0, 0, side])]
-            self.mbs.AddObject(ObjectConnectorRigidBodySpringDamper(
-                markerNumbers=ends, stiffness=np.diag([*primary.stiffness, 0, 0, 0]),
-                damping=np.diag([*primary.damping, 0, 0, 0]), offset=[0, 0, sag, 0, 0, 0]))
+            self.spring(ends, [*primary.stiffness, 0, 0, 0], [*primary.damping, 0, 0, 0], load)
 
     def support(self, frame, pivot):
         """The car body on a frame: two springs, roll bar, traction rod."""
@@ -142,9 +151,7 @@ class Vehicle:
         damping = [data.ROD[1], 2 * d_y, 2 * d_z, 2 * d_z * arm, 0, 0]
         ends = [self.marker(self.car, [pivot, 0, data.CAR.height - data.SECONDARY_HEIGHT]),
                 self.marker(frame, [0, 0, data.FRAME.height - data.SECONDARY_HEIGHT])]
-        self.mbs.AddObject(ObjectConnectorRigidBodySpringDamper(
-            markerNumbers=ends, stiffness=np.diag(stiffness), damping=np.diag(damping),
-            offset=[0, 0, data.CAR.mass / 2 * data.GRAVITY / stiffness[2], 0, 0, 0]))
+        self.spring(ends, stiffness, damping, data.CAR.mass / 2 * data.GRAVITY)
 
     def motion(self, number, velocity, angular_velocity):
         """The motion of a wheelset against the track, and the heading of the track [rad]."""

@@ -1,7 +1,7 @@
 """Small swings of a bogie below a car body that stands still: linear theory, without exudyn and wrcontact.
 
 Seven coordinates: y and yaw of both wheelsets; y, yaw and roll of the frame.  The wheels are cones that roll as
-their cones say, so that the roll of a wheelset is s y.  Hertz's patches (Johnson 1985, 4.26) and Kalker's
+their cones say, so that a wheelset at y has the roll -s y.  Hertz's patches (Johnson 1985, 4.26) and Kalker's
 coefficients.  Frames and signs are those of docs/conventions.md.
 """
 
@@ -45,31 +45,58 @@ def way(**parts):
     return np.array([parts.get(name, 0.0) for name in NAMES])
 
 
+def lean(load, half):
+    """How a wheelset rolls for each metre that it goes to the right [rad/m], and the force to the left that comes of
+    each N m of roll moment [1/m].
+
+    The moment loads one wheel more and the other less; both push inwards with CONE of their load and outwards by
+    the spin of the cones.  Without the spin the two numbers were equal, by virtual work.
+    """
+    inwards = CONE - slopes(load)[2] * CONE / data.WHEEL_RADIUS / load
+    return (CONE / (half - data.WHEEL_RADIUS * CONE), inwards / (half - data.WHEEL_RADIUS * inwards))
+
+
 def wheelset(speed, load, half):
-    """Damping and stiffness (2, 2) of y and yaw of a wheelset on its rails, whose wheels touch them ``half`` [m]
-    beside the middle."""
+    """Damping and stiffness (2, 2) of y and yaw of a wheelset on its rails.
+
+    Parameters
+    ----------
+    speed : [m/s].
+    load : of a wheel [N].
+    half : how far beside the middle the wheels touch the rails [m].
+
+    Returns
+    -------
+    damping, stiffness : creep forces, gyroscope, and what loads do: at y the contacts lie HEAD roll y to the other
+        side of their rails, so that the wheels carry unlike, and normals and spin lean by the roll; a yaw takes
+        the contacts, and the lateral forces in them, along the track.
+    """
     f11, f22, f23 = slopes(load)
-    radius, roll = data.WHEEL_RADIUS, CONE / (half - data.WHEEL_RADIUS * CONE)      # roll by y [rad/m]
-    lean = 1 + radius * roll                        # a point of the wheel goes so far across for each metre of y
-    conicity = CONE * (1 + (radius + HEAD) * roll)  # the roll moves the contact along wheel and rail
-    gyro = data.WHEELSET.inertia[1] * speed / radius * roll
-    damping = np.array([[2 * f22 * lean**2 / speed, 2 * f23 * lean / speed - gyro],
-                        [gyro - 2 * f23 * lean / speed, 2 * f11 * half**2 / speed]])
-    stiffness = np.array([[0.0, -2 * f22 * lean],
-                          [2 * f11 * half * conicity / radius, 2 * f23 - 2 * load * CONE * half]])
+    radius, (roll, push) = data.WHEEL_RADIUS, lean(load, half)
+    moved, pushed = 1 + radius * roll, 1 + radius * push        # of the contacts against y, and their forces in y
+    conicity = CONE * (1 + (radius + HEAD) * roll)      # the roll moves the contact along wheel and rail
+    gyro = data.WHEELSET.inertia[1] * speed / radius
+    damping = np.array([[2 * f22 * moved * pushed / speed, 2 * f23 * pushed / speed - gyro * push],
+                        [gyro * roll - 2 * f23 * moved / speed, 2 * f11 * half**2 / speed]])
+    spread = 2 * (load * CONE - f23 * CONE / radius) * half
+    gravity = 2 * (load - f23 / radius) * roll * pushed + 2 * load * (1 + HEAD * roll) * push
+    stiffness = np.array([[gravity, -2 * f22 * pushed],
+                          [2 * f11 * half * conicity / radius, 2 * f23 - spread]])
     return damping, stiffness
 
 
 def matrices(speed, half, primary=data.SOFT):
     """Mass, damping and stiffness (7, 7) at ``speed`` [m/s]; ``half`` as in :func:`wheelset`."""
-    roll = CONE / (half - data.WHEEL_RADIUS * CONE)
-    across = data.WHEELSET.mass + data.WHEELSET.inertia[0] * roll**2
+    roll, push = lean(data.LOAD / 2, half)
+    across = data.WHEELSET.mass + data.WHEELSET.inertia[0] * roll * push
     mass = np.diag([across, data.WHEELSET.inertia[2]] * 2 + [data.FRAME.mass, *data.FRAME.inertia[::-2]])
     damping, stiffness = np.zeros((7, 7)), np.zeros((7, 7))
 
-    def spring(k, d, **parts):
-        stiffness[:] += k * np.outer(way(**parts), way(**parts))
-        damping[:] += d * np.outer(way(**parts), way(**parts))
+    def spring(k, d, pushes=None, **parts):
+        longer = way(**parts)
+        pushes = longer if pushes is None else pushes
+        stiffness[:] += k * np.outer(pushes, longer)
+        damping[:] += d * np.outer(pushes, longer)
 
     (k_x, k_y, k_z), (d_x, d_y, d_z) = primary.stiffness, primary.damping
     boxes = 2 * data.HALF_BOXES**2
@@ -80,9 +107,10 @@ def matrices(speed, half, primary=data.SOFT):
         stiffness[own, own] += more[1]
         spring(2 * k_y, 2 * d_y, **{f"y{number}": 1}, y=-1, yaw=-x, roll=data.FRAME.height - data.WHEEL_RADIUS)
         spring(boxes * k_x, boxes * d_x, **{f"yaw{number}": 1}, yaw=-1)
+        spring(boxes * k_z, boxes * d_z, way(**{f"y{number}": push}, roll=1), **{f"y{number}": roll}, roll=1)
     (k_sx, k_sy, k_sz), (_, d_sy, d_sz) = data.SECONDARY.stiffness, data.SECONDARY.damping
     springs = 2 * data.HALF_SPRINGS**2
-    spring(2 * boxes * k_z + springs * k_sz + data.ROLL_BAR, 2 * boxes * d_z + springs * d_sz, roll=1)
+    spring(springs * k_sz + data.ROLL_BAR, springs * d_sz, roll=1)
     spring(2 * k_sy, 2 * d_sy, y=1, roll=data.SECONDARY_HEIGHT - data.FRAME.height)
     spring(springs * k_sx, 0.0, yaw=1)
     return mass, damping, stiffness
