@@ -183,13 +183,16 @@ class Vehicle:
             rows.append([motion["lateral_shift"], motion["yaw"], *contact.loads, acting[1]])
         return rows, [self.mbs.GetObjectOutputBody(body, OF.Position) for body in self.bodies]
 
-    def run(self, duration, step, solver="RK44", every=4):
-        """A :class:`Run`, of which every ``every``-th step is recorded."""
+    def run(self, duration, step, solver="RK44", every=4, full_newton=False):
+        """A :class:`Run`, of which every ``every``-th step is recorded.
+
+        ``full_newton`` lets an implicit solver renew its Jacobian in each iteration.
+        """
         steps, seen = round(duration / step), []
         settings = exudyn.SimulationSettings()
         settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = steps, duration
         newton = settings.timeIntegration.newton
-        newton.useModifiedNewton = True
+        newton.useModifiedNewton = not full_newton
         # rounding of a place of 30 m, times mass by step squared, is 1e-4 N
         newton.relativeTolerance, newton.absoluteTolerance = 1e-6, 1e-4
         newton.numericalDifferentiation.relativeEpsilon = 1e-9      # of places of 100 m: within NEAR
