@@ -188,7 +188,7 @@ class Vehicle:
 
         ``full_newton`` lets an implicit solver renew its Jacobian in each iteration.
         """
-        steps, seen = round(duration / step), []
+        steps, seen, count = round(duration / step), [], iter(range(10**9))
         settings = exudyn.SimulationSettings()
         settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = steps, duration
         newton = settings.timeIntegration.newton
@@ -200,7 +200,7 @@ class Vehicle:
         settings.solution.file.write = False
 
         def before(mbs, now):
-            if round(now / step) % every == 0:
+            if next(count) % every == 0:
                 seen.append((now, *self.look()))
             return True
 
@@ -210,5 +210,5 @@ class Vehicle:
         used = time.process_time() - began
         now, wheelsets, places = (np.array(column) for column in zip(*seen))
         recorded = len(now) * len(self.axles)
-        return Run(now, wheelsets, places, steps, sum(c.steps for c in self.contacts) - recorded,
+        return Run(now, wheelsets, places, next(count), sum(c.steps for c in self.contacts) - recorded,
                    sum(c.derivatives for c in self.contacts), sum(c.failed for c in self.contacts), used)

@@ -53,9 +53,9 @@ def on_irregular_track(duration=4.0):
 def needed_in_curve(run, last=0.5):
     """Lateral force on all wheelsets [N] over the ``last`` seconds of a run, and mass times v^2 / R."""
     late = run.time > run.time[-1] - last
-    car = run.places[late, -1]
-    speed = np.hypot(*np.diff(car[:, :2], axis=0).T) / np.diff(run.time[late])
-    return run["force_y"][late].sum(axis=1).mean(), 4 * data.LOAD / data.GRAVITY * np.mean(speed**2) / CURVE
+    way = np.hypot(*np.diff(run.places[late, -1, :2], axis=0).T).sum()
+    speed = way / np.ptp(run.time[late])
+    return run["force_y"][late].sum(axis=1).mean(), 4 * data.LOAD / data.GRAVITY * speed**2 / CURVE
 
 
 @styled
@@ -80,7 +80,7 @@ def draw(growths, bulged, curved, shaken):
     axes[2].plot(curved.time, curved["force_y"].sum(axis=1) / 1e3, color=INK, label="lateral, all wheelsets")
     axes[2].set(xlabel="time [s]", ylabel="force [kN]",
                 title=f"Into a curve to the right of {CURVE:g} m at {CURVE_SPEED:g} m/s: first wheelset")
-    axes[2].legend(ncols=3, loc="center right")
+    axes[2].legend(loc=(0.02, 0.28))
     rough = irregular()
     first = shaken.places[:, 0, 0]
     axes[3].plot(first, [rough(s) / MM for s in first], color=QUIET, linestyle=":", label="track")

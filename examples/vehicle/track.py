@@ -52,11 +52,10 @@ def bulge(distance):
 
 
 def irregular(seed=1, waves=40):
-    """A function of the distance: random displacement across the track, with the spectrum "low" of ERRI B176
-    between 3 and 50 m, in ``waves`` cosines.
+    """A function of the distance: random displacement across the track, in ``waves`` cosines of 3 ... 50 m.
 
-    ``S(W) = A W_c^2 / ((W_r^2 + W^2) (W_c^2 + W^2))``, A = 2.119e-7 rad m, W_c = 0.8246 rad/m, W_r = 0.0206
-    rad/m.
+    ``S(W) = A W_c^2 / ((W_r^2 + W^2) (W_c^2 + W^2))`` with A = 2.119e-7 rad m, W_c = 0.8246 rad/m and W_r = 0.0206
+    rad/m: the spectrum of ERRI B176 for good track, from memory.
     """
     edges = np.geomspace(2 * np.pi / 50, 2 * np.pi / 3, waves + 1)
     middle, width = np.sqrt(edges[1:] * edges[:-1]), np.diff(edges)
@@ -65,7 +64,7 @@ def irregular(seed=1, waves=40):
     phases = np.random.default_rng(seed).uniform(0, 2 * np.pi, waves)
 
     def displacement(distance):
-        fade = min(max(distance / 20.0, 0.0), 1.0)
+        fade = min(max((distance - 15.0) / 20.0, 0.0), 1.0)        # the vehicle begins on straight track
         return fade * float(sizes @ np.cos(middle * distance + phases))
 
     return displacement
