@@ -43,11 +43,12 @@ def hunts():
     names = [f"`{model}`" for model in MODELS]
     critical = {model: hunting.critical_speed(hunting.SPEEDS, growths[model]) for model in MODELS}
     wanted = theory.critical_speed(half)
-    words = ", ".join(f"{critical[model]:.2f} m/s with `{model}` ({100 * (critical[model] / wanted - 1):+.2f} %)"
-                      for model in MODELS)
-    return [*grid(["speed [m/s]", *(f"growth, {name} [1/s]" for name in names), "theory",
-                   *(f"frequency, {name} [rad/s]" for name in names), "theory"], rows).splitlines(), "",
-            f"Critical speed: {words}, by the theory {wanted:.2f} m/s."], dict(zip(hunting.SPEEDS, growths["strips"]))
+    words = ", ".join(f"{speed:.2f} m/s with `{model}` ({100 * (speed / wanted - 1):+.2f} %)"
+                      for model, speed in critical.items())
+    lines = grid(["speed [m/s]", *(f"growth, {name} [1/s]" for name in names), "theory",
+                  *(f"frequency, {name} [rad/s]" for name in names), "theory"], rows).splitlines()
+    lines += ["", f"Critical speed: {words}, by the theory {wanted:.2f} m/s."]
+    return lines, dict(zip(hunting.SPEEDS, growths["strips"]))
 
 
 def solvers():
@@ -56,25 +57,26 @@ def solvers():
     for name, (_, step, _, _) in runs.SOLVERS.items():
         run = runs.over_bulge(name)
         kept = run if name == "`RK44`" else kept
-        rows.append([name, f"{1e3 * step:g}", f"{run.contact_steps / run.steps:.1f}",
-                     f"{run.derivatives / run.steps:.1f}", f"{run.processor:.1f}",
-                     f"{1e3 * np.abs(run.places[:, :4, 1]).max():.3f}", f"{loads(run)[0] / 1e3:.2f}", run.failed])
-    return grid(["solver", "step [ms]", "contact steps a step", "derivatives a step", "processor [s]",
-                 "largest y [mm]", "smallest load [kN]", "failed"], rows).splitlines(), kept
+        largest = 1e3 * np.abs(run.places[:, :4, 1]).max()
+        rows.append([name, f"{1e3 * step:g}", run.steps, f"{run.contact_steps / run.steps:.1f}",
+                     f"{run.derivatives / run.steps:.1f}", f"{run.processor:.1f}", f"{largest:.3f}",
+                     f"{loads(run)[0] / 1e3:.2f}", run.failed])
+    return grid(["solver", "step [ms]", "steps", "contact steps a step", "derivatives a step",
+                 "processor [s]", "largest y [mm]", "smallest load [kN]", "failed"], rows).splitlines(), kept
 
 
 def checks(curved, shaken):
     """Sums that follow from mechanics alone."""
     low, high = loads(runs.weight())
     pushed, needed = runs.needed_in_curve(curved)
+    shift, yaw = 1e3 * curved["shift"][-1, 0], 1e3 * curved["yaw"][-1, 0]
+    left = 1e3 * np.abs(shaken["shift"]).max()
     return [f"* Weight: a wheel carries {low:.1f} … {high:.1f} N at 40 m/s, its share of the weight is "
             f"{vehicle.LOAD / 2:.1f} N.",
             f"* Curve: the rails push all wheelsets with {pushed / 1e3:.2f} kN, mass times v²/R is "
-            f"{needed / 1e3:.2f} kN. The first wheelset stands {1e3 * curved['shift'][-1, 0]:+.2f} mm to the right "
-            f"with a yaw of {1e3 * curved['yaw'][-1, 0]:+.2f} mrad.",
-            f"* Irregular track: the first wheelset leaves the track by {1e3 * np.abs(shaken['shift']).max():.2f} mm "
-            f"at most, the smallest load is {loads(shaken)[0] / 1e3:.1f} kN; "
-            f"{shaken.calls:.1f} calls of the contact a step."]
+            f"{needed / 1e3:.2f} kN. The first wheelset is at {shift:+.2f} mm with a yaw of {yaw:+.2f} mrad.",
+            f"* Irregular track: a wheelset is {left:.2f} mm beside the track at most, the smallest load is "
+            f"{loads(shaken)[0] / 1e3:.1f} kN; {shaken.calls:.1f} calls of the contact a step."]
 
 
 def write(name, lines):

@@ -7,14 +7,16 @@ import wrcontact
 
 #: Motions that forces follow, and how far off a motion is still answered by derivatives: forces are straight
 #: there, and solvers take their differences within it.
-NEAR = {"lateral_shift": 1e-7, "vertical_shift_input": 1e-7, "roll_input": 1e-7, "yaw": 1e-7, "speed": 1e-4,
-        "lateral_velocity": 1e-5, "vertical_velocity": 1e-5, "roll_rate": 1e-5, "yaw_rate": 1e-5, "wheel_rate": 1e-4}
+NEAR = {"lateral_shift": 1e-7, "vertical_shift_input": 1e-7, "roll_input": 1e-7, "yaw": 1e-7,
+        "speed": 1e-4, "lateral_velocity": 1e-5, "vertical_velocity": 1e-5, "roll_rate": 1e-5,
+        "yaw_rate": 1e-5, "wheel_rate": 1e-4}
 FORCES = ("force.x", "force.y", "force.z", "moment.x", "moment.y", "moment.z")
 #: The contact where a run says nothing else.
 CONTACT = {"contact_mode": "compliant", "contact_damping": 1.0, "tangential_model": "strips"}
 #: What linear theory has in closed form: cones of 1:20 on rails that are inclined alike, Hertz's patches, and
 #: friction far from its limit.
-CONES = CONTACT | {"wheel": "cone20", "rail_inclination": 0.05, "normal_model": "hertz", "contact_damping": 0.0}
+CONES = CONTACT | {"wheel": "cone20", "rail_inclination": 0.05, "normal_model": "hertz",
+                   "contact_damping": 0.0}
 
 
 class Contact:
@@ -25,7 +27,8 @@ class Contact:
 
     def __init__(self, system, load, friction=0.3):
         self.stepper = system.stepper(outputs="patches")
-        for name, value in (("normal_force", load), ("left.friction", friction), ("right.friction", friction)):
+        given = {"normal_force": load, "left.friction": friction, "right.friction": friction}
+        for name, value in given.items():
             self.stepper.inputs[self.stepper.place(name)] = value
         self.vertical = [self.stepper.place(f"{side}.force.z") for side in ("left", "right")]
         self.steps = self.derivatives = self.failed = 0

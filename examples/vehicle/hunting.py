@@ -18,8 +18,11 @@ def touching():
 
 
 def swing(time, shifts, rate):
-    """Growth [1/s] and circular frequency [rad/s] of a swing that several shifts (n, m) share, and what it does not
-    explain [m]: ``exp(g t) (a cos w t + b sin w t) + c``, whose a, b and c follow from g and w."""
+    """Growth g [1/s] and circular frequency w [rad/s] of a swing that several shifts (n, m) share, and what
+    it does not explain [m]: ``exp(g t) (a cos w t + b sin w t) + c``, whose a, b and c follow from g and w.
+
+    ``rate`` is near the frequency.
+    """
     def basis(found):
         growth, rate = found
         waves = np.exp(growth * time)[:, None] * np.column_stack([np.cos(rate * time), np.sin(rate * time)])
@@ -35,10 +38,11 @@ def swing(time, shifts, rate):
 
 def grown(speed, rate, tangential_model="strips", duration=DURATION):
     """As :func:`swing`, of the bogie at a ``speed`` [m/s] that swings with about ``rate`` [rad/s]."""
-    from .model import Vehicle          # needs exudyn
+    from .model import Vehicle  # needs exudyn
 
     contact = CONES | {"tangential_model": tangential_model}
-    run = Vehicle(speed, bogies=1, start=START, primary=data.SOFT, friction=FRICTION, **contact).run(duration, STEP)
+    bogie = Vehicle(speed, bogies=1, start=START, primary=data.SOFT, friction=FRICTION, **contact)
+    run = bogie.run(duration, STEP)
     later = run.time > LATER
     return swing(run.time[later], run["shift"][later], rate)
 

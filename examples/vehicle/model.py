@@ -1,15 +1,14 @@
-"""A wheelset's neighbours in exudyn: a bogie below a car body that keeps its way, or the whole vehicle.
+"""The bodies in exudyn: a bogie below a car body that keeps its way, or the whole vehicle.
 
 All is in one frame that does not move: x along the track's beginning, y to the right, z down, gravity +z.
 
-What exudyn wants: the axle is the third axis of its body, so that coordinates of the type Rxyz have no singularity
-while it spins; the contact is a connector from the ground, whose user function returns minus the force; the
-orientation comes from ``GetObjectOutputBody``, since the rotation that the user function gets is of no use for a
-body that spins.
+What exudyn wants: the axle is the third axis of its body, so that coordinates of the type Rxyz have no
+singularity while it spins; the contact is a connector from the ground, whose user function returns minus the
+force; the orientation comes from ``GetObjectOutputBody``, since the rotation that the user function gets is
+of no use for a body that spins.
 """
 
 import time
-from dataclasses import dataclass
 
 import exudyn
 import numpy as np
@@ -25,6 +24,7 @@ import wrcontact
 
 from . import manchester as data
 from .contact import Contact, contact_system
+from .record import Run
 from .track import Track
 
 #: Columns are the axes of an exudyn body: ahead, up, and the axle to the right.
@@ -32,32 +32,6 @@ AXES = np.array([[1.0, 0, 0], [0, 0, 1.0], [0, -1.0, 0]])
 OF = exudyn.OutputVariableType
 #: A car body that nothing moves off its way [kg, kg m2].
 KEPT = data.Body(1e12, (1e12, 1e12, 1e12), data.CAR.height)
-#: The wheelsets of a vehicle, by their columns in a table of a run: what is recorded of each.
-RECORDED = ("shift", "yaw", "left_load", "right_load", "force_y")
-
-
-@dataclass
-class Run:
-    """``time`` (n,) [s]; ``wheelsets`` (n, wheelsets, 5) as ``RECORDED`` says [m, rad, N]; ``places`` (n, bodies,
-    3), wheelsets first [m]; what it cost."""
-
-    time: np.ndarray
-    wheelsets: np.ndarray
-    places: np.ndarray
-    steps: int
-    contact_steps: int
-    derivatives: int
-    failed: int
-    processor: float
-
-    def __getitem__(self, name):
-        """One of ``RECORDED`` (n, wheelsets)."""
-        return self.wheelsets[:, :, RECORDED.index(name)]
-
-    @property
-    def calls(self):
-        """Steps and derivatives of the contacts for each step of the solver."""
-        return (self.contact_steps + self.derivatives) / self.steps
 
 
 class Vehicle:
@@ -75,8 +49,8 @@ class Vehicle:
     contact : parameters of the ContactSystem.
     """
 
-    def __init__(self, speed, bogies=2, track=None, start=0.0, primary=data.PRIMARY, friction=0.3, answer=Contact,
-                 **contact):
+    def __init__(self, speed, bogies=2, track=None, start=0.0, primary=data.PRIMARY, friction=0.3,
+                 answer=Contact, **contact):
         self.speed, self.track, self.start = speed, track or Track(), start
         system = contact_system(**contact)
         stand = system.evaluate(start, normal_force=data.LOAD / 2).equilibrium
@@ -107,12 +81,13 @@ class Vehicle:
     def axle(self, number, way):
         """A wheelset that rolls, at rest on the rails, and the connector that is its contact."""
         cosine, sine = np.cos(self.roll), np.sin(self.roll)
-        given, lean = data.WHEELSET, np.array([[1, 0, 0], [0, cosine, -sine], [0, sine, cosine]])
+        lean = np.array([[1, 0, 0], [0, cosine, -sine], [0, sine, cosine]])
+        rolling, pitching, yawing = data.WHEELSET.inertia
         rate = -self.speed / data.WHEEL_RADIUS * lean[:, 1]         # forward is minus the axle
         body = self.mbs.CreateRigidBody(
             referencePosition=[way, self.start, -self.height], referenceRotationMatrix=lean @ AXES,
             initialVelocity=[self.speed, 0, 0], initialAngularVelocity=rate,
-            inertia=RigidBodyInertia(given.mass, np.diag([given.inertia[0], given.inertia[2], given.inertia[1]])),
+            inertia=RigidBodyInertia(data.WHEELSET.mass, np.diag([rolling, yawing, pitching])),
             nodeType=exudyn.NodeType.RotationRxyz, gravity=[0, 0, data.GRAVITY])
 
         def pushed(mbs, now, item, shift, turn, velocity, angular_velocity, *_):
@@ -127,9 +102,10 @@ class Vehicle:
         return self.mbs.AddMarker(MarkerBodyRigid(bodyNumber=body, localPosition=list(place)))
 
     def spring(self, ends, stiffness, damping, load):
-        """A spring between two markers, in the axes of the first, and what it carries at rest: a vertical force.
+        """A spring between two markers, in the axes of the first, and the load that it carries at rest.
 
-        As an offset of the spring the load would turn with the first body, and exudyn gives no moment for that.
+        This is a vertical force.  As an offset of the spring it would turn with the first body, and exudyn
+        gives no moment for that.
         """
         self.mbs.AddObject(ObjectConnectorRigidBodySpringDamper(
             markerNumbers=ends, stiffness=np.diag(stiffness), damping=np.diag(damping)))
@@ -140,14 +116,16 @@ class Vehicle:
         """The axle boxes of a wheelset in the frame."""
         load = (data.LOAD - data.WHEELSET.mass * data.GRAVITY) / 2
         for side in (-data.HALF_BOXES, data.HALF_BOXES):
-            ends = [self.marker(frame, [way, side, data.FRAME.height - self.height]), self.marker(axle, [0, 0, side])]
+            ends = [self.marker(frame, [way, side, data.FRAME.height - self.height]),
+                    self.marker(axle, [0, 0, side])]
             self.spring(ends, [*primary.stiffness, 0, 0, 0], [*primary.damping, 0, 0, 0], load)
 
     def support(self, frame, pivot):
         """The car body on a frame: two springs, roll bar, traction rod."""
         (k_x, k_y, k_z), (_, d_y, d_z) = data.SECONDARY.stiffness, data.SECONDARY.damping
         arm = data.HALF_SPRINGS**2
-        stiffness = [2 * k_x + data.ROD[0], 2 * k_y, 2 * k_z, 2 * k_z * arm + data.ROLL_BAR, data.PITCH, 2 * k_x * arm]
+        stiffness = [2 * k_x + data.ROD[0], 2 * k_y, 2 * k_z, 2 * k_z * arm + data.ROLL_BAR, data.PITCH,
+                     2 * k_x * arm]
         damping = [data.ROD[1], 2 * d_y, 2 * d_z, 2 * d_z * arm, 0, 0]
         ends = [self.marker(self.car, [pivot, 0, data.CAR.height - data.SECONDARY_HEIGHT]),
                 self.marker(frame, [0, 0, data.FRAME.height - data.SECONDARY_HEIGHT])]

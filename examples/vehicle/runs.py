@@ -9,7 +9,7 @@ from . import manchester as data
 from .contact import Contact, Nearby
 from .track import Track, bulge, irregular
 
-#: Over the bulge: name, solver of exudyn, step [s], how the contact answers, whether each iteration has a Jacobian.
+#: Over the bulge: solver of exudyn, step [s], how the contact answers, whether each iteration has a Jacobian.
 SOLVERS = {
     "`VelocityVerlet`": ("VelocityVerlet", 0.25e-3, Contact, False),
     "`RK44`": ("RK44", 0.5e-3, Contact, False),
@@ -23,7 +23,7 @@ CURVE, CURVE_SPEED = 600.0, 20.0
 
 
 def vehicle(speed, **given):
-    from .model import Vehicle          # needs exudyn
+    from .model import Vehicle  # needs exudyn
 
     return Vehicle(speed, **given)
 
@@ -36,7 +36,8 @@ def weight():
 def over_bulge(name, duration=1.0):
     """Over 4 mm in 10 m at 30 m/s, by one of ``SOLVERS``."""
     solver, step, answer, full_newton = SOLVERS[name]
-    return vehicle(30.0, track=Track(bulge), answer=answer).run(duration, step, solver, full_newton=full_newton)
+    running = vehicle(30.0, track=Track(bulge), answer=answer)
+    return running.run(duration, step, solver, full_newton=full_newton)
 
 
 def through_curve(duration=6.0):
@@ -60,13 +61,14 @@ def needed_in_curve(run, last=0.5):
 
 @styled
 def draw(growths, bulged, curved, shaken):
-    """Figure: growth of hunting (``{speed: growth}``), and runs over the bulge, through the curve, on irregular
-    track."""
+    """Figure: growth of hunting (``{speed: growth}``), and runs over the bulge, through the curve and on
+    irregular track."""
     figure = new_figure(7.2, 9.0)
     axes = figure.subplots(4)
     half, speeds = hunting.touching(), np.linspace(50.0, 95.0, 40)
     axes[0].axhline(0.0, color=QUIET, linewidth=0.8)
-    axes[0].plot(speeds, [theory.root(speed, half).real for speed in speeds], color=QUIET, label="linear theory")
+    wanted = [theory.root(speed, half).real for speed in speeds]
+    axes[0].plot(speeds, wanted, color=QUIET, label="linear theory")
     axes[0].plot(list(growths), list(growths.values()), "o", color=INK, label="exudyn with wrcontact")
     axes[0].set(xlabel="speed [m/s]", ylabel="growth [1/s]", title="Hunting bogie on cones")
     axes[0].legend()

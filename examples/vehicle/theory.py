@@ -1,8 +1,8 @@
 """Small swings of a bogie below a car body that stands still: linear theory, without exudyn and wrcontact.
 
-Seven coordinates: y and yaw of both wheelsets; y, yaw and roll of the frame.  The wheels are cones that roll as
-their cones say, so that a wheelset at y has the roll -s y.  Hertz's patches (Johnson 1985, 4.26) and Kalker's
-coefficients.  Frames and signs are those of docs/conventions.md.
+Seven coordinates: y and yaw of both wheelsets; y, yaw and roll of the frame.  Wheelsets roll as their cones
+say, in proportion to y.  Hertz's patches (Johnson 1985, 4.26) and Kalker's coefficients.  Frames and signs
+are those of docs/conventions.md.
 """
 
 import numpy as np
@@ -46,11 +46,11 @@ def way(**parts):
 
 
 def lean(load, half):
-    """How a wheelset rolls for each metre that it goes to the right [rad/m], and the force to the left that comes of
-    each N m of roll moment [1/m].
+    """How far a wheelset rolls to the left for each metre that it goes to the right [rad/m], and the force to
+    the left that comes of each N m of roll moment [1/m].
 
-    The moment loads one wheel more and the other less; both push inwards with CONE of their load and outwards by
-    the spin of the cones.  Without the spin the two numbers were equal, by virtual work.
+    The moment loads one wheel more and the other less; both push inwards with CONE of their load and outwards
+    by the spin of the cones.  Without the spin the two numbers are equal, by virtual work.
     """
     inwards = CONE - slopes(load)[2] * CONE / data.WHEEL_RADIUS / load
     return (CONE / (half - data.WHEEL_RADIUS * CONE), inwards / (half - data.WHEEL_RADIUS * inwards))
@@ -67,13 +67,14 @@ def wheelset(speed, load, half):
 
     Returns
     -------
-    damping, stiffness : creep forces, gyroscope, and what loads do: at y the contacts lie HEAD roll y to the other
-        side of their rails, so that the wheels carry unlike, and normals and spin lean by the roll; a yaw takes
-        the contacts, and the lateral forces in them, along the track.
+    damping, stiffness : creep forces, gyroscope, and what loads do: at y the contacts lie HEAD roll y to the
+        other side of their rails, so that the wheels carry unlike, and normals and spin lean by the roll; a
+        yaw takes the contacts, and the lateral forces in them, along the track.
     """
     f11, f22, f23 = slopes(load)
     radius, (roll, push) = data.WHEEL_RADIUS, lean(load, half)
-    moved, pushed = 1 + radius * roll, 1 + radius * push        # of the contacts against y, and their forces in y
+    moved = 1 + radius * roll       # how far a contact goes across for each metre of y
+    pushed = 1 + radius * push      # what its creep force is in y
     conicity = CONE * (1 + (radius + HEAD) * roll)      # the roll moves the contact along wheel and rail
     gyro = data.WHEELSET.inertia[1] * speed / radius
     damping = np.array([[2 * f22 * moved * pushed / speed, 2 * f23 * pushed / speed - gyro * push],
@@ -105,7 +106,8 @@ def matrices(speed, half, primary=data.SOFT):
         more = wheelset(speed, data.LOAD / 2, half)
         damping[own, own] += more[0]
         stiffness[own, own] += more[1]
-        spring(2 * k_y, 2 * d_y, **{f"y{number}": 1}, y=-1, yaw=-x, roll=data.FRAME.height - data.WHEEL_RADIUS)
+        up = data.FRAME.height - data.WHEEL_RADIUS
+        spring(2 * k_y, 2 * d_y, **{f"y{number}": 1}, y=-1, yaw=-x, roll=up)
         spring(boxes * k_x, boxes * d_x, **{f"yaw{number}": 1}, yaw=-1)
         spring(boxes * k_z, boxes * d_z, way(**{f"y{number}": push}, roll=1), **{f"y{number}": roll}, roll=1)
     (k_sx, k_sy, k_sz), (_, d_sy, d_sz) = data.SECONDARY.stiffness, data.SECONDARY.damping
@@ -121,7 +123,8 @@ def root(speed, half, primary=data.SOFT):
     mass, damping, stiffness = matrices(speed, half, primary)
     state = np.block([[np.zeros((7, 7)), np.eye(7)],
                       [-np.linalg.solve(mass, stiffness), -np.linalg.solve(mass, damping)]])
-    return max((found for found in np.linalg.eigvals(state) if 1 < found.imag < 60), key=lambda found: found.real)
+    found = [root for root in np.linalg.eigvals(state) if 1 < root.imag < 60]
+    return max(found, key=lambda root: root.real)
 
 
 def critical_speed(half, primary=data.SOFT, low=40.0, high=120.0):

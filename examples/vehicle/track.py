@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-#: Spacing of the points of the line [m]; between them it is straight, which is 4e-8 m off at a radius of 300 m.
+#: Spacing of the points of the line [m]; straight between them, it is 4e-8 m off at a radius of 300 m.
 SPACING = 0.01
 
 
@@ -54,8 +54,8 @@ def bulge(distance):
 def irregular(seed=1, waves=40):
     """A function of the distance: random displacement across the track, in ``waves`` cosines of 3 ... 50 m.
 
-    ``S(W) = A W_c^2 / ((W_r^2 + W^2) (W_c^2 + W^2))`` with A = 2.119e-7 rad m, W_c = 0.8246 rad/m and W_r = 0.0206
-    rad/m: the spectrum of ERRI B176 for good track, from memory.
+    ``S(W) = A W_c^2 / ((W_r^2 + W^2) (W_c^2 + W^2))`` with A = 2.119e-7 rad m, W_c = 0.8246 rad/m and
+    W_r = 0.0206 rad/m: the spectrum of ERRI B176 for good track, from memory.
     """
     edges = np.geomspace(2 * np.pi / 50, 2 * np.pi / 3, waves + 1)
     middle, width = np.sqrt(edges[1:] * edges[:-1]), np.diff(edges)

@@ -24,7 +24,8 @@ def test_places_on_a_circle():
     track = Track(displacement=lambda distance: 1e-3, radius=300.0, begin=10.0, transition=1e-9)
     for angle, shift in ((0.05, 0.0), (0.2, 5e-3), (0.4, -8e-3)):
         out = 300.0 - shift
-        distance, found, heading, curvature = track.at(10.0 + out * np.sin(angle), 300.0 - out * np.cos(angle))
+        place = 10.0 + out * np.sin(angle), 300.0 - out * np.cos(angle)
+        distance, found, heading, curvature = track.at(*place)
         assert distance == pytest.approx(10.0 + 300.0 * angle, abs=1e-5)
         assert found == pytest.approx(shift - 1e-3, abs=2e-6)
         assert heading == pytest.approx(angle, abs=1e-7) and curvature == pytest.approx(1 / 300.0)
@@ -51,7 +52,8 @@ def test_near_motions_are_answered_by_derivatives():
     near.resultant(motion)
     for name, size in NEAR.items():
         moved = motion | {name: motion[name] + 0.5 * size}
-        np.testing.assert_allclose(near.resultant(moved), exact.resultant(moved), rtol=1e-6, atol=0.05)     # [N]
+        wanted = exact.resultant(moved)
+        np.testing.assert_allclose(near.resultant(moved), wanted, rtol=1e-6, atol=0.05)     # [N]
     assert (near.steps, near.derivatives) == (1, 1)
     far = motion | {"yaw": motion["yaw"] + 3e-7}
     assert np.array_equal(near.resultant(far), exact.resultant(far)) and near.steps == 2
@@ -80,7 +82,8 @@ def test_critical_speed(model):
 @pytest.mark.full
 def test_implicit_and_explicit_solvers_agree_over_the_bulge():
     """And what the page says of their cost holds."""
-    explicit, implicit = (runs.over_bulge(name) for name in ("`RK44`", "full Newton, near motions by derivatives"))
+    explicit = runs.over_bulge("`RK44`")
+    implicit = runs.over_bulge("full Newton, near motions by derivatives")
     largest = [np.abs(run.places[:, :4, 1]).max() for run in (explicit, implicit)]
     assert largest[1] == pytest.approx(largest[0], rel=1e-3) and not explicit.failed and not implicit.failed
     assert implicit.calls < 30
