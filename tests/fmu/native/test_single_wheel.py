@@ -115,8 +115,6 @@ def test_sentences_have_the_wheel_s_names(wheels):
 @pytest.mark.check
 @pytest.mark.parametrize("words, said", [
     (["--single-wheel"], "--single-wheel is given; it is permitted only with --native"),
-    (["--native", "--side", "left"], "--side is given; it is permitted only with --single-wheel"),
-    (["--native", "--single-wheel", "--side", "both"], "--side is 'both'; permitted are 'left' and 'right'"),
     (["--native", "--single-wheel", "--set", "contact_mode=rigid"], "mode is 'rigid'; permitted with one"),
     (["--native", "--single-wheel", "--set", "load=vertical"], "load is given; permitted with one wheel is")])
 def test_what_has_no_meaning_is_refused(tmp_path, words, said):
