@@ -118,10 +118,8 @@ def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of th
                    f"{', '.join(PLATFORMS)}; or all. Other platforms than this machine's need "
                    "ziglang")] = None,
           single_wheel: Annotated[bool, typer.Option(
-              "--single-wheel", help="Native FMUs of one wheel on one rail, WheelContact, instead of a "
+              "--single-wheel", help="Native FMUs of one wheel on the right rail, WheelContact, instead of a "
                                      "wheelset")] = False,
-          side: Annotated[str | None, typer.Option(
-              metavar="right|left", help="On which rail --single-wheel is (default: right)")] = None,
           wheel: Annotated[str | None, typer.Option(
               metavar="FILE", help="Wheel profile to pack and use as the default: a file of points, or a "
                                    "built-in name")] = None,
@@ -143,10 +141,6 @@ def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of th
         raise Refused("--platforms is given; it is permitted only with --native")
     if single_wheel and not native:
         raise Refused("--single-wheel is given; it is permitted only with --native")
-    if side and not single_wheel:
-        raise Refused("--side is given; it is permitted only with --single-wheel")
-    if side not in (None, "left", "right"):
-        raise Refused(f"--side is {side!r}; permitted are 'left' and 'right'")
     for name in platforms.split(",") if platforms and platforms != "all" else ():
         if name not in PLATFORMS:
             raise Refused(f"--platforms has {name!r}; permitted are {', '.join(PLATFORMS)} and all"
@@ -155,9 +149,8 @@ def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of th
     with sentences(lambda sentence: f"--set: {sentence}"):
         settings = settings_of(settings or ())
     with sentences(typed), working("building the FMU"):
-        paths = built(native, platforms, (side or "right") if single_wheel else None, output=output,
-                      wheel=wheel, rail=rail, settings=settings,
-                      smoothing=None if smoothing is None else smoothing / 1e6)
+        paths = built(native, platforms, "right" if single_wheel else None, output=output, wheel=wheel,
+                      rail=rail, settings=settings, smoothing=None if smoothing is None else smoothing / 1e6)
     print(*paths, sep="\n")
 
 

@@ -145,7 +145,7 @@ def documentation_page(version, description, about):
     about : HTML on this kind of FMU only, from ``about_python`` or ``about_native``.
     """
     root = fromstring(description)
-    model, subject = root.get("modelName"), escape(root.get("description").partition(":")[0])
+    model, subject = root.get("modelName"), escape(root.get("description", "").partition(":")[0])
     versions = f"FMI {escape(root.get('fmiVersion'))}, wrcontact {escape(version)}"
     tables = "".join(_table(title, causality, root) for causality, title in TABLES.items())
     return (

@@ -6,6 +6,7 @@ from ..conventions import SIDES
 from ..interface.friction import FRICTION as FRICTION_INPUTS
 from ..interface.inputs import MOTION as MOTION_INPUTS
 from ..interface.inputs import RAILS as RAIL_INPUTS
+from ..interface.inputs import RATES
 from ..interface.variables import INPUT, OUTPUT, VARIABLES
 from .archive import SOURCES
 from .description import xml_file
@@ -15,7 +16,7 @@ from .variants import WHEELSET
 POSE = {"lateral_shift": "lateral_shift", "vertical_shift": "vertical_shift_input", "roll": "roll_input",
         "yaw": "yaw", "roll_guess": "roll_guess"}
 RAILS = {row.name: row.name for row in RAIL_INPUTS}
-MOTION = {row.name: row.name for row in MOTION_INPUTS}
+MOTION = {row.name: row.name for row in (*MOTION_INPUTS, *RATES)}
 FRICTION = {row.name: row.name for row in FRICTION_INPUTS}
 LOAD = {"normal_force": "normal_force", "load_transfer": "load_transfer"}
 

@@ -26,9 +26,10 @@ def rows(count, seed):
     """Inputs of a loaded wheel."""
     draw = random.Random(seed)
     sizes = {"lateral_shift": 3e-3, "yaw": 0.02, "roll_input": 1e-4, "rail_lateral": 1e-3,
-             "rail_vertical": 2e-5, "rail_roll": 2e-3, "rail_lateral_velocity": 0.05, "lateral_velocity": 0.1, "yaw_rate": 0.1}
+             "rail_vertical": 2e-5, "rail_roll": 2e-3,
+             "rail_lateral_velocity": 0.05, "lateral_velocity": 0.1, "yaw_rate": 0.1}
     return [{name: draw.uniform(-size, size) for name, size in sizes.items()}
-            | {"vertical_shift_input": draw.uniform(1.5e-4, 3e-4), "speed": 20.0,
+            | {"vertical_shift_input": draw.uniform(2.5e-4, 4e-4), "speed": 20.0,
                "wheel_rate": draw.uniform(43.0, 44.0), "friction": draw.uniform(0.1, 0.5)}
             for _ in range(count)]
 
@@ -58,7 +59,7 @@ def test_values_and_derivatives_are_those_of_one_wheel(wheels, version):
     for row, found in zip(given, seen["seen"], strict=True):
         state = wheel.evaluate(**row)
         wanted = {name: state[name] for name in NUMBERS}
-        assert found.pop("status") == state.status == 0 and wanted["normal_force"] > 1e4
+        assert found.pop("status") == state.status == 0 and wanted["normal_force"] > 1e3
         assert found == pytest.approx(wanted, rel=WARM_START, abs=1e-6), row
     of, by = ["force.y", "driving_torque"], ["rail_lateral", "wheel_rate", "friction"]
     found = made[version].ask("rates", row=given[0], outputs=of, inputs=by)
@@ -114,8 +115,6 @@ def test_sentences_have_the_wheel_s_names(wheels):
 @pytest.mark.check
 @pytest.mark.parametrize("words, said", [
     (["--single-wheel"], "--single-wheel is given; it is permitted only with --native"),
-    (["--native", "--side", "left"], "--side is given; it is permitted only with --single-wheel"),
-    (["--native", "--single-wheel", "--side", "both"], "--side is 'both'; permitted are 'left' and 'right'"),
     (["--native", "--single-wheel", "--set", "contact_mode=rigid"], "mode is 'rigid'; permitted with one"),
     (["--native", "--single-wheel", "--set", "load=vertical"], "load is given; permitted with one wheel is")])
 def test_what_has_no_meaning_is_refused(tmp_path, words, said):
