@@ -71,10 +71,11 @@ def checks(curved, shaken):
     pushed, needed = runs.needed_in_curve(curved)
     shift, yaw = 1e3 * curved["shift"][-1, 0], 1e3 * curved["yaw"][-1, 0]
     left = 1e3 * np.abs(shaken["shift"]).max()
+    pushed, needed = f"{pushed / 1e3:.2f}", f"{needed / 1e3:.2f}"
     return [f"* Weight: a wheel carries {low:.1f} … {high:.1f} N at 40 m/s, its share of the weight is "
             f"{vehicle.LOAD / 2:.1f} N.",
-            f"* Curve: the rails push all wheelsets with {pushed / 1e3:.2f} kN, mass times v²/R is "
-            f"{needed / 1e3:.2f} kN. The first wheelset is at {shift:+.2f} mm with a yaw of {yaw:+.2f} mrad.",
+            f"* Curve: the rails push all wheelsets with {pushed} kN, masses times accelerations of all "
+            f"bodies are {needed} kN. The first wheelset is at {shift:+.2f} mm, its yaw is {yaw:+.2f} mrad.",
             f"* Irregular track: a wheelset is {left:.2f} mm beside the track at most, the smallest load is "
             f"{loads(shaken)[0] / 1e3:.1f} kN; {shaken.calls:.1f} calls of the contact a step."]
 

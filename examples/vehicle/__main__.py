@@ -3,7 +3,7 @@
     pip install "wrcontact[vehicle]"
     python -m examples.vehicle [FOLDER]
 
-prints them and draws FOLDER/vehicle.png (default: out).  It takes two minutes.
+prints them and draws FOLDER/vehicle.png (default: out).  It takes a minute or two.
 """
 
 import sys

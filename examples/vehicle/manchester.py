@@ -3,8 +3,8 @@
 Iwnicki, S. (1998). Manchester benchmarks for rail vehicle simulation. Vehicle System Dynamics 30 (3-4),
 295-313: vehicle 1.  The paper was not at hand.  "Compared" are numbers that another program has from it: the
 file on the Manchester vehicle in VEqMon2D (github.com/DanielCanteroNTNU/VEqMon2D).  The others are from
-memory of the paper, or ours.  Left out are the series springs of the dampers, the bump stops and the bending of
-the air springs.
+memory of the paper, or ours.  Left out are the series springs of the dampers, the bump stops and the bending
+of the air springs.
 """
 
 from dataclasses import dataclass

@@ -40,10 +40,14 @@ def over_bulge(name, duration=1.0):
     return running.run(duration, step, solver, full_newton=full_newton)
 
 
-def through_curve(duration=6.0):
-    """From straight track into a curve to the right without cant, by the implicit solver."""
-    track = Track(radius=CURVE, begin=20.0, transition=30.0)
-    return vehicle(CURVE_SPEED, track=track, answer=Nearby).run(duration, 1e-3, "GeneralizedAlpha")
+def curve():
+    """From straight track into a curve to the right, without cant."""
+    return Track(radius=CURVE, begin=12.0, transition=30.0)
+
+
+def through_curve(duration=5.0):
+    """The run into the curve."""
+    return vehicle(CURVE_SPEED, track=curve()).run(duration, 0.5e-3)
 
 
 def on_irregular_track(duration=4.0):
@@ -51,12 +55,20 @@ def on_irregular_track(duration=4.0):
     return vehicle(40.0, track=Track(irregular()), answer=Nearby).run(duration, 1e-3, "GeneralizedAlpha")
 
 
-def needed_in_curve(run, last=0.5):
-    """Lateral force on all wheelsets [N] over the ``last`` seconds of a run, and mass times v^2 / R."""
-    late = run.time > run.time[-1] - last
-    way = np.hypot(*np.diff(run.places[late, -1, :2], axis=0).T).sum()
-    speed = way / np.ptp(run.time[late])
-    return run["force_y"][late].sum(axis=1).mean(), 4 * data.LOAD / data.GRAVITY * speed**2 / CURVE
+def needed_in_curve(run, last=0.25):
+    """Mean force on all wheelsets towards the inside of the full curve [N] in the ``last`` seconds of a run.
+
+    And what it has to be: mass times acceleration of all bodies, ``r theta'^2 - r''``.
+    """
+    track, late = curve(), run.time > run.time[-1] - last
+    heading, span = track.heading[-1], np.ptp(run.time[late])
+    centre = track.x[-1] - CURVE * np.sin(heading), track.y[-1] + CURVE * np.cos(heading)
+    away = run.places[late, :, :2] - centre
+    radius, angle = np.hypot(*away.T).T, np.unwrap(np.arctan2(away[..., 1], away[..., 0]), axis=0)
+    outwards, turning = (np.gradient(of, run.time[late], axis=0) for of in (radius, angle))
+    needed = (radius * turning**2).mean(axis=0) - (outwards[-1] - outwards[0]) / span
+    masses = 4 * [data.WHEELSET.mass] + 2 * [data.FRAME.mass] + [data.CAR.mass]
+    return run["force_y"][late].sum(axis=1).mean(), needed @ masses
 
 
 @styled

@@ -91,8 +91,8 @@ def test_implicit_and_explicit_solvers_agree_over_the_bulge():
 
 
 @exudyn
-@compiled
 @pytest.mark.full
 def test_forces_in_the_curve():
-    pushed, needed = runs.needed_in_curve(runs.through_curve(4.5))
-    assert pushed == pytest.approx(needed, rel=0.01)        # [N]
+    """Newton's law for all bodies together."""
+    pushed, needed = runs.needed_in_curve(runs.through_curve(3.0))
+    assert needed > 25e3 and pushed == pytest.approx(needed, rel=1e-3)      # [N]; 1.2e-4
