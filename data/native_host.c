@@ -421,6 +421,15 @@ static component instances[INSTANCES];
 static saved_state states[STATES];      /* also of other instances, and of those that are gone */
 static byte stored[STATES][200000];
 static size_t stored_size[STATES];
+/* The value reference of the variable at a place in model_variables; the first of its run. */
+static value_reference reference_of(int place)
+{
+    value_reference r = FIRST_REFERENCE;
+    while (r < REFERENCES && model_blocks[r].first != place)
+        r += 1;
+    return r;
+}
+
 static int accepted_damage;
 
 static long usual_steps, valid_steps, other_outlines;
@@ -442,7 +451,7 @@ static int usual_step(component c)
         if (model_variables[i].type != MODEL_REAL)
             continue;
         inputs[count] = i < 7 || pick(3) == 0 ? given : 1e-3 * model_variables[i].high * (pick(201) - 100.0);
-        references[count] = FIRST_INPUT + (value_reference)i;
+        references[count] = reference_of(i);
         count += 1;
     }
     usual_steps += 1;
@@ -466,7 +475,7 @@ static const model_variable *variable_named(const char *name)
 static int chosen(component c, const char *name)
 {
     const model_variable *variable = variable_named(name);
-    const value_reference reference = (value_reference)(variable - model_variables) + FIRST_INPUT;
+    const value_reference reference = reference_of((int)(variable - model_variables));
     const char *word = "";
     int k = 0;
     texts(c, &reference, 1, &word, 0);
@@ -484,7 +493,7 @@ static int usual_start(component c)
     for (int i = 0; i < MODEL_VARIABLES; i += 1)
     {
         const model_variable *variable = model_variables + i;
-        value_reference reference = (value_reference)i + FIRST_INPUT;    /* no array stands before the parameters' end */
+        value_reference reference = reference_of(i);
         if (variable->choice_count > 0 && pick(2))
         {
             const char *word = variable->choices[pick((unsigned)variable->choice_count)].name;
@@ -533,7 +542,7 @@ static int take_back(component c, unsigned k)
 /* Derivatives of some outputs along an input, now and then along what is none. */
 static int some_derivative(component c)
 {
-    const value_reference first = MODEL_FIRST_OUTPUT + FIRST_INPUT;
+    const value_reference first = reference_of(MODEL_FIRST_OUTPUT);
     const value_reference known = FIRST_INPUT + pick(MODEL_INPUTS + (pick(9) == 0));
     value_reference references[LIST];
     const size_t count = pick(LIST);
@@ -616,7 +625,7 @@ static int some_call(void)
 /* After everything an instance can be reset, initialised and stepped, and then gives the values of a fresh one. */
 static int check_recovery(component c)
 {
-    const value_reference roll = MODEL_FIRST_OUTPUT + FIRST_INPUT;
+    const value_reference roll = reference_of(MODEL_FIRST_OUTPUT);
     component fresh = NULL;
     double values[2] = {1.0, 2.0};
     while (!fresh)
@@ -698,10 +707,10 @@ static size_t output_count, value_count;
 static void find_values(void)
 {
     for (int i = 0; i < 5; i += 1)
-        five[i] = FIRST_INPUT + (value_reference)i;
+        five[i] = reference_of(i);
     for (value_reference r = FIRST_REFERENCE; r < REFERENCES; r += 1)
     {
-        const int first = FMI == 2 ? (int)r : model_blocks[r].first;
+        const int first = model_blocks[r].first;
         if (first >= MODEL_FIRST_OUTPUT && model_variables[first].type == MODEL_REAL)
         {
             outputs[output_count++] = r;
@@ -734,14 +743,14 @@ static component ready(int variant)
         c = create("instance", MODEL_TOKEN, false);
     for (int i = 0; variant % 2 && i < 2; i += 1)
     {
-        const value_reference reference = (value_reference)(variable_named(LEFT[i]) - model_variables) + FIRST_INPUT;
+        const value_reference reference = reference_of((int)(variable_named(LEFT[i]) - model_variables));
         if (set_reals(c, &reference, 1, &OTHER[i], 1) != OK)
             printf("%s is refused\n", LEFT[i]), exit(1);
     }
     for (int i = 0; i < MODEL_VARIABLES; i += 1)
         if (model_variables[i].choice_count > 0)
         {
-            const value_reference reference = (value_reference)i + FIRST_INPUT;
+            const value_reference reference = reference_of(i);
             const char *word = model_variables[i].choices[variant % model_variables[i].choice_count].name;
             texts(c, &reference, 1, &word, 1);
         }
@@ -770,7 +779,7 @@ static int move_all(component c, long k)
     int status = OK;
     for (int i = 5; model_variables[i].causality == MODEL_INPUT; i += 1)
     {
-        const value_reference reference = (value_reference)i + FIRST_INPUT;
+        const value_reference reference = reference_of(i);
         const double value = model_variables[i].start + 0.02 * model_variables[i].high * sin(0.3 * k + i);
         if (model_variables[i].type == MODEL_REAL)
 #if FMI == 2
@@ -825,7 +834,7 @@ static int count_allocations(int variant)
     static double values[64 * LIST];
     const double nowhere[5] = {NAN, 0.0, 0.0, 1e5, 0.0};
     const value_reference status = FMI == 2 ? MODEL_STATUS : MODEL_BLOCKS;
-    const value_reference profile = (value_reference)(variable_named("wheel_profile") - model_variables) + FIRST_INPUT;
+    const value_reference profile = reference_of((int)(variable_named("wheel_profile") - model_variables));
     const char *word = NULL;
     component c = ready(variant);
     saved_state state = NULL;
@@ -979,7 +988,7 @@ static size_t value_named(const char *name)
     size_t place = 0;
     for (size_t i = 0; i < output_count; i += 1)
     {
-        const int first = FMI == 2 ? (int)outputs[i] : model_blocks[outputs[i]].first;
+        const int first = model_blocks[outputs[i]].first;
         if (first == wanted)
             return place;
         place += FMI == 3 && model_blocks[outputs[i]].run >= 0 ? MODEL_STATIONS : 1;
