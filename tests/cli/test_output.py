@@ -169,10 +169,11 @@ def test_build_passes_its_options_on(run, asked):
     assert run("build") == (0, "python\n", "")
     assert run("build", "--native", "--platforms", "x86_64-linux,x86_64-windows", "--wheel", "w.csv",
                "--rail", "54E1", "--output", "here", "--smoothing-um", 10) == (0, "fmi2\nfmi3\n", "")
-    nothing = {"wheel": (None, None), "rail": (None, None), "smoothing": None}
+    nothing = {"wheel": (None, None), "rail": (None, None), "smoothing": None, "settings": {}}
     assert asked[0] == ("python", {"output": Path("dist"), **nothing})
     assert asked[1] == ("native", {"output": Path("here"), "wheel": (None, "w.csv"), "rail": (None, "54E1"),
-                                   "smoothing": 1e-5, "platforms": ["x86_64-linux", "x86_64-windows"]})
+                                   "smoothing": 1e-5, "settings": {},
+                                   "platforms": ["x86_64-linux", "x86_64-windows"]})
 
 
 def test_build_of_all_platforms(run, asked):
