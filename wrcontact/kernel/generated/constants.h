@@ -1315,6 +1315,7 @@ static const double strip_lengths__LEAST_END = 0.6;
 static const double strip_lengths__MOST_END = 1.6;
 static const double strip_lengths__STEEP = 1.5;
 static const double strip_lengths__FLAT = 0.05;
+static const double strip_lengths__MOST_RAISED = 1.25;
 static const double strip_lengths__RELAXED = 0.5;
 static const double strip_lengths__FARTHEST_EDGE = 0.25;
 static const double strip_lengths__SWING = 0.05;
@@ -1323,6 +1324,7 @@ static const double strip_lengths__LEAST_ROOT = 0.05;
 /* normal/strip_patches.py */
 static const double strip_patches__CLOSE = 1e-06;
 static const int64_t strip_patches__SMOOTH_ENDS = INT64_C(2);
+static const double strip_patches__SPIKE = 1.5;
 static const double strip_patches__NARROWED = 0.5;
 
 /* normal/strip_pressures.py */

@@ -3797,8 +3797,12 @@ static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d 
     lanes v8_t;
     double v9;
     double v10;
+    lanes v10_t;
+    lanes raised_t;
+    double raised;
     double v11;
     double v12;
+    double v13;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
@@ -3846,12 +3850,21 @@ static inline int64_t derivative_strip_lengths__finish_strips_t(array_double_1d 
         (*cspan_at(&work, strip + layout__STRIP_NEXT_HALF)) = (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
         EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_STATION))) = each(middle_t) - each(half_t) * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
         (*cspan_at(&work, strip + layout__STRIP_NEXT_STATION)) = middle - half * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
-        v9 = M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
-        v10 = v9 * (*cspan_at(&work, strip + layout__STRIP_Y));
-        v11 = v10 * (*cspan_at(&work, strip + layout__STRIP_AXIS));
-        v12 = v11 / (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_PRESSURE))) = (v9 * each((*lanes_at(&work_t, strip + layout__STRIP_Y))) * (*cspan_at(&work, strip + layout__STRIP_AXIS)) + v10 * each((*lanes_at(&work_t, strip + layout__STRIP_AXIS))) - v12 * each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_AXIS)))) / (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) * grown + v12 * each(grown_t);
-        (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = v12 * grown;
+        v9 = (*cspan_at(&work, strip + layout__STRIP_AXIS)) / (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
+        v10 = v9;
+        EACH_LANE each(v10_t) = (each((*lanes_at(&work_t, strip + layout__STRIP_AXIS))) - v9 * each((*lanes_at(&work_t, strip + layout__STRIP_NEXT_AXIS)))) / (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS));
+        if (strip_lengths__MOST_RAISED < v10)
+        {
+            v10 = strip_lengths__MOST_RAISED;
+            v10_t = all_lanes(0.0);
+        }
+        EACH_LANE each(raised_t) = each(v10_t);
+        raised = v10;
+        v11 = M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS));
+        v12 = v11 * (*cspan_at(&work, strip + layout__STRIP_Y));
+        v13 = v12 * raised;
+        EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_PRESSURE))) = (v11 * each((*lanes_at(&work_t, strip + layout__STRIP_Y))) * raised + v12 * each(raised_t)) * grown + v13 * each(grown_t);
+        (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = v13 * grown;
     }
     return INT64_C(0);
 }
@@ -4103,6 +4116,8 @@ static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_
         EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SMOOTH))) = each(v4_t) / (*cspan_at(&tables, waves + layout__WAVES_SIN + (i - first)));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SMOOTH)) = v4 / (*cspan_at(&tables, waves + layout__WAVES_SIN + (i - first)));
     }
+    derivative_strip_patches__limit_spike_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)));
+    derivative_strip_patches__limit_spike_t(work, work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(2)));
     v5 = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * (double)((int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))));
     v6 = (*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START));
     v7 = v6 * stretch;
@@ -4189,6 +4204,25 @@ static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_
         EACH_LANE each((*lanes_at(&work_t, to + layout__SOLVED_STRIP_PRESSURE_SQUARE))) = each(pressure_t) * pressure + pressure * each(pressure_t);
         (*cspan_at(&work, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = pressure * pressure;
     }
+    return INT64_C(0);
+}
+
+/* Derivative of ``limit_spike``. */
+static inline int64_t derivative_strip_patches__limit_spike_t(array_double_1d work, array_lanes_1d work_t, int64_t strip, int64_t inner)
+{
+    double v1;
+    double v2;
+    lanes v2_t;
+    v1 = strip_patches__SPIKE * (*cspan_at(&work, inner + layout__STRIP_SMOOTH));
+    v2 = (*cspan_at(&work, strip + layout__STRIP_SMOOTH));
+    EACH_LANE each(v2_t) = each((*lanes_at(&work_t, strip + layout__STRIP_SMOOTH)));
+    if (v1 < v2)
+    {
+        v2 = v1;
+        EACH_LANE each(v2_t) = strip_patches__SPIKE * each((*lanes_at(&work_t, inner + layout__STRIP_SMOOTH)));
+    }
+    EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_SMOOTH))) = each(v2_t);
+    (*cspan_at(&work, strip + layout__STRIP_SMOOTH)) = v2;
     return INT64_C(0);
 }
 

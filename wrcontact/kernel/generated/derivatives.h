@@ -419,6 +419,7 @@ static inline int64_t derivative_strip_lengths__correct_lengths_t(array_double_1
 /* derivative_strip_patches.py */
 static inline int64_t derivative_strip_patches__slant_region_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t index, double station, lanes station_t, double x, lanes x_t);
 static inline int64_t derivative_strip_patches__load_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, int64_t index);
+static inline int64_t derivative_strip_patches__limit_spike_t(array_double_1d work, array_lanes_1d work_t, int64_t strip, int64_t inner);
 static inline int64_t derivative_strip_patches__roughness_t(double* total, lanes* total_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves, int64_t run, int64_t g);
 static inline int64_t derivative_strip_patches__fill_fine_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t k);
 static inline int64_t derivative_strip_patches__largest_square_t(double* largest, lanes* largest_t, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last, bool pressures);

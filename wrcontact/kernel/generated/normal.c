@@ -108,6 +108,7 @@ static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array
 /* normal/strip_patches.py */
 static inline int64_t strip_patches__slant_region(array_double_1d work, int64_t region, int64_t index, double station, double x);
 static inline int64_t strip_patches__load_region(array_double_1d work, array_double_1d tables, int64_t region, int64_t index);
+static inline int64_t strip_patches__limit_spike(array_double_1d work, int64_t strip, int64_t inner);
 static inline double strip_patches__roughness(array_double_1d tables, array_double_1d work, int64_t waves, int64_t run, int64_t g);
 static inline int64_t strip_patches__fill_fine_strips(array_double_1d work, array_double_1d tables, int64_t k);
 static inline double strip_patches__largest_square(array_double_1d work, int64_t first, int64_t last, bool pressures);
@@ -2650,6 +2651,7 @@ static inline int64_t strip_lengths__finish_strips(array_double_1d work, array_d
     double middle;
     double half;
     int64_t strip;
+    double raised;
     waves = (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES)));
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
     first = k * (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)));
@@ -2669,7 +2671,8 @@ static inline int64_t strip_lengths__finish_strips(array_double_1d work, array_d
         (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) = double_max(2, (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)), strip_lengths__FLAT * largest);
         (*cspan_at(&work, strip + layout__STRIP_NEXT_HALF)) = (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) * (*cspan_at(&tables, waves + layout__WAVES_SIN + i));
         (*cspan_at(&work, strip + layout__STRIP_NEXT_STATION)) = middle - half * (*cspan_at(&tables, waves + layout__WAVES_COS + i));
-        (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * (*cspan_at(&work, strip + layout__STRIP_Y)) * (*cspan_at(&work, strip + layout__STRIP_AXIS)) / (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)) * grown;
+        raised = double_min(2, (*cspan_at(&work, strip + layout__STRIP_AXIS)) / (*cspan_at(&work, strip + layout__STRIP_NEXT_AXIS)), strip_lengths__MOST_RAISED);
+        (*cspan_at(&work, strip + layout__STRIP_PRESSURE)) = M_PI * (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * (*cspan_at(&work, strip + layout__STRIP_Y)) * raised * grown;
     }
     return INT64_C(0);
 }
@@ -2810,6 +2813,8 @@ static inline int64_t strip_patches__fill_fine_strips(array_double_1d work, arra
         stretch += (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_STRETCH));
         (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_SMOOTH)) = double_max(2, (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i + layout__STRIP_PRESSURE)), 0.0) / (*cspan_at(&tables, waves + layout__WAVES_SIN + (i - first)));
     }
+    strip_patches__limit_spike(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * first, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)));
+    strip_patches__limit_spike(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(1)), layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + (int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT))) - INT64_C(2)));
     rigid = (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) * (double)((int64_t)((*cspan_at(&tables, waves + layout__WAVES_COUNT)))) / (((*cspan_at(&work, run + layout__STRIP_RUN_STOP)) - (*cspan_at(&work, run + layout__STRIP_RUN_START))) * stretch);
     for (g = INT64_C(0); g < fine; g += INT64_C(1))
     {
@@ -2844,6 +2849,15 @@ static inline int64_t strip_patches__fill_fine_strips(array_double_1d work, arra
         (*cspan_at(&work, to + layout__SOLVED_STRIP_HALF_LENGTH_SQUARE)) = length * length;
         (*cspan_at(&work, to + layout__SOLVED_STRIP_PRESSURE_SQUARE)) = pressure * pressure;
     }
+    return INT64_C(0);
+}
+
+/* No spike of the outermost strip of a run beside the next one: an edge that is still on its way leaves
+ * it, with little load.
+ */
+static inline int64_t strip_patches__limit_spike(array_double_1d work, int64_t strip, int64_t inner)
+{
+    (*cspan_at(&work, strip + layout__STRIP_SMOOTH)) = double_min(2, (*cspan_at(&work, strip + layout__STRIP_SMOOTH)), strip_patches__SPIKE * (*cspan_at(&work, inner + layout__STRIP_SMOOTH)));
     return INT64_C(0);
 }
 

@@ -23,6 +23,8 @@ MOST_END: Final[float] = 1.6
 STEEP: Final[float] = 1.5
 #: Smallest axis over the largest one of its run.
 FLAT: Final[float] = 0.05
+#: A pressure is raised no more than so many times by a shorter half-length.
+MOST_RAISED: Final[float] = 1.25
 #: Share of the move of an edge that is taken, and the farthest one, of half the run.
 RELAXED: Final[float] = 0.5
 FARTHEST_EDGE: Final[float] = 0.25
@@ -149,4 +151,5 @@ def finish_strips(tables: Tables, problem: StripProblem, k: int):
         strip.next_axis = max(strip.next_axis, FLAT * largest)
         strip.next_half = strip.next_axis * waves.sin[i]
         strip.next_station = middle - half * waves.cos[i]
-        strip.pressure = pi * tables.contact_modulus * strip.y * strip.axis / strip.next_axis * grown
+        raised = min(strip.axis / strip.next_axis, MOST_RAISED)
+        strip.pressure = pi * tables.contact_modulus * strip.y * raised * grown

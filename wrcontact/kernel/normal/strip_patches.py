@@ -8,7 +8,7 @@ from math import pi, sqrt
 from typing import Final
 
 from ..layout import (FINE_WAVES, LOAD_VERTICAL, RULE_STRAIGHT, SOLVED_PATCH_LIMIT, Contact, Equations, Frame,
-                      Region, Regions, SideSearch, SolvedStrips, StripProblem, StripRun, Tables, Waves)
+                      Region, Regions, SideSearch, SolvedStrips, Strip, StripProblem, StripRun, Tables, Waves)
 from ..patch.filling import add_load, begin_patch, clear_patches, finish_patch, finish_patches
 from ..surface.rails import upright_share
 from .strip_surfaces import TOUCHING, between
@@ -17,6 +17,8 @@ from .strip_surfaces import TOUCHING, between
 CLOSE: Final[float] = 1e-6
 #: So many fine strips at either end of a run are without the fine part of the gap.
 SMOOTH_ENDS: Final[int] = 2
+#: Largest p / sin t of the outermost strip of a run over that of the next one.
+SPIKE: Final[float] = 1.5
 #: Half-lengths between strips are no less than this share of the smallest axis times sin t.
 NARROWED: Final[float] = 0.5
 
@@ -83,6 +85,8 @@ def fill_fine_strips(tables: Tables, problem: StripProblem, solved: SolvedStrips
         least = min(least, problem.strips[i].next_axis)
         stretch += problem.strips[i].stretch
         problem.strips[i].smooth = max(problem.strips[i].pressure, 0.0) / waves.sin[i - first]
+    limit_spike(problem.strips[first], problem.strips[first + 1])
+    limit_spike(problem.strips[first + waves.count - 1], problem.strips[first + waves.count - 2])
     rigid = tables.contact_modulus * float(waves.count) / ((run.stop - run.start) * stretch)
     for g in range(fine):
         axis = 0.0
@@ -110,6 +114,12 @@ def fill_fine_strips(tables: Tables, problem: StripProblem, solved: SolvedStrips
         to.line_load = 0.5 * pi * length * pressure
         to.half_length_square = length * length
         to.pressure_square = pressure * pressure
+
+
+def limit_spike(strip: Strip, inner: Strip):
+    """No spike of the outermost strip of a run beside the next one: an edge that is still on its way leaves
+    it, with little load."""
+    strip.smooth = min(strip.smooth, SPIKE * inner.smooth)
 
 
 def roughness(waves: Waves, run: StripRun, g: int):
