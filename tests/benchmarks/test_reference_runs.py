@@ -32,8 +32,8 @@ MEASURED = {
         "positions": ((0.044, 0.39, 0.34), (0.15, 1.40, 1.13)),
         # two lobes between which little is pressed: once 1 in 318 wheels has 11 % of area too little
         "hunting": ((0.03, 0.33, 0.18), (0.51, 11.3, 1.40)),
-        # micrometres from a jump, an edge that is still on its way: 4.7, 8.3, 5.1 % at worst with 24 strips, and
-        # 0.46, 0.53, 0.54 % in the mean
+        # micrometres from a jump, an edge that is still on its way: 4.7, 8.3, 5.1 % at worst with 24 strips,
+        # and 0.46, 0.53, 0.54 % in the mean
         "jumps": ((0.15, 0.52, 0.69), (10.1, 6.70, 21.3)),
         "load": ((0.026, 0.24, 0.08), (0.08, 0.61, 0.66)),
     },

@@ -37,6 +37,6 @@ def test_the_table(name):
     row, = re.findall(rf"^\| {re.escape(name)} \| (.*) \|$", PAGE, re.MULTILINE)
     *counts, largest = map(float, row.split(" | "))
     found = run(name)
-    # on a processor without wide vectors numpy sums in another order, and Radau takes 5 % more or fewer calls
+    # without wide vectors numpy sums in another order, and Radau takes 5 % more or fewer calls
     assert found[:3] == pytest.approx(counts, rel=0.1, abs=8)
     assert 1e3 * found[3] == pytest.approx(largest, abs=6e-4)
