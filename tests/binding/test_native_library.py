@@ -45,7 +45,7 @@ def checked_package(tmp_path_factory):
 
 
 STRIPS_OF_PAIRS = [
-    {"normal_model": "analyn_strip", "strips": strips, **pair} for strips in (16, 64)
+    {"normal_model": "analyn_strip", "strips": strips, **pair} for strips in (6, 16)
     for pair in ({}, {"rail": "54E1", "rail_inclination": 0.05}, {"rail": "60E1", "gauge": 1.425})]
 
 
@@ -56,15 +56,15 @@ STRIPS_OF_PAIRS = [
     {},
     {"nodes": 4},
     {"nodes": 38},
-    {"normal_model": "analyn_strip", "nodes": 4, "strips": 16, "sweeps": 1},
+    {"normal_model": "analyn_strip", "nodes": 4, "strips": 6, "sweeps": 1},
     {"normal_model": "analyn_strip"},
-    {"normal_model": "analyn_strip", "nodes": 38, "strips": 64, "sweeps": 4},
+    {"normal_model": "analyn_strip", "nodes": 38, "strips": 16, "sweeps": 20},
     {"separation": "vertical", "lateral_curvature": "smooth", "nodes": 38},
     {"separation": "equidistant", "lateral_curvature": "rough", "normal_model": "analyn_strip"},
     {"separation": "equidistant_chord", "nodes": 4},
     *FORMS,
     *STRIPS_OF_PAIRS,
-    {"contact_mode": "elastic", "nodes": 38, "normal_model": "analyn_strip", "strips": 64, "sweeps": 4},
+    {"contact_mode": "elastic", "nodes": 38, "normal_model": "analyn_strip", "strips": 16, "sweeps": 20},
     {"contact_mode": "compliant", "nodes": 4, "separation": "vertical", "lateral_curvature": "rough"},
 ], ids=kernel_runs.id_of)
 def test_no_index_leaves_its_array(tmp_path, checked_package, parameters):
