@@ -421,6 +421,8 @@ static component instances[INSTANCES];
 static saved_state states[STATES];      /* also of other instances, and of those that are gone */
 static byte stored[STATES][200000];
 static size_t stored_size[STATES];
+static const model_variable *variable_named(const char *name);
+
 /* The value reference of the variable at a place in model_variables; the first of its run. */
 static value_reference reference_of(int place)
 {
@@ -438,7 +440,7 @@ static long started[8][8];      /* instances that were initialised, by contact m
 /* What a simulation does: all inputs possible, velocities too, a step or a completed one of a solver, the status read. */
 static int usual_step(component c)
 {
-    const value_reference status = FMI == 2 ? MODEL_STATUS : MODEL_BLOCKS;
+    const value_reference status = reference_of((int)(variable_named("status") - model_variables));
     const double yaw = pick(3) ? 0.0 : 1e-5 * (pick(2401) - 1200.0);
     double inputs[MODEL_INPUTS] = {1e-5 * (pick(3001) - 1500.0), yaw, pick(5) ? 0.0 : 1e-5 * pick(1000), 10.0 * pick(20000),
                                          pick(3) ? 0.0 : 1e-2 * (pick(201) - 100.0), 1e-6 * pick(3000), 1e-5 * (pick(201) - 100.0)};
@@ -708,10 +710,10 @@ static void find_values(void)
 {
     for (int i = 0; i < 5; i += 1)
         five[i] = reference_of(i);
-    for (value_reference r = FIRST_REFERENCE; r < REFERENCES; r += 1)
+    for (int first = MODEL_FIRST_OUTPUT; first < MODEL_VARIABLES; first += 1)
     {
-        const int first = model_blocks[r].first;
-        if (first >= MODEL_FIRST_OUTPUT && model_variables[first].type == MODEL_REAL)
+        const value_reference r = reference_of(first);      /* of an array its first place alone has one */
+        if (r < REFERENCES && model_variables[first].type == MODEL_REAL)
         {
             outputs[output_count++] = r;
             value_count += FMI == 3 && model_blocks[r].run >= 0 ? MODEL_STATIONS : 1;
@@ -833,7 +835,7 @@ static int count_allocations(int variant)
 {
     static double values[64 * LIST];
     const double nowhere[5] = {NAN, 0.0, 0.0, 1e5, 0.0};
-    const value_reference status = FMI == 2 ? MODEL_STATUS : MODEL_BLOCKS;
+    const value_reference status = reference_of((int)(variable_named("status") - model_variables));
     const value_reference profile = reference_of((int)(variable_named("wheel_profile") - model_variables));
     const char *word = NULL;
     component c = ready(variant);
@@ -1067,7 +1069,7 @@ static void *run_walk(void *argument)
     walk *self = argument;
     const size_t angle = value_named("right.contact_angle"), place = value_named("right.contact.y_wheel");
     const size_t twin = value_named("right.patch[2].normal_force");
-    const value_reference status = FMI == 2 ? MODEL_STATUS : MODEL_BLOCKS;
+    const value_reference status = reference_of((int)(variable_named("status") - model_variables));
     double last_place = 0.0;
     for (int half = 0; half < 2; half += 1)
         for (size_t i = 0; i < SEEN; i += 1)

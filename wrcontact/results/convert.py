@@ -94,6 +94,9 @@ def _grouped(names):
         if side:
             place.append(("side", ("left", "right").index(side[1])))
             stem = stem[side.end():]
+            if stem in OUTPUTS:
+                # the wheelset has one of this name
+                stem = f"wheel_{stem}"
         patch = re.search(r"\[(\d+)\]", stem)
         if patch:
             place.append(("station_number" if is_run(name) else "patch", int(patch[1]) - 1))
