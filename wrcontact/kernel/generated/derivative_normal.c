@@ -3276,6 +3276,8 @@ static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetrati
     bool given;
     double v1;
     lanes v1_t;
+    lanes found_t;
+    double found;
     double share;
     yawed = frame__is_yawed(work);
     EACH_LANE each((*penetration_t)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)));
@@ -3294,8 +3296,13 @@ static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetrati
         }
         derivative_strip_runs__lay_strips_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))), sweep >= sweeps - strip_contact__SMOOTH_SWEEPS);
         derivative_strip_pressures__solve_pressures_t(&v1, &v1_t, work, work_t, tables, force, force_t, given, yawed);
-        EACH_LANE each((*penetration_t)) = each(v1_t);
-        (*penetration) = v1;
+        EACH_LANE each(found_t) = each(v1_t);
+        found = v1;
+        if ((found > 0.0) || (sweep == INT64_C(0)))
+        {
+            EACH_LANE each((*penetration_t)) = each(found_t);
+            (*penetration) = found;
+        }
         if ((!last) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
         {
             share = strip_lengths__RELAXED;

@@ -2422,6 +2422,7 @@ static inline double strip_contact__sweep_strips(array_double_1d tables, array_d
     int64_t sweep;
     bool last;
     bool given;
+    double found;
     double share;
     double penetration;
     yawed = frame__is_yawed(work);
@@ -2439,7 +2440,12 @@ static inline double strip_contact__sweep_strips(array_double_1d tables, array_d
             given = 1;
         }
         strip_runs__lay_strips(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))), sweep >= sweeps - strip_contact__SMOOTH_SWEEPS);
-        penetration = strip_pressures__solve_pressures(work, tables, force, given, yawed);
+        found = strip_pressures__solve_pressures(work, tables, force, given, yawed);
+        if ((found > 0.0) || (sweep == INT64_C(0)))
+        {
+            /* strips of picometres on a straight gap can ask for less than nothing */
+            penetration = found;
+        }
         if ((!last) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
         {
             share = strip_lengths__RELAXED;

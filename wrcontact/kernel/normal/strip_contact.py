@@ -130,7 +130,10 @@ def sweep_strips(pair: Pair, contact: Contact, sweeps: int, force: float, by_pen
         if contact.frame.pressed and not contact.frame.sunk and not last:
             given = True
         lay_strips(problem, tables.waves, sweep >= sweeps - SMOOTH_SWEEPS)
-        penetration = solve_pressures(tables, problem, contact.equations, force, given, yawed)
+        found = solve_pressures(tables, problem, contact.equations, force, given, yawed)
+        if found > 0.0 or sweep == 0:
+            # strips of picometres on a straight gap can ask for less than nothing
+            penetration = found
         if not last or contact.filling:
             share = RELAXED
             if sweep == 0:
