@@ -3298,7 +3298,7 @@ static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetrati
         derivative_strip_pressures__solve_pressures_t(&v1, &v1_t, work, work_t, tables, force, force_t, given, yawed);
         EACH_LANE each(found_t) = each(v1_t);
         found = v1;
-        if ((found > 0.0) || (sweep == INT64_C(0)))
+        if (found > 0.0)
         {
             EACH_LANE each((*penetration_t)) = each(found_t);
             (*penetration) = found;

@@ -2441,7 +2441,7 @@ static inline double strip_contact__sweep_strips(array_double_1d tables, array_d
         }
         strip_runs__lay_strips(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))), sweep >= sweeps - strip_contact__SMOOTH_SWEEPS);
         found = strip_pressures__solve_pressures(work, tables, force, given, yawed);
-        if ((found > 0.0) || (sweep == INT64_C(0)))
+        if (found > 0.0)
         {
             /* strips of picometres on a straight gap can ask for less than nothing */
             penetration = found;

@@ -131,7 +131,7 @@ def sweep_strips(pair: Pair, contact: Contact, sweeps: int, force: float, by_pen
             given = True
         lay_strips(problem, tables.waves, sweep >= sweeps - SMOOTH_SWEEPS)
         found = solve_pressures(tables, problem, contact.equations, force, given, yawed)
-        if found > 0.0 or sweep == 0:
+        if found > 0.0:
             # strips of picometres on a straight gap can ask for less than nothing
             penetration = found
         if not last or contact.filling:
