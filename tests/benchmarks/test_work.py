@@ -12,8 +12,9 @@ from wrcontact.kernel.binding.library import default_kernel
 STEPS, EVERY = 400, 50       # the 20 s of the trajectory, each 50th step
 #: Gap evaluations, scans, roll iterations, nodes, force solves and strip systems of a step (times.COUNTS).
 #:
-#: A wheel that strips find more than 1.15 times as deep as estimated is sunk anew (strip_contact.SUNK_DEEPER):
-#: 12 % of their gap evaluations in rigid contact, where ANALYN does not. Six sweeps a wheel are 12 systems.
+#: A wheel that strips find more than 1.15 times as deep as estimated is sunk anew
+#: (strip_contact.SUNK_DEEPER): 12 % of their gap evaluations in rigid contact, where ANALYN does not. Six
+#: sweeps a wheel are 12 systems.
 BUDGETS = {
     "Hertz, rigid": (32.57, 2.03, 4.14, 2.00, 0.00, 0.00),
     "ANALYN, rigid": (82.39, 2.03, 4.14, 55.35, 7.46, 0.00),
