@@ -5874,14 +5874,14 @@ static inline int64_t derivative_strip_runs__part_run_t(array_double_1d tables, 
     EACH_LANE each(limit_t) = v1 * each(largest_t);
     limit = v1 * largest;
     pulling = INT64_C(0);
-    for (i = INT64_C(2); i < count - INT64_C(2); i += INT64_C(1))
+    for (i = INT64_C(1); i < count - INT64_C(1); i += INT64_C(1))
     {
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) < limit)
         {
             pulling = pulling + INT64_C(1);
         }
     }
-    if ((pulling == INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)) + layout__STRIP_Y)) >= limit) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + count - INT64_C(2)) + layout__STRIP_Y)) >= limit))
+    if (pulling == INT64_C(0))
     {
         derivative_strip_runs__keep_run_t(work, work_t, k);
     }

@@ -2384,9 +2384,7 @@ static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t
     return 0;
 }
 
-/* Open the regions where the wheel overlaps its rail, trace both there, and begin the runs; how many
- * regions.
- */
+/* Open the regions where the wheel overlaps its rail, and trace both there; how many regions. */
 static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair)
 {
     int64_t deepest;
@@ -2519,7 +2517,7 @@ static inline int64_t strip_lengths__correct_strip(array_double_1d work, array_d
     return INT64_C(0);
 }
 
-/* Shapes, leads and edges after this sweep, and the pressures that keep the loads. */
+/* Axes, leads and edges after this sweep, and the pressures that keep the loads. */
 static inline int64_t strip_lengths__correct_lengths(array_double_1d work, array_double_1d tables, double penetration, bool yawed, double share)
 {
     int64_t waves;
@@ -2559,7 +2557,7 @@ static inline int64_t strip_lengths__limit_axis(array_double_1d work, int64_t be
     return INT64_C(0);
 }
 
-/* Shape and lead of the outermost strip of a run from the next two. */
+/* Axis and lead of the outermost strip of a run from the next two. */
 static inline int64_t strip_lengths__end_axis(array_double_1d work, int64_t strip, int64_t inner, int64_t second)
 {
     double axis;
@@ -3906,14 +3904,14 @@ static inline int64_t strip_runs__part_run(array_double_1d tables, array_double_
     first = k * count;
     limit = (-strip_runs__PULLING) * largest;
     pulling = INT64_C(0);
-    for (i = INT64_C(2); i < count - INT64_C(2); i += INT64_C(1))
+    for (i = INT64_C(1); i < count - INT64_C(1); i += INT64_C(1))
     {
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + i) + layout__STRIP_Y)) < limit)
         {
             pulling += INT64_C(1);
         }
     }
-    if ((pulling == INT64_C(0)) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + INT64_C(1)) + layout__STRIP_Y)) >= limit) && ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * (first + count - INT64_C(2)) + layout__STRIP_Y)) >= limit))
+    if (pulling == INT64_C(0))
     {
         strip_runs__keep_run(work, k);
     }

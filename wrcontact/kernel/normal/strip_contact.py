@@ -93,8 +93,7 @@ def coarse_contact(pair: Pair, contact: Contact, force: float):
 
 
 def open_zones(pair: Pair, contact: Contact):
-    """Open the regions where the wheel overlaps its rail, trace both there, and begin the runs; how many
-    regions."""
+    """Open the regions where the wheel overlaps its rail, and trace both there; how many regions."""
     problem = contact.strip_problem
     problem.penetration = contact.frame.depth
     count = gather_overlaps(pair, contact.frame, contact.frames, contact.regions, contact.overlap)

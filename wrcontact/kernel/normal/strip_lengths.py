@@ -63,7 +63,7 @@ def correct_strip(tables: Tables, problem: StripProblem, first: int, i: int, pen
 
 
 def correct_lengths(tables: Tables, problem: StripProblem, penetration: float, yawed: bool, share: float):
-    """Shapes, leads and edges after this sweep, and the pressures that keep the loads."""
+    """Axes, leads and edges after this sweep, and the pressures that keep the loads."""
     waves = tables.waves
     for k in range(problem.run_count):
         first = k * waves.count
@@ -84,7 +84,7 @@ def limit_axis(before: Strip, strip: Strip, after: Strip):
 
 
 def end_axis(strip: Strip, inner: Strip, second: Strip):
-    """Shape and lead of the outermost strip of a run from the next two."""
+    """Axis and lead of the outermost strip of a run from the next two."""
     axis = 1.5 * inner.next_axis - 0.5 * second.next_axis
     strip.next_axis = min(max(axis, LEAST_END * inner.next_axis), MOST_END * inner.next_axis)
     strip.next_lead = strip.lead + inner.next_lead - inner.lead

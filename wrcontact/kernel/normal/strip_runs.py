@@ -17,7 +17,7 @@ from .strip_surfaces import between, interval, rest_gap, way_through
 
 #: A first run is where ANALYN's level is above zero, and reaches this share of its zone's depth.
 RAISED: Final[float] = 0.02
-#: Shapes of a new run are no less than this share of its largest.
+#: Axes of a new run are no less than this share of its largest.
 FLAT_START: Final[float] = 0.25
 #: Steps of Newton's method to the levels that carry the force.
 LEVEL_ITERATIONS: Final[int] = 6
@@ -290,10 +290,10 @@ def part_run(problem: StripProblem, waves: Waves, k: int, largest: float):
     first = k * count
     limit = -PULLING * largest
     pulling = 0
-    for i in range(2, count - 2):
+    for i in range(1, count - 1):
         if problem.strips[first + i].y < limit:
             pulling += 1
-    if pulling == 0 and problem.strips[first + 1].y >= limit and problem.strips[first + count - 2].y >= limit:
+    if pulling == 0:
         keep_run(problem, k)
     else:
         i = 0
