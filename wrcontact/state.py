@@ -3,6 +3,7 @@
 Names, units and words of the properties are those of the rows in wrcontact/interface/outputs.py.
 """
 
+from types import GenericAlias
 from typing import NamedTuple
 
 import numpy as np
@@ -38,6 +39,7 @@ class _View:
     """Named places of an output array (m,) or (n, m) from ``offset`` on."""
 
     __slots__ = ("_values", "_offset")
+    __class_getitem__ = classmethod(GenericAlias)  # numbers of a pose, arrays of a table: types alone know
     _members = ()  # names of the parts, in the order of the table
     _shown = ()  # those of them in the short text; () for all
 

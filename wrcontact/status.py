@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Iterable
 from enum import IntEnum
 from typing import NamedTuple
 
@@ -133,7 +134,8 @@ SENTENCES = (
 )
 
 
-def explain(status, inputs, compliant=False, terms=None, held=False):
+def explain(status: int, inputs: Iterable[float], compliant: bool = False, terms: Terms | None = None,
+            held: bool = False) -> str:
     """One sentence on a non-zero ``status`` that names the variable, its value and the limit; "" for VALID.
 
     ``inputs`` are those of the step, in the order of wrcontact/interface/inputs.py; ``compliant`` says

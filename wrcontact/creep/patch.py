@@ -5,6 +5,7 @@ from math import fsum, isfinite, pi
 from numbers import Real
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ..kernel.layout import SOLVED_STRIP_LIMIT
 
@@ -54,7 +55,8 @@ class CreepPatch:
     poisson_ratio: float            #: [-]
 
 
-def elliptic_patch(half_length, half_width, normal_force, youngs_modulus=210e9, poisson_ratio=0.28):
+def elliptic_patch(half_length: float, half_width: float, normal_force: float, youngs_modulus: float = 210e9,
+                   poisson_ratio: float = 0.28) -> CreepPatch:
     """Hertz's elliptic patch.
 
     Parameters
@@ -78,8 +80,9 @@ def elliptic_patch(half_length, half_width, normal_force, youngs_modulus=210e9, 
                       float(youngs_modulus), float(poisson_ratio))
 
 
-def outlined_patch(station, half_length, pressure, *, slant=0.0, normal_force=None, youngs_modulus=210e9,
-                   poisson_ratio=0.28):
+def outlined_patch(station: ArrayLike, half_length: ArrayLike, pressure: ArrayLike, *, slant: float = 0.0,
+                   normal_force: float | None = None, youngs_modulus: float = 210e9,
+                   poisson_ratio: float = 0.28) -> CreepPatch:
     """A patch that is given by its outline.
 
     Parameters

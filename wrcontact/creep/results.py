@@ -1,11 +1,18 @@
 """A patch of a wheelset's result, and its creepages, for :func:`creep_forces`."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from .patch import check_number, outlined_patch
+from .patch import CreepPatch, check_number, outlined_patch
+
+if TYPE_CHECKING:
+    from ..state import WheelsetState
 
 
-def patch_of(state, side, number=0, *, slant=0.0, youngs_modulus=210e9, poisson_ratio=0.28):
+def patch_of(state: "WheelsetState", side: str, number: int = 0, *, slant: float = 0.0,
+             youngs_modulus: float = 210e9, poisson_ratio: float = 0.28
+             ) -> tuple[CreepPatch, dict[str, float]]:
     """Patch and creepages of a result.
 
     The patch has the outline's stations, its own load and its own width.  The result does not say how the

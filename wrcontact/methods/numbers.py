@@ -12,6 +12,7 @@ ValueError: gauge is 1435; permitted is 0.5 ... 2 m
 import math
 from dataclasses import dataclass, field, fields
 from numbers import Real
+from typing import TYPE_CHECKING
 
 from .caller import warn_caller
 from .words import did_you_mean
@@ -47,8 +48,14 @@ def warn_unusual(name, value, unit, usual):
 
 #: What is permitted for a ``ratio`` too, where a text can be said.
 ALSO_RATIO = ", or a ratio such as '1:40'"
-#: Every record of numbers is a dataclass of this kind.
-frozen = dataclass(frozen=True, kw_only=True, repr=False)
+if TYPE_CHECKING:
+    from typing_extensions import dataclass_transform
+
+    @dataclass_transform(kw_only_default=True, frozen_default=True)
+    def frozen(cls: type) -> type: ...
+else:
+    #: Every record of numbers is a dataclass of this kind.
+    frozen = dataclass(frozen=True, kw_only=True, repr=False)
 
 
 @dataclass(frozen=True)

@@ -2,13 +2,16 @@
 
 import math
 
+from numpy.typing import ArrayLike
+
 from ..interface.parameters import PARAMETERS
 
 #: How far the length of the axle's direction may be from 1.
 UNIT = 1e-6
 
 
-def motion_of(position, rotation, velocity, angular_velocity, lateral=0.0, *, nominal_radius=None):
+def motion_of(position: ArrayLike, rotation: ArrayLike, velocity: ArrayLike, angular_velocity: ArrayLike,
+              lateral: float = 0.0, *, nominal_radius: float | None = None) -> dict[str, float]:
     """The inputs of a wheelset that is a spinning body: yaw, roll, their rates, the rotation of its wheels.
 
     The axle has the direction ``e = R e_2``, the second column of the rotation matrix, and moves as

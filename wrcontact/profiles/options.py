@@ -56,11 +56,11 @@ class ProfileFile:
         in one sentence with name, value, unit and permitted range.
     """
 
-    path: str | os.PathLike
+    path: str | os.PathLike[str]
     mirror_y: bool | None = None
     mirror_z: bool | None = None
     rotate: float = 0.0
-    shift: tuple = (0.0, 0.0)
+    shift: tuple[float, float] = (0.0, 0.0)
     file_inclination: float | None = None
     select: int | str | None = None
 

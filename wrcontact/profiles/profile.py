@@ -1,8 +1,11 @@
 """A wheel or rail profile: height, slope and curvature as functions of the lateral coordinate."""
 
 from dataclasses import dataclass, field
+from os import PathLike
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ..conventions import MILLIMETRE as MM
 from .definition import definition
@@ -77,7 +80,8 @@ class Profile:
                 f"{self.zones[-1].stop:.5g} mm, {zones})")
 
     @classmethod
-    def from_file(cls, path, kind, smoothing=None, **options):
+    def from_file(cls, path: str | PathLike[str], kind: str, smoothing: float | None = None,
+                  **options: Any) -> "Profile":
         """The profile in a file of points or a prepared file (docs/profiles.md).
 
         Parameters
@@ -101,7 +105,7 @@ class Profile:
         return read_profile(ProfileFile(path, **options), kind, smoothing, cls)
 
     @classmethod
-    def from_points(cls, y, z, *, name, kind):
+    def from_points(cls, y: ArrayLike, z: ArrayLike, *, name: str, kind: str) -> "Profile":
         """A profile through points ``y`` (n,), ``z`` (n,) in millimetres by a cubic spline.
 
         A rail is shifted so that its highest point is the origin.
@@ -118,16 +122,16 @@ class Profile:
         return definition(self)
 
     @property
-    def start(self):
+    def start(self) -> float:
         """Smallest y of the profile [m]."""
         return self.zones[0].start * MM
 
     @property
-    def stop(self):
+    def stop(self) -> float:
         """Largest y of the profile [m]."""
         return self.zones[-1].stop * MM
 
-    def evaluate(self, y):
+    def evaluate(self, y: ArrayLike) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
         """Height [m], slope [-] and second derivative [1/m] at ``y`` [m], three arrays of y's shape; NaN
         outside."""
         y = np.asarray(y, dtype=float)
@@ -141,15 +145,15 @@ class Profile:
                 result[:, inside] = zone(y_mm[inside])
         return result[0] * MM, result[1], result[2] / MM
 
-    def height(self, y):
+    def height(self, y: ArrayLike) -> NDArray[Any]:
         """Height z(y) [m], positive down, at ``y`` [m]; array in, array out, NaN outside the profile."""
         return self.evaluate(y)[0]
 
-    def slope(self, y):
+    def slope(self, y: ArrayLike) -> NDArray[Any]:
         """Slope dz/dy [-] at ``y`` [m]."""
         return self.evaluate(y)[1]
 
-    def curvature(self, y):
+    def curvature(self, y: ArrayLike) -> NDArray[Any]:
         """Curvature z'' / (1 + z'^2)^(3/2) [1/m] at ``y`` [m]; positive where z'' > 0."""
         _, slope, bend = self.evaluate(y)
         return bend / (1 + slope**2) ** 1.5

@@ -1,0 +1,123 @@
+"""What editors and type checkers know of the package is what it has, and they see a user's errors."""
+
+import os
+import re
+import runpy
+import subprocess
+import sys
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+
+from tests.helpers.paths import ROOT
+
+SCRIPT = runpy.run_path(str(ROOT / "tools" / "make_types.py"))
+#: Modules whose types stand beside them.
+MODULES = ["wrcontact.state", "wrcontact.system", "wrcontact.stepper", "wrcontact.wheel"]
+#: A user's program without an error; a line with the word "wrong" has one.
+PROGRAM = '''
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from typing_extensions import assert_type
+
+import wrcontact
+
+system = wrcontact.ContactSystem(wheel="S1002", rail=("UIC60", "UIC60"), rail_inclination="1:40",
+                                 normal_model=wrcontact.Analyn(tolerance=0.004),
+                                 tangential_model="strips", material=wrcontact.Material(poisson_ratio=0.3))
+state = system.evaluate(1e-3, 0.0, normal_force=78.5e3, left_friction=0.4, free_rolling=True)
+assert_type(state, wrcontact.WheelsetState)
+assert_type(state.status, wrcontact.Status)
+assert_type(state.right.patches[0].area, float)
+assert_type(state.right.patches[0].creepage.spin, float)
+assert_type(state.left.contact.y_wheel, float)
+assert_type(state.right.normal.force.z, float)
+assert_type(state.right.patch_count, int)
+assert_type(state.equilibrium.roll, float)
+assert_type(state["right.area"], float)
+pressure: NDArray[Any] = state.right.outline.pressure
+table = system.evaluate_many(np.linspace(-1e-3, 1e-3, 5), outputs=["right.area"], threads=2)
+area: NDArray[Any] = table.right.area
+roll: float = table[2].roll
+some: NDArray[Any] = table[1:3].roll
+stepper = system.stepper(side="right")
+stepper.inputs[stepper.place("speed")] = 20.0
+force, moment = stepper.resultant(wrcontact.motion_of([0, 0, -0.46], np.eye(3), [20, 0, 0], [0, -43, 0]))
+slopes: NDArray[Any] = system.derivatives(of=["force.y"], by=["yaw"], lateral_shift=1e-3)
+wheel = wrcontact.WheelContact(side="left", contact_damping=0.01).evaluate(vertical_shift_input=1e-4)
+assert_type(wheel.force.x, float)
+patch = wrcontact.elliptic_patch(6e-3, 4e-3, 8e4)
+creep = wrcontact.creep_forces(patch, friction=0.4, tangential_model=wrcontact.Fastsim(published_spin=1))
+assert_type(creep.moment, float)
+profile: wrcontact.Profile = wrcontact.check(system).system.wheel
+bad = system.evaluate(lateralshift=1e-3)  # wrong: no such input
+bad = wrcontact.ContactSystem(contact_mode="elastik")  # wrong: no such mode
+bad = wrcontact.ContactSystem(gauge="wide")  # wrong: a number
+bad = state.right.aera  # wrong: no such output
+bad = state.right.patches[0].creepage.x.y  # wrong: a number
+bad = wrcontact.Analyn(tolerance="fine")  # wrong: a number
+bad = wrcontact.WheelContact(load="vertical")  # wrong: one wheel has none
+'''
+WRONG = [number for number, line in enumerate(PROGRAM.splitlines(), 1) if "# wrong" in line]
+
+
+@pytest.mark.parametrize("path", SCRIPT["stubs"](), ids=lambda path: path.name)
+def test_types_are_those_of_the_tables(path):
+    """If this fails: ``python tools/make_types.py``."""
+    assert path.read_text(encoding="utf-8") == SCRIPT["stubs"]()[path]
+
+
+def test_the_package_says_that_it_has_types():
+    assert (ROOT / "wrcontact" / "py.typed").exists()
+
+
+@pytest.fixture(scope="module")
+def program(tmp_path_factory):
+    """A folder with the user's program, and how mypy and pyright find the package."""
+    folder = tmp_path_factory.mktemp("types")
+    (folder / "program.py").write_text(PROGRAM, encoding="utf-8")
+    (folder / "mypy.ini").write_text("[mypy]\nstrict = true\nfollow_imports = silent\n"
+                                     "ignore_missing_imports = true\n", encoding="utf-8")
+    (folder / "pyrightconfig.json").write_text(
+        f'{{"extraPaths": [{str(ROOT)!r}], "typeCheckingMode": "standard"}}'.replace("'", '"'),
+        encoding="utf-8")
+    return folder
+
+
+def run(folder, package, *command):
+    """The lines that a type checker prints."""
+    if not find_spec(package):
+        pytest.skip(f"{package} is not installed")
+    programs = Path(sys.executable).parent
+    found = subprocess.run([programs / command[0], *command[1:]], cwd=folder, capture_output=True, text=True,
+                           env=os.environ | {"MYPYPATH": str(ROOT), "PYTHONPATH": str(ROOT)}, check=False)
+    return (found.stdout + found.stderr).splitlines()
+
+
+def wrong_lines(lines):
+    """Numbers of the program's lines that have an error."""
+    found = (re.search(r"program\.py:(\d+):.*?error", line) for line in lines)
+    return sorted({int(one[1]) for one in found if one})
+
+
+@pytest.mark.full
+def test_mypy_sees_a_user_s_errors_and_no_others(program):
+    lines = run(program, "mypy", "mypy", "program.py")
+    assert wrong_lines(lines) == WRONG, "\n".join(lines)
+
+
+@pytest.mark.full
+def test_pyright_sees_a_user_s_errors_and_no_others(program):
+    lines = run(program, "basedpyright", "basedpyright", "--pythonpath", sys.executable, "program.py")
+    assert wrong_lines(lines) == WRONG, "\n".join(lines)
+
+
+@pytest.mark.full
+def test_the_types_are_those_of_the_package(program):
+    """Names, arguments and their defaults, compared with the imported modules."""
+    lines = run(program, "mypy", "stubtest", *MODULES, "--concise", "--ignore-missing-stub",
+                "--mypy-config-file", "mypy.ini")
+    assert not lines or lines[-1].startswith("Success"), "\n".join(lines)

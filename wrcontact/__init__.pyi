@@ -1,0 +1,58 @@
+# Written by tools/make_types.py; do not edit.
+"""Wheel-rail contact of a wheelset on its track: contact positions, roll, patches and creep forces."""
+
+from . import conditioning as conditioning
+from . import halfspace as halfspace
+from . import plots as plots
+from . import study as study
+from .conditioning import Conditioning
+from .system import ContactSystem as ContactSystem
+from .creep.forces import CreepForces as CreepForces
+from .creep.patch import CreepPatch as CreepPatch
+from .interface.friction import Friction as Friction
+from .interface.parameters import Material as Material
+from .profiles.profile import Profile as Profile
+from .profiles.options import ProfileFile as ProfileFile
+from .profiles.remarks import ProfileWarning as ProfileWarning
+from .status import Status as Status
+from .stepper import Stepper as Stepper
+from .interface.parameters import Track as Track
+from .methods.numbers import UnusualValueWarning as UnusualValueWarning
+from .wheel import WheelContact as WheelContact
+from .wheel import WheelState as WheelState
+from .interface.parameters import Wheelset as Wheelset
+from .state import WheelsetState as WheelsetState
+from .creep.forces import creep_forces as creep_forces
+from .creep.patch import elliptic_patch as elliptic_patch
+from .status import explain as explain
+from .motion.body import motion_of as motion_of
+from .creep.patch import outlined_patch as outlined_patch
+from .creep.results import patch_of as patch_of
+from .methods.contact import Rigid as Rigid
+from .methods.contact import Elastic as Elastic
+from .methods.contact import Compliant as Compliant
+from .methods.contact import NormalLoad as NormalLoad
+from .methods.contact import VerticalLoad as VerticalLoad
+from .methods.normal import Analyn as Analyn
+from .methods.normal import Strip as Strip
+from .methods.normal import Hertz as Hertz
+from .methods.normal import Halfspace as Halfspace
+from .methods.contact import NormalSeparation as NormalSeparation
+from .methods.contact import VerticalSeparation as VerticalSeparation
+from .methods.contact import Equidistant as Equidistant
+from .methods.contact import EquidistantChord as EquidistantChord
+from .methods.contact import EffectiveCurvature as EffectiveCurvature
+from .methods.contact import BasicCurvature as BasicCurvature
+from .methods.contact import Adaptive as Adaptive
+from .methods.contact import Smooth as Smooth
+from .methods.contact import Rough as Rough
+from .methods.tangential import NoTangential as NoTangential
+from .methods.tangential import CoupledStrips as CoupledStrips
+from .methods.tangential import Fastsim as Fastsim
+from .methods.tangential import Fastrip as Fastrip
+from .methods.tangential import Polach as Polach
+from .methods.tangential import HalfspaceRolling as HalfspaceRolling
+
+__version__: str
+
+def check(system: ContactSystem) -> Conditioning: ...
