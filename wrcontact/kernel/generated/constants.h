@@ -1149,6 +1149,12 @@ static const double first_root__LEVER_YAWED_SHARE = 1.2;
 static const double first_root__LEANING_SHARE = 1.1;
 static const double first_root__FASTER = 1.5;
 
+/* search/rising_cell.py */
+static const double rising_cell__WIDEST_CELL = 0.00125;
+static const double rising_cell__CELL_SHARE = 0.02;
+static const double rising_cell__WHEEL_SHARE = 0.01;
+static const double rising_cell__LEAST_DEPARTURE = 0.02;
+
 /* search/roll.py */
 static const double roll__ROLL_SHARP = 1e-14;
 static const int64_t roll__SEARCHES = INT64_C(120);
@@ -1225,9 +1231,6 @@ static const double turning_cells__WIDEST_CELL = 0.00125;
 static const double turning_cells__FARTHEST_FOOT = 0.00015;
 static const double turning_cells__FOOT_SHARE = 0.2;
 static const double turning_cells__SLOPE_STEP = 1e-05;
-static const double turning_cells__CELL_SHARE = 0.02;
-static const double turning_cells__WHEEL_SHARE = 0.01;
-static const double turning_cells__LEAST_DEPARTURE = 0.02;
 static const int64_t turning_cells__CUBIC_ITERATIONS = INT64_C(2);
 
 /* contact/widths.py */

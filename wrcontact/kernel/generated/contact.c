@@ -2797,25 +2797,17 @@ static OUT_OF_LINE int64_t turning_cells__bound_departure(array_double_1d tables
     double length;
     double aside;
     double change;
-    double share;
-    double slid;
-    double stretch;
     double rest;
+    double departure;
+    double slid;
     node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
     length = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
     aside = double_max(2, fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry))), fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + INT64_C(1))))));
     change = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry));
-    share = turning_cells__CELL_SHARE;
-    slid = turning_cells__CELL_SHARE + aside / length;
-    if ((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0)
-    {
-        stretch = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_RADIUS)) * (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0)));
-        share = bounds__YAWED_SHARE + bounds__STRETCHED_SHARE * stretch;
-        slid += stretch;
-    }
     /* a foot may lie beyond the chord's ends */
     rest = (*cspan_at(&tables, node + layout__SCAN_NODE_DEPARTURE)) + length * (0.2 * length * (*cspan_at(&tables, rail + layout__RAIL_CELL_WAVE)) + 0.4 * (*cspan_at(&tables, rail + layout__RAIL_CELL_KINKS)));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)) = turning_cells__LEAST_DEPARTURE + (1.0 + share) * rest + slid * fabs(change) + turning_cells__WHEEL_SHARE * (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0))) + 2.0 * turning_cells__DEEPEST * fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry)));
+    rising_cell__departure_from_line(&departure, &slid, tables, work, place, node, rest);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)) = departure + (slid + aside / length) * fabs(change) + 2.0 * turning_cells__DEEPEST * fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry)));
     return INT64_C(0);
 }
 
