@@ -1192,7 +1192,6 @@ static const double deep_points__FOLLOWED = 0.0005;
 /* contact/frame.py */
 static const double frame__NO_GAP = 1.0;
 static const double frame__BEYOND = 1.0;
-static const double frame__PLACE_TRACE = 1e-08;
 
 /* contact/overlap_samples.py */
 static const double overlap_samples__FAR_ASIDE = 1.0;

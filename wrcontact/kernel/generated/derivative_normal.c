@@ -1442,8 +1442,9 @@ static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetrat
     double v14;
     lanes pressure_t;
     double pressure;
-    derivative_frame__locate_along_track_t(tables, work, work_t, pair, INT64_C(1));
     point = side + layout__SIDE_SEARCH_POINT;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_X_TRACK))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_X_TRACK)));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_X_TRACK)) = (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK));
     EACH_LANE each(A_t) = 0.5 * each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X)));
     A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
     v1 = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));

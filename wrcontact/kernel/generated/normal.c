@@ -1128,8 +1128,8 @@ static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t*
     double load;
     int64_t patch;
     double pressure;
-    frame__locate_along_track(tables, work, pair, INT64_C(1));
     point = side + layout__SIDE_SEARCH_POINT;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_X_TRACK)) = (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK));
     A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
     B = double_max(2, coefficients__FLOOR * A, 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)));
     hertz_contact__press_ellipse(&half_length, &half_width, &stiffness, penetration, work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed);

@@ -2220,7 +2220,6 @@ static inline bool side__describe_contact(array_double_1d tables, array_double_1
         (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-circle__atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
     }
     (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
-    frame__measure_contact(tables, work, pair);
     frame__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
@@ -2612,7 +2611,6 @@ static inline int64_t step__step_row(array_double_1d tables, array_double_1d sta
     bool changed;
     int64_t i;
     int64_t size;
-    int64_t first;
     int64_t status;
     changed = !((*cspan_at(&workspace, layout__WORK_KNOWN)) == 1.0);
     for (i = INT64_C(0); i < layout__INPUT_COUNT; i += INT64_C(1))
@@ -2634,11 +2632,7 @@ static inline int64_t step__step_row(array_double_1d tables, array_double_1d sta
         (*cspan_at(&workspace, layout__WORK_KNOWN)) = (double)(1);
         (*cspan_at(&workspace, layout__WORK_STATUS)) = (double)(status);
         size = outline__row_size(tables);
-        first = layout__WORK_OUTPUTS;
-        for (i = INT64_C(0); i < size; i += INT64_C(1))
-        {
-            (*cspan_at(&outputs, size * row + i)) = (*cspan_at(&workspace, first + i));
-        }
+        runs__copy_run(workspace, layout__WORK_OUTPUTS, outputs, size * row, size);
     }
     return status;
 }
