@@ -1431,6 +1431,7 @@ static const double elastic__UNBALANCED = 1e-09;
 static const double elastic__NOT_LAST = 1e-10;
 static const double elastic__SAME_GAP = 1e-09;
 static const double elastic__COARSE = 1.5e-05;
+static const double elastic__NEAR = 2e-06;
 static const double elastic__CLEAR_SHARE = 0.15;
 static const double elastic__SMALLEST_FACTOR = 0.5;
 static const double elastic__LONGEST_MOVE = 0.0002;

@@ -898,13 +898,15 @@ static OUT_OF_LINE int64_t elastic__renewed(double* result_0, double* result_1, 
     double height;
     double roll;
     double expected;
+    bool near;
     double factor;
     double size;
     double off;
     height = by_height * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
     roll = by_roll * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL));
     expected = height + roll;
-    if (fabs(expected) > elastic__CLEAR_SHARE * (fabs(height) + fabs(roll)))
+    near = fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) < elastic__NEAR;
+    if (near && (fabs(expected) > elastic__CLEAR_SHARE * (fabs(height) + fabs(roll))))
     {
         factor = change / expected;
         if ((factor > elastic__SMALLEST_FACTOR) && (factor * elastic__SMALLEST_FACTOR < 1.0))

@@ -43,6 +43,8 @@ SAME_GAP: Final[float] = 1e-9
 #: Strips are solved coarsely in the first trials, until a move is shorter [m]: the residual that it leaves is
 #: then as large as what is off in coarse penetrations.
 COARSE: Final[float] = 1.5e-5
+#: After a longer move [m] Broyden's formula is taken: it finds the way among several equilibria.
+NEAR: Final[float] = 2e-6
 #: Of a side's expected change, this share of its two parts' sizes has to be left for a factor to be found
 #: from it, and the factor has to lie between SMALLEST_FACTOR and its inverse [-].
 CLEAR_SHARE: Final[float] = 0.15
@@ -195,7 +197,8 @@ def renewed(method: Broyden, by_height: float, by_roll: float, change: float):
     height = by_height * method.move_height
     roll = by_roll * method.move_roll
     expected = height + roll
-    if fabs(expected) > CLEAR_SHARE * (fabs(height) + fabs(roll)):
+    near = fabs(method.move_height) + fabs(method.move_roll) < NEAR
+    if near and fabs(expected) > CLEAR_SHARE * (fabs(height) + fabs(roll)):
         factor = change / expected
         if factor > SMALLEST_FACTOR and factor * SMALLEST_FACTOR < 1.0:
             return factor * by_height, factor * by_roll
