@@ -190,11 +190,11 @@ class ContactSystem:
         if type(outputs) is not str or outputs not in DEPTHS:
             return self._evaluate_some(arguments, penetration, side, outputs, inputs)
         stepper = self._stepper_at(penetration, side, outputs, input_values(arguments, inputs))
-        status = STATUSES[stepper.step()]
+        status = stepper.step()
         found = stepper.outputs.copy()
-        if status > Status.UNLOADED:
+        if status > layout.UNLOADED:
             found[:] = math.nan
-        return WheelsetState(found, status, stepper.inputs.copy(), system=self._balancing())
+        return WheelsetState(found, STATUSES[status], stepper.inputs.copy(), system=self._balancing())
 
     def _stepper_at(self, penetration, side, outputs, values):
         """This thread's stepper with input ``values``, not stepped."""

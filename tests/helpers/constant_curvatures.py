@@ -11,7 +11,7 @@ from wrcontact.kernel.contact import frame
 from wrcontact.kernel.normal.coefficients import weigh_nodes
 from wrcontact.kernel.normal.strip_contact import start_runs, sweep_strips
 from wrcontact.kernel.normal.strip_patches import fill_from_strips
-from wrcontact.kernel.normal.strip_surfaces import INSET, SHALLOW, ZONE_STATIONS, weigh_zone
+from wrcontact.kernel.normal.strip_surfaces import INSET, SHALLOW, ZONE_STATIONS, bend_gaps, weigh_zone
 from wrcontact.kernel.prepare.waves import write_waves
 
 
@@ -79,6 +79,7 @@ def trace_constant_curvatures(A, B, force, strips=10, sweeps=6, depth=1.0, share
         at.region, at.joined, at.station, at.place = 0, i < ZONE_STATIONS - 1, s, stretch * s
         at.overlap, at.rise = zone.depth - rise(s), -slope(s)
         at.cos, at.A, at.share, at.counted, at.stretch = 1.0, A, share, 1.0, stretch
+    bend_gaps(problem)
     weigh_zone(tables.pairs[1], problem, zone, A, 0, False)
     start_runs(tables.pairs[1], contact)
     return tables, work, exact

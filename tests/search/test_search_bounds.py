@@ -6,7 +6,7 @@ import wrcontact
 from data.noisy_profiles import noisy_points
 from tests.helpers.inside import tables_of
 from wrcontact.kernel import layout
-from wrcontact.kernel.search import bounds, roll
+from wrcontact.kernel.search import bounds, rising_cell, roll
 from wrcontact.kernel.search import bounds as raster
 from wrcontact.kernel.surface import gap, locus
 from wrcontact.profiles.compiled import evaluate_table
@@ -54,6 +54,28 @@ def test_no_cell_of_the_search_holds_more_than_its_bound_says():
             if least > 0.0 and mismatches[inside].max() < gap.FOLDED:
                 assert np.all(np.diff(mismatches[inside]) > -1e-12), where     # one place of contact at most
     assert checked > 1200
+
+
+def test_a_cell_that_is_certified_to_rise_does():
+    """``rises_in_cell`` against dense sampling: where it holds the slope difference rises from sample to
+    sample, and it holds in most cells in which it does."""
+    certified = rising = joined = 0
+    for pair, inputs, place, y, _, mismatches, below in sampled_placements(40, 24, 0.013):
+        for cell in range(len(y) // PER_CELL):
+            inside = slice(PER_CELL * cell, PER_CELL * (cell + 1) + 1)
+            holds = rising_cell.rises_in_cell(pair, place, cell)
+            if not np.all(below[inside]):
+                continue
+            steps = np.diff(mismatches[inside])
+            if holds:
+                certified += 1
+                where = (inputs.lateral_shift, inputs.yaw, cell, y[inside][0])
+                assert mismatches[inside].max() < gap.FOLDED, where
+                assert np.all(steps > 0.0), where
+                bends = steps / np.diff(y[inside])
+                joined += np.ptp(bends) > 5.0          # the curvature jumps in the cell
+            rising += np.all(steps > 0.0)
+    assert certified > 0.85 * rising > 500 and joined > 50
 
 
 def test_the_outline_is_bent_and_stretched_no_more_than_the_search_allows():

@@ -134,6 +134,8 @@ class Differentiated(Expressions):
             targets = [ast.Name(self.fresh("n"), ast.Store()) for _ in kinds]
             self.active |= {target.id for target in targets}
         names = [ast.unparse(target) for target in targets]
+        if call.func.id == "copy_run":
+            raise ValueError(f"{self.module}.py, line {call.lineno}: copy_run copies no rates")
         if derivative is None:
             text = self.value(call, own=True)
             self.write(f"{', '.join(names)} = {text}" if names else text)

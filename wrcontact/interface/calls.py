@@ -12,25 +12,28 @@ from .parameters import GROUPS, PARAMETERS
 
 #: Places in the kernel's inputs of those that can be given without their names, and of all by keyword.
 POSITIONAL = [place for place, row in enumerate(INPUTS) if row.positional]
+NAMED = [INPUTS[place].keyword for place in POSITIONAL]
 PLACES = {row.keyword: place for place, row in enumerate(INPUTS)}
 STARTS = [row.start for row in INPUTS]
 #: Inputs with a usual range, with their places.
-USUAL = [(place, row) for place, row in enumerate(INPUTS) if row.usual is not None]
+USUAL = [(place, row, *row.usual) for place, row in enumerate(INPUTS) if row.usual is not None]
+#: Types of a value that is one number, and needs no other check.
+NUMBERS = {float, int, np.float64}
 
 
 def input_values(arguments, keywords):
     """The value of every input in the kernel's order, from the arguments and keywords of a call."""
     values = STARTS.copy()
     for place, value in zip(POSITIONAL, arguments):
-        values[place] = value if type(value) is float else checked_input(place, value)
+        values[place] = value if type(value) in NUMBERS else checked_input(place, value)
     for name, value in keywords.items():
         if name not in PLACES:
             raise unknown_input(name)
         place = PLACES[name]
-        values[place] = value if type(value) is float else checked_input(place, value)
-    named = [INPUTS[place].keyword for place in POSITIONAL]
-    if len(arguments) > len(named) or any(name in keywords for name in named[:len(arguments)]):
-        raise TypeError(f"{len(arguments)} inputs have no name; permitted are {', '.join(named)}, each once, "
+        values[place] = value if type(value) in NUMBERS else checked_input(place, value)
+    if arguments and (len(arguments) > len(NAMED)
+                      or not keywords.keys().isdisjoint(NAMED[:len(arguments)])):
+        raise TypeError(f"{len(arguments)} inputs have no name; permitted are {', '.join(NAMED)}, each once, "
                         "and others by name")
     return values
 
@@ -54,8 +57,6 @@ def unknown_parameter(name):
 def checked_input(place, value):
     """The ``value`` of an input, unless it has texts, truth values or None, which numpy takes for numbers:
     these raise a ValueError, in a sentence."""
-    if type(value) is int:
-        return value
     row = INPUTS[place]
     try:
         array = np.asarray(value)
@@ -81,12 +82,13 @@ def _behind(row):
 def warn_of_inputs(values, told):
     """Give an UnusualValueWarning for every input among ``values``, numbers or arrays in the kernel's order,
     whose largest number is above 0 and outside its usual range; once for each name in the set ``told``."""
-    for place, row in USUAL:
+    for place, row, low, high in USUAL:
         value = values[place]
         if isinstance(value, np.ndarray) and value.ndim:
             value = np.max(value, initial=0.0, where=np.isfinite(value))
-        if value > 0.0 and row.name not in told and warn_unusual(row.name, value, row.unit, row.usual):
-            told.add(row.name)
+        if value > 0.0 and not low <= value <= high and row.name not in told:
+            if warn_unusual(row.name, value, row.unit, row.usual):
+                told.add(row.name)
 
 
 def wrong_input(values, array):

@@ -10,6 +10,7 @@ from typing import Final
 
 from ..layout import (LOAD_VERTICAL, REGION_LIMIT, Frame, KeptFrames, Pair, Place, Region, Regions, Tables,
                       copy, seldom)
+from ..surface.curvature import longitudinal_curvature
 from ..surface.gap import FOLDED
 from ..surface.locus import outline_jet, outline_x
 from ..surface.rails import upright_share
@@ -20,13 +21,11 @@ from .traces import start_traces, trace_rail, trace_wheel
 NO_GAP: Final[float] = 1.0
 #: Station of a bound that is none [m]; longer than any profile.
 BEYOND: Final[float] = 1.0
-#: Tolerance of the traces [m]; the residual is removed to second order, which leaves rounding.
-PLACE_TRACE: Final[float] = 1e-8
 
 
 def open_frame(pair: Pair, frame: Frame, place: Place, y: float, aside: float, shift: float):
-    """Place the contact plane at wheel abscissa ``y`` [m]; the slope is the rail's, which is the outline's
-    there.
+    """Place the contact plane at wheel abscissa ``y`` [m], and note how the gap bends there and the wheel's
+    1/R_x; the slope is the rail's, which is the outline's there.
 
     aside, shift : lateral and vertical shift that let the wheel touch the rail there [m].
 
@@ -59,6 +58,9 @@ def open_frame(pair: Pair, frame: Frame, place: Place, y: float, aside: float, s
     frame.depth = 0.0
     frame.blur = 0.0
     start_traces(frame, 0.0, abscissa, y)
+    along = cosine + outline_slope * sine
+    frame.bend = rail_bend * cosine * cosine * cosine - outline_rate / (stretch * along * along * along)
+    frame.curvature = longitudinal_curvature(pair.tables, place, z, slope, bend)
     mismatch = rail_slope - outline_slope
     if not stretch > 0.0:
         mismatch = FOLDED
@@ -122,13 +124,6 @@ def incline_region(tables: Tables, frame: Frame, region: Region, slope: float):
     region.share = 1.0
     if tables.load == LOAD_VERTICAL:
         region.share = upright_share(frame.place, cosine, region.sin)
-
-
-def measure_contact(pair: Pair, frame: Frame):
-    """Note in the open frame how the gap bends at the contact point, and the wheel's 1/R_x."""
-    gap, rate, bend, curvature = normal_gap(pair, frame, 0.0, PLACE_TRACE)
-    frame.bend = bend
-    frame.curvature = curvature
 
 
 def open_contact_region(tables: Tables, frame: Frame, region: Region):

@@ -15,7 +15,8 @@ from math import fabs
 from typing import Final
 
 from ..layout import Overlap, Pair, Place, RailCell, Samples, Scan, TurnCell, inlined, seldom
-from ..search.bounds import STRETCHED_SHARE, YAWED_SHARE, only_rises_or_falls, rail_index, rail_place
+from ..search.bounds import only_rises_or_falls, rail_index, rail_place
+from ..search.rising_cell import departure_from_line
 from ..surface.locus import outline_jet
 from .deep_points import append_point, is_listed
 from .pressed import turning_point
@@ -30,11 +31,6 @@ FARTHEST_FOOT: Final[float] = 1.5e-4
 #: standard profiles are joined [-].
 FOOT_SHARE: Final[float] = 0.2
 SLOPE_STEP: Final[float] = 1e-5
-#: F' departs from a straight line by shares of its parts' departures, of the rail's change and of the wheel's
-#: bend, and by this [1/m].
-CELL_SHARE: Final[float] = 0.02
-WHEEL_SHARE: Final[float] = 0.01
-LEAST_DEPARTURE: Final[float] = 0.02
 #: Newton's steps on the cubic through both samples, from which a deepest point is sought.
 CUBIC_ITERATIONS: Final[int] = 2
 
@@ -186,16 +182,10 @@ def bound_departure(scan: Scan, overlap: Overlap, rail: RailCell, place: Place, 
     length = samples.rail[entry + 1] - samples.rail[entry]
     aside = max(fabs(samples.aside[entry]), fabs(samples.aside[entry + 1]))
     change = samples.rail_bend[entry + 1] - cell.rail_jump - samples.rail_bend[entry]
-    share = CELL_SHARE
-    slid = CELL_SHARE + aside / length
-    if place.yawed:
-        stretch = place.sin_yaw * place.sin_yaw * place.radius * node.steepest_bends[0]
-        share = YAWED_SHARE + STRETCHED_SHARE * stretch
-        slid += stretch
     # a foot may lie beyond the chord's ends
     rest = node.departure + length * (0.2 * length * rail.wave + 0.4 * rail.kinks)
-    cell.departure = (LEAST_DEPARTURE + (1.0 + share) * rest + slid * fabs(change)
-                      + WHEEL_SHARE * node.steepest_bends[0]
+    departure, slid = departure_from_line(place, node, rest)
+    cell.departure = (departure + (slid + aside / length) * fabs(change)
                       + 2.0 * DEEPEST * fabs(cell.rail_jump * samples.rail_bend[entry]))
 
 

@@ -39,7 +39,6 @@ static OUT_OF_LINE int64_t frame__locate_along_track(array_double_1d tables, arr
 static OUT_OF_LINE int64_t frame__enter_plane(array_double_1d work, int64_t region, int64_t slot);
 static OUT_OF_LINE int64_t frame__leave_plane(array_double_1d work, int64_t region);
 static inline int64_t frame__incline_region(array_double_1d work, array_double_1d tables, int64_t region, double slope);
-static inline int64_t frame__measure_contact(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline int64_t frame__open_contact_region(array_double_1d work, array_double_1d tables, int64_t region);
 
 /* contact/overlap_samples.py */
@@ -806,8 +805,8 @@ static inline int64_t deep_points__follow_saddle(array_double_1d tables, array_d
  * deepest point.
  */
 
-/* Place the contact plane at wheel abscissa ``y`` [m]; the slope is the rail's, which is the outline's
- * there.
+/* Place the contact plane at wheel abscissa ``y`` [m], and note how the gap bends there and the wheel's
+ * 1/R_x; the slope is the rail's, which is the outline's there.
  *
  * aside, shift : lateral and vertical shift that let the wheel touch the rail there [m].
  *
@@ -826,6 +825,7 @@ static inline int64_t frame__open_frame(double* z, double* slope, double* y_trac
     double rail_bend;
     double cosine;
     double sine;
+    double along;
     tables__height_slope_bend(z, slope, &bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y);
     locus__outline_jet(y_track, &z_track, &outline_slope, &stretch, &outline_rate, work, place, y, (*z), (*slope), bend);
     (*y_track) += aside;
@@ -852,6 +852,9 @@ static inline int64_t frame__open_frame(double* z, double* slope, double* y_trac
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
     traces__start_traces(work, 0.0, abscissa, y);
+    along = cosine + outline_slope * sine;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = rail_bend * cosine * cosine * cosine - outline_rate / (stretch * along * along * along);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature__longitudinal_curvature(work, tables, place, (*z), (*slope), bend);
     (*mismatch) = (*rail_slope) - outline_slope;
     if (!(stretch > 0.0))
     {
@@ -958,19 +961,6 @@ static inline int64_t frame__incline_region(array_double_1d work, array_double_1
     {
         (*cspan_at(&work, region + layout__REGION_SHARE)) = rails__upright_share(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), cosine, (*cspan_at(&work, region + layout__REGION_SIN)));
     }
-    return INT64_C(0);
-}
-
-/* Note in the open frame how the gap bends at the contact point, and the wheel's 1/R_x. */
-static inline int64_t frame__measure_contact(array_double_1d tables, array_double_1d work, int64_t pair)
-{
-    double gap;
-    double rate;
-    double bend;
-    double curvature;
-    frame__normal_gap(&gap, &rate, &bend, &curvature, tables, work, pair, 0.0, frame__PLACE_TRACE);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend;
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature;
     return INT64_C(0);
 }
 
@@ -2797,25 +2787,17 @@ static OUT_OF_LINE int64_t turning_cells__bound_departure(array_double_1d tables
     double length;
     double aside;
     double change;
-    double share;
-    double slid;
-    double stretch;
     double rest;
+    double departure;
+    double slid;
     node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_NODE + entry)));
     length = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL + entry));
     aside = double_max(2, fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + entry))), fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_ASIDE + (entry + INT64_C(1))))));
     change = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + (entry + INT64_C(1)))) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) - (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry));
-    share = turning_cells__CELL_SHARE;
-    slid = turning_cells__CELL_SHARE + aside / length;
-    if ((*cspan_at(&work, place + layout__PLACE_YAWED)) == 1.0)
-    {
-        stretch = (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, place + layout__PLACE_RADIUS)) * (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0)));
-        share = bounds__YAWED_SHARE + bounds__STRETCHED_SHARE * stretch;
-        slid += stretch;
-    }
     /* a foot may lie beyond the chord's ends */
     rest = (*cspan_at(&tables, node + layout__SCAN_NODE_DEPARTURE)) + length * (0.2 * length * (*cspan_at(&tables, rail + layout__RAIL_CELL_WAVE)) + 0.4 * (*cspan_at(&tables, rail + layout__RAIL_CELL_KINKS)));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)) = turning_cells__LEAST_DEPARTURE + (1.0 + share) * rest + slid * fabs(change) + turning_cells__WHEEL_SHARE * (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0))) + 2.0 * turning_cells__DEEPEST * fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry)));
+    rising_cell__departure_from_line(&departure, &slid, tables, work, place, node, rest);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_DEPARTURE)) = departure + (slid + aside / length) * fabs(change) + 2.0 * turning_cells__DEEPEST * fabs((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_CELL + layout__TURN_CELL_RAIL_JUMP)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_OVERLAP + layout__OVERLAP_SAMPLES + layout__SAMPLES_RAIL_BEND + entry)));
     return INT64_C(0);
 }
 

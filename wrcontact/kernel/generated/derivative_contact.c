@@ -678,6 +678,16 @@ static inline int64_t derivative_frame__open_frame_t(double* z, lanes* z_t, doub
     double cosine;
     lanes sine_t;
     double sine;
+    lanes along_t;
+    double along;
+    double v4;
+    double v5;
+    double v6;
+    double v7;
+    double v8;
+    double v9;
+    double v10;
+    lanes v10_t;
     derivative_tables__height_slope_bend_t(z, z_t, slope, slope_t, &bend, &bend_t, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_WHEEL))), y, y_t);
     derivative_locus__outline_jet_t(y_track, y_track_t, &z_track, &z_track_t, &outline_slope, &outline_slope_t, &stretch, &stretch_t, &outline_rate, &outline_rate_t, work, work_t, place, y, y_t, (*z), (*z_t), (*slope), (*slope_t), bend, bend_t);
     EACH_LANE each((*y_track_t)) = each((*y_track_t)) + each(aside_t);
@@ -729,6 +739,19 @@ static inline int64_t derivative_frame__open_frame_t(double* z, lanes* z_t, doub
     (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BLUR)) = 0.0;
     derivative_traces__start_traces_t(work, work_t, 0.0, all_lanes(0.0), abscissa, abscissa_t, y, y_t);
+    EACH_LANE each(along_t) = each(cosine_t) + (each(outline_slope_t) * sine + outline_slope * each(sine_t));
+    along = cosine + outline_slope * sine;
+    v4 = rail_bend * cosine;
+    v5 = v4 * cosine;
+    v6 = stretch * along;
+    v7 = v6 * along;
+    v8 = v7 * along;
+    v9 = outline_rate / v8;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND))) = ((each(rail_bend_t) * cosine + rail_bend * each(cosine_t)) * cosine + v4 * each(cosine_t)) * cosine + v5 * each(cosine_t) - (each(outline_rate_t) - v9 * (((each(stretch_t) * along + stretch * each(along_t)) * along + v6 * each(along_t)) * along + v7 * each(along_t))) / v8;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = v5 * cosine - v9;
+    derivative_curvature__longitudinal_curvature_t(&v10, &v10_t, work, work_t, tables, place, (*z), (*z_t), (*slope), (*slope_t), bend, bend_t);
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE))) = each(v10_t);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = v10;
     EACH_LANE each((*mismatch_t)) = each((*rail_slope_t)) - each(outline_slope_t);
     (*mismatch) = (*rail_slope) - outline_slope;
     if (!(stretch > 0.0))
@@ -859,25 +882,6 @@ static inline int64_t derivative_frame__incline_region_t(array_double_1d work, a
         EACH_LANE each((*lanes_at(&work_t, region + layout__REGION_SHARE))) = each(v4_t);
         (*cspan_at(&work, region + layout__REGION_SHARE)) = v4;
     }
-    return INT64_C(0);
-}
-
-/* Derivative of ``measure_contact``. */
-static inline int64_t derivative_frame__measure_contact_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair)
-{
-    double gap;
-    lanes gap_t;
-    double rate;
-    lanes rate_t;
-    double bend;
-    lanes bend_t;
-    double curvature;
-    lanes curvature_t;
-    derivative_frame__normal_gap_t(&gap, &gap_t, &rate, &rate_t, &bend, &bend_t, &curvature, &curvature_t, tables, work, work_t, pair, 0.0, all_lanes(0.0), frame__PLACE_TRACE, all_lanes(0.0));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND))) = each(bend_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_BEND)) = bend;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE))) = each(curvature_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_CURVATURE)) = curvature;
     return INT64_C(0);
 }
 

@@ -1442,8 +1442,9 @@ static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetrat
     double v14;
     lanes pressure_t;
     double pressure;
-    derivative_frame__locate_along_track_t(tables, work, work_t, pair, INT64_C(1));
     point = side + layout__SIDE_SEARCH_POINT;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_X_TRACK))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_X_TRACK)));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_X_TRACK)) = (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK));
     EACH_LANE each(A_t) = 0.5 * each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X)));
     A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
     v1 = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y));
@@ -5607,9 +5608,12 @@ static inline int64_t derivative_strip_runs__lay_strips_t(array_double_1d tables
             derivative_powers__log_rule_t(&v8, &v8_t, v9, rates_1);
             EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_SLENDER))) = each(v8_t);
             (*cspan_at(&work, strip + layout__STRIP_SLENDER)) = v8;
-            derivative_strip_surfaces__rest_gap_t(&v10, &v10_t, work, work_t, j, (*cspan_at(&work, strip + layout__STRIP_STATION)), (*lanes_at(&work_t, strip + layout__STRIP_STATION)));
-            EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_GAP))) = each(v10_t);
-            (*cspan_at(&work, strip + layout__STRIP_GAP)) = v10;
+            if (!smooth)
+            {
+                derivative_strip_surfaces__rest_gap_t(&v10, &v10_t, work, work_t, j, (*cspan_at(&work, strip + layout__STRIP_STATION)), (*lanes_at(&work_t, strip + layout__STRIP_STATION)));
+                EACH_LANE each((*lanes_at(&work_t, strip + layout__STRIP_GAP))) = each(v10_t);
+                (*cspan_at(&work, strip + layout__STRIP_GAP)) = v10;
+            }
         }
         if (smooth)
         {
@@ -6354,6 +6358,7 @@ static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d t
     {
         derivative_strip_surfaces__incline_station_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i);
     }
+    derivative_strip_surfaces__bend_gaps_t(work, work_t);
     return INT64_C(0);
 }
 
@@ -6704,52 +6709,65 @@ static inline int64_t derivative_strip_surfaces__between_t(double* result_0, lan
 /* Derivative of ``rest_gap``. */
 static inline int64_t derivative_strip_surfaces__rest_gap_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t j, double station, lanes station_t)
 {
+    int64_t gaps;
+    double v1;
+    lanes v1_t;
+    lanes u_t;
+    double u;
+    double v2;
+    double v3;
+    gaps = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_GAPS;
+    derivative_strip_surfaces__way_through_t(&v1, &v1_t, work, work_t, j, station, station_t);
+    EACH_LANE each(u_t) = each(v1_t);
+    u = v1;
+    v2 = (*cspan_at(&work, gaps + INT64_C(2))) + u * (*cspan_at(&work, gaps + INT64_C(3)));
+    v3 = (*cspan_at(&work, gaps + INT64_C(1))) + u * v2;
+    (*result_0) = (*cspan_at(&work, gaps + INT64_C(0))) + u * v3;
+    EACH_LANE each((*result_1)) = each((*lanes_at(&work_t, gaps + INT64_C(0)))) + (each(u_t) * v3 + u * (each((*lanes_at(&work_t, gaps + INT64_C(1)))) + (each(u_t) * v2 + u * (each((*lanes_at(&work_t, gaps + INT64_C(2)))) + (each(u_t) * (*cspan_at(&work, gaps + INT64_C(3))) + u * each((*lanes_at(&work_t, gaps + INT64_C(3)))))))));
+    return 0;
+}
+
+/* Derivative of ``bend_gaps``. */
+static inline int64_t derivative_strip_surfaces__bend_gaps_t(array_double_1d work, array_lanes_1d work_t)
+{
+    int64_t i_end;
+    int64_t i;
     int64_t low;
     int64_t high;
     lanes way_t;
     double way;
+    lanes start_t;
+    double start;
+    lanes stop_t;
+    double stop;
+    lanes grown_t;
+    double grown;
     double v1;
-    double v2;
-    lanes u_t;
-    double u;
-    lanes v_t;
-    double v;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    double v7;
-    double v8;
-    double v9;
-    double v10;
-    double v11;
-    lanes overlap_t;
-    double overlap;
-    double v12;
-    lanes v12_t;
-    low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j;
-    high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1));
-    EACH_LANE each(way_t) = each((*lanes_at(&work_t, high + layout__TRACED_STATION_STATION))) - each((*lanes_at(&work_t, low + layout__TRACED_STATION_STATION)));
-    way = (*cspan_at(&work, high + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, low + layout__TRACED_STATION_STATION));
-    v1 = station - (*cspan_at(&work, low + layout__TRACED_STATION_STATION));
-    v2 = v1 / way;
-    EACH_LANE each(u_t) = (each(station_t) - each((*lanes_at(&work_t, low + layout__TRACED_STATION_STATION))) - v2 * each(way_t)) / way;
-    u = v2;
-    EACH_LANE each(v_t) = -each(u_t);
-    v = 1.0 - u;
-    v3 = 1.0 + 2.0 * u;
-    v4 = v3 * v;
-    v5 = v4 * v;
-    v6 = u * u;
-    v7 = 3.0 - 2.0 * u;
-    v8 = v6 * v7;
-    v9 = u * v;
-    v10 = v9 * way;
-    v11 = v * (*cspan_at(&work, low + layout__TRACED_STATION_RISE)) - u * (*cspan_at(&work, high + layout__TRACED_STATION_RISE));
-    EACH_LANE each(overlap_t) = ((2.0 * each(u_t) * v + v3 * each(v_t)) * v + v4 * each(v_t)) * (*cspan_at(&work, low + layout__TRACED_STATION_OVERLAP)) + v5 * each((*lanes_at(&work_t, low + layout__TRACED_STATION_OVERLAP))) + (((each(u_t) * u + u * each(u_t)) * v7 + v6 * (-(2.0 * each(u_t)))) * (*cspan_at(&work, high + layout__TRACED_STATION_OVERLAP)) + v8 * each((*lanes_at(&work_t, high + layout__TRACED_STATION_OVERLAP)))) + (((each(u_t) * v + u * each(v_t)) * way + v9 * each(way_t)) * v11 + v10 * (each(v_t) * (*cspan_at(&work, low + layout__TRACED_STATION_RISE)) + v * each((*lanes_at(&work_t, low + layout__TRACED_STATION_RISE))) - (each(u_t) * (*cspan_at(&work, high + layout__TRACED_STATION_RISE)) + u * each((*lanes_at(&work_t, high + layout__TRACED_STATION_RISE))))));
-    overlap = v5 * (*cspan_at(&work, low + layout__TRACED_STATION_OVERLAP)) + v8 * (*cspan_at(&work, high + layout__TRACED_STATION_OVERLAP)) + v10 * v11;
-    derivative_strip_surfaces__between_t(&v12, &v12_t, (*cspan_at(&work, low + layout__TRACED_STATION_SHARE)), (*lanes_at(&work_t, low + layout__TRACED_STATION_SHARE)), (*cspan_at(&work, high + layout__TRACED_STATION_SHARE)), (*lanes_at(&work_t, high + layout__TRACED_STATION_SHARE)), u, u_t);
-    (*result_0) = v12 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - overlap;
-    EACH_LANE each((*result_1)) = each(v12_t) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) + v12 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION))) - each(overlap_t);
-    return 0;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1);
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i + INT64_C(1));
+        if ((int64_t)((*cspan_at(&work, low + layout__TRACED_STATION_REGION))) == (int64_t)((*cspan_at(&work, high + layout__TRACED_STATION_REGION))))
+        {
+            EACH_LANE each(way_t) = each((*lanes_at(&work_t, high + layout__TRACED_STATION_STATION))) - each((*lanes_at(&work_t, low + layout__TRACED_STATION_STATION)));
+            way = (*cspan_at(&work, high + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, low + layout__TRACED_STATION_STATION));
+            EACH_LANE each(start_t) = each(way_t) * (*cspan_at(&work, low + layout__TRACED_STATION_RISE)) + way * each((*lanes_at(&work_t, low + layout__TRACED_STATION_RISE)));
+            start = way * (*cspan_at(&work, low + layout__TRACED_STATION_RISE));
+            EACH_LANE each(stop_t) = each(way_t) * (*cspan_at(&work, high + layout__TRACED_STATION_RISE)) + way * each((*lanes_at(&work_t, high + layout__TRACED_STATION_RISE)));
+            stop = way * (*cspan_at(&work, high + layout__TRACED_STATION_RISE));
+            EACH_LANE each(grown_t) = each((*lanes_at(&work_t, high + layout__TRACED_STATION_OVERLAP))) - each((*lanes_at(&work_t, low + layout__TRACED_STATION_OVERLAP)));
+            grown = (*cspan_at(&work, high + layout__TRACED_STATION_OVERLAP)) - (*cspan_at(&work, low + layout__TRACED_STATION_OVERLAP));
+            EACH_LANE each((*lanes_at(&work_t, low + layout__TRACED_STATION_GAPS + INT64_C(0)))) = each((*lanes_at(&work_t, low + layout__TRACED_STATION_SHARE))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) + (*cspan_at(&work, low + layout__TRACED_STATION_SHARE)) * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION))) - each((*lanes_at(&work_t, low + layout__TRACED_STATION_OVERLAP)));
+            (*cspan_at(&work, low + layout__TRACED_STATION_GAPS + INT64_C(0))) = (*cspan_at(&work, low + layout__TRACED_STATION_SHARE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, low + layout__TRACED_STATION_OVERLAP));
+            v1 = (*cspan_at(&work, high + layout__TRACED_STATION_SHARE)) - (*cspan_at(&work, low + layout__TRACED_STATION_SHARE));
+            EACH_LANE each((*lanes_at(&work_t, low + layout__TRACED_STATION_GAPS + INT64_C(1)))) = (each((*lanes_at(&work_t, high + layout__TRACED_STATION_SHARE))) - each((*lanes_at(&work_t, low + layout__TRACED_STATION_SHARE)))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) + v1 * each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION))) - each(start_t);
+            (*cspan_at(&work, low + layout__TRACED_STATION_GAPS + INT64_C(1))) = v1 * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - start;
+            EACH_LANE each((*lanes_at(&work_t, low + layout__TRACED_STATION_GAPS + INT64_C(2)))) = 2.0 * each(start_t) + each(stop_t) - 3.0 * each(grown_t);
+            (*cspan_at(&work, low + layout__TRACED_STATION_GAPS + INT64_C(2))) = 2.0 * start + stop - 3.0 * grown;
+            EACH_LANE each((*lanes_at(&work_t, low + layout__TRACED_STATION_GAPS + INT64_C(3)))) = 2.0 * each(grown_t) - each(start_t) - each(stop_t);
+            (*cspan_at(&work, low + layout__TRACED_STATION_GAPS + INT64_C(3))) = 2.0 * grown - start - stop;
+        }
+    }
+    return INT64_C(0);
 }

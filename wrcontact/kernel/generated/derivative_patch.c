@@ -533,6 +533,7 @@ static inline int64_t derivative_outline__write_ellipse_t(array_double_1d work, 
     double half_width;
     lanes pressure_t;
     double pressure;
+    int64_t last;
     int64_t j;
     double share;
     double height;
@@ -542,16 +543,23 @@ static inline int64_t derivative_outline__write_ellipse_t(array_double_1d work, 
     half_width = (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP));
     EACH_LANE each(pressure_t) = each((*lanes_at(&work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)));
     pressure = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
-    for (j = INT64_C(0); j < stations; j += INT64_C(1))
+    last = stations - INT64_C(1);
+    for (j = INT64_C(0); j < py_floor_div_int64_t((stations + INT64_C(1)), INT64_C(2)); j += INT64_C(1))
     {
-        share = 2.0 * (double)(j) / (double)(stations - INT64_C(1)) - 1.0;
+        share = 1.0 - 2.0 * (double)(j) / (double)(last);
         height = sqrt(1.0 - share * share);
-        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + j))) = share * each(half_width_t);
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = share * half_width;
+        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + j))) = -(share * each(half_width_t));
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = 0.0 - share * half_width;
+        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (last - j)))) = share * each(half_width_t);
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (last - j))) = share * half_width;
         EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (stations + j)))) = each(half_length_t) * height;
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length * height;
+        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (stations + last - j)))) = each(half_length_t) * height;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + last - j))) = half_length * height;
         EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j)))) = each(pressure_t) * height;
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure * height;
+        EACH_LANE each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + last - j)))) = each(pressure_t) * height;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + last - j))) = pressure * height;
     }
     return INT64_C(0);
 }

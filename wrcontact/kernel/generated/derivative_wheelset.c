@@ -1300,7 +1300,6 @@ static inline bool derivative_side__describe_contact_t(array_double_1d tables, a
     }
     EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_ROLLING_RADIUS))) = each(r_t);
     (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
-    derivative_frame__measure_contact_t(tables, work, work_t, pair);
     derivative_frame__open_contact_region_t(work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     EACH_LANE each((*lanes_at(&work_t, point + layout__CONTACT_POINT_CURVATURE_X))) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE)));
     (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));

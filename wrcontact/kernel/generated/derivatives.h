@@ -168,7 +168,6 @@ static inline int64_t derivative_frame__locate_along_track_t(array_double_1d tab
 static inline int64_t derivative_frame__enter_plane_t(array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t slot);
 static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, array_lanes_1d work_t, int64_t region);
 static inline int64_t derivative_frame__incline_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double slope, lanes slope_t);
-static inline int64_t derivative_frame__measure_contact_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
 static inline int64_t derivative_frame__open_contact_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region);
 
 /* derivative_friction.py */
@@ -469,6 +468,7 @@ static inline int64_t derivative_strip_surfaces__weigh_zone_t(array_double_1d ta
 static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, int64_t at);
 static inline int64_t derivative_strip_surfaces__place_on_middle_t(array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_strip_surfaces__incline_station_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t at);
+static inline int64_t derivative_strip_surfaces__bend_gaps_t(array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_strip_surfaces__trace_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t count);
 static inline int64_t derivative_strip_surfaces__profile_within_t(double* z, lanes* z_t, array_double_1d tables, int64_t pair, double y, lanes y_t);
 static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t at, double away, lanes away_t);

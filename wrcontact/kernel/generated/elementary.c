@@ -27,6 +27,8 @@ static inline double powers__far_cube_root_size(double x);
 static OUT_OF_LINE double powers__far_cube_root(double x);
 static inline double powers__cube_root(double x);
 
+/* elementary/runs.py */
+
 /* elementary/whole.py */
 static ALWAYS_INLINE double whole__nearest_whole(double x);
 static inline int64_t whole__rounded_up(double x);
@@ -511,6 +513,12 @@ static inline double powers__far_cube_root_size(double x)
     }
     return powers__usual_cube_root(x);
 }
+
+
+/* ---- From elementary/runs.py; change that one.
+ *
+ * Runs of numbers.  C has this function in native/spans.h.
+ */
 
 
 /* ---- From elementary/whole.py; change that one.

@@ -158,6 +158,7 @@ static inline int64_t strip_surfaces__weigh_zone(array_double_1d tables, array_d
 static inline int64_t strip_surfaces__trace_station(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, int64_t at);
 static inline int64_t strip_surfaces__place_on_middle(array_double_1d work);
 static inline int64_t strip_surfaces__incline_station(array_double_1d work, array_double_1d tables, int64_t at);
+static inline int64_t strip_surfaces__bend_gaps(array_double_1d work);
 static inline int64_t strip_surfaces__trace_zones(array_double_1d tables, array_double_1d work, int64_t pair, int64_t count);
 static inline double strip_surfaces__profile_within(array_double_1d tables, int64_t pair, double y);
 static inline int64_t strip_surfaces__measure_ridge(array_double_1d tables, array_double_1d work, int64_t pair, int64_t place, int64_t at, double away);
@@ -1128,8 +1129,8 @@ static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t*
     double load;
     int64_t patch;
     double pressure;
-    frame__locate_along_track(tables, work, pair, INT64_C(1));
     point = side + layout__SIDE_SEARCH_POINT;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_X_TRACK)) = (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK));
     A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
     B = double_max(2, coefficients__FLOOR * A, 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)));
     hertz_contact__press_ellipse(&half_length, &half_width, &stiffness, penetration, work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed);
@@ -3734,7 +3735,10 @@ static inline int64_t strip_runs__lay_strips(array_double_1d tables, array_doubl
             (*cspan_at(&work, strip + layout__STRIP_MIDDLE)) = (*cspan_at(&work, strip + layout__STRIP_X)) + (*cspan_at(&work, strip + layout__STRIP_LEAD));
             (*cspan_at(&work, strip + layout__STRIP_WIDTH)) = spread * (*cspan_at(&tables, waves + layout__WAVES_SIN + i)) * (*cspan_at(&work, strip + layout__STRIP_STRETCH));
             (*cspan_at(&work, strip + layout__STRIP_SLENDER)) = powers__log((*cspan_at(&work, strip + layout__STRIP_WIDTH)) / (*cspan_at(&work, strip + layout__STRIP_HALF_LENGTH)));
-            (*cspan_at(&work, strip + layout__STRIP_GAP)) = strip_surfaces__rest_gap(work, j, (*cspan_at(&work, strip + layout__STRIP_STATION)));
+            if (!smooth)
+            {
+                (*cspan_at(&work, strip + layout__STRIP_GAP)) = strip_surfaces__rest_gap(work, j, (*cspan_at(&work, strip + layout__STRIP_STATION)));
+            }
         }
         if (smooth)
         {
@@ -4189,6 +4193,7 @@ static inline int64_t strip_surfaces__trace_zones(array_double_1d tables, array_
     {
         strip_surfaces__incline_station(work, tables, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i);
     }
+    strip_surfaces__bend_gaps(work);
     return INT64_C(0);
 }
 
@@ -4386,19 +4391,44 @@ static inline double strip_surfaces__between(double low, double high, double u)
 /* Gap [m] at ``station`` [m] behind traced station ``j``, on the ridge, where nothing penetrates. */
 static inline double strip_surfaces__rest_gap(array_double_1d work, int64_t j, double station)
 {
+    int64_t gaps;
+    double u;
+    double result;
+    gaps = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_GAPS;
+    u = strip_surfaces__way_through(work, j, station);
+    result = (*cspan_at(&work, gaps + INT64_C(0))) + u * ((*cspan_at(&work, gaps + INT64_C(1))) + u * ((*cspan_at(&work, gaps + INT64_C(2))) + u * (*cspan_at(&work, gaps + INT64_C(3)))));
+    return result;
+}
+
+/* The gap between every two stations of a curve: what comes of the penetration less the overlap, a cubic
+ * with the rise at both.
+ */
+static inline int64_t strip_surfaces__bend_gaps(array_double_1d work)
+{
+    int64_t i_end;
+    int64_t i;
     int64_t low;
     int64_t high;
     double way;
-    double u;
-    double v;
-    double overlap;
-    double result;
-    low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j;
-    high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (j + INT64_C(1));
-    way = (*cspan_at(&work, high + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, low + layout__TRACED_STATION_STATION));
-    u = (station - (*cspan_at(&work, low + layout__TRACED_STATION_STATION))) / way;
-    v = 1.0 - u;
-    overlap = (1.0 + 2.0 * u) * v * v * (*cspan_at(&work, low + layout__TRACED_STATION_OVERLAP)) + u * u * (3.0 - 2.0 * u) * (*cspan_at(&work, high + layout__TRACED_STATION_OVERLAP)) + u * v * way * (v * (*cspan_at(&work, low + layout__TRACED_STATION_RISE)) - u * (*cspan_at(&work, high + layout__TRACED_STATION_RISE)));
-    result = strip_surfaces__between((*cspan_at(&work, low + layout__TRACED_STATION_SHARE)), (*cspan_at(&work, high + layout__TRACED_STATION_SHARE)), u) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - overlap;
-    return result;
+    double start;
+    double stop;
+    double grown;
+    i_end = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))) - INT64_C(1);
+    for (i = INT64_C(0); i < i_end; i += INT64_C(1))
+    {
+        low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i + INT64_C(1));
+        if ((int64_t)((*cspan_at(&work, low + layout__TRACED_STATION_REGION))) == (int64_t)((*cspan_at(&work, high + layout__TRACED_STATION_REGION))))
+        {
+            way = (*cspan_at(&work, high + layout__TRACED_STATION_STATION)) - (*cspan_at(&work, low + layout__TRACED_STATION_STATION));
+            start = way * (*cspan_at(&work, low + layout__TRACED_STATION_RISE));
+            stop = way * (*cspan_at(&work, high + layout__TRACED_STATION_RISE));
+            grown = (*cspan_at(&work, high + layout__TRACED_STATION_OVERLAP)) - (*cspan_at(&work, low + layout__TRACED_STATION_OVERLAP));
+            (*cspan_at(&work, low + layout__TRACED_STATION_GAPS + INT64_C(0))) = (*cspan_at(&work, low + layout__TRACED_STATION_SHARE)) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - (*cspan_at(&work, low + layout__TRACED_STATION_OVERLAP));
+            (*cspan_at(&work, low + layout__TRACED_STATION_GAPS + INT64_C(1))) = ((*cspan_at(&work, high + layout__TRACED_STATION_SHARE)) - (*cspan_at(&work, low + layout__TRACED_STATION_SHARE))) * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)) - start;
+            (*cspan_at(&work, low + layout__TRACED_STATION_GAPS + INT64_C(2))) = 2.0 * start + stop - 3.0 * grown;
+            (*cspan_at(&work, low + layout__TRACED_STATION_GAPS + INT64_C(3))) = 2.0 * grown - start - stop;
+        }
+    }
+    return INT64_C(0);
 }

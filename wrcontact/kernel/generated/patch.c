@@ -474,19 +474,24 @@ static inline int64_t outline__write_ellipse(array_double_1d work, int64_t outli
     double half_length;
     double half_width;
     double pressure;
+    int64_t last;
     int64_t j;
     double share;
     double height;
     half_length = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
     half_width = (*cspan_at(&work, totals + layout__PATCH_TOTALS_STOP));
     pressure = (*cspan_at(&work, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
-    for (j = INT64_C(0); j < stations; j += INT64_C(1))
+    last = stations - INT64_C(1);
+    for (j = INT64_C(0); j < py_floor_div_int64_t((stations + INT64_C(1)), INT64_C(2)); j += INT64_C(1))
     {
-        share = 2.0 * (double)(j) / (double)(stations - INT64_C(1)) - 1.0;
+        share = 1.0 - 2.0 * (double)(j) / (double)(last);
         height = sqrt(1.0 - share * share);
-        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = share * half_width;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + j)) = 0.0 - share * half_width;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (last - j))) = share * half_width;
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + j))) = half_length * height;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations + last - j))) = half_length * height;
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + j))) = pressure * height;
+        (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (INT64_C(2) * stations + last - j))) = pressure * height;
     }
     return INT64_C(0);
 }

@@ -9,8 +9,6 @@ static inline bool bounds__leaves_rail(array_double_1d tables, array_double_1d w
 static inline double bounds__above_rail_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node, int64_t outward);
 static inline double bounds__rail_place(array_double_1d tables, int64_t scan, double abscissa);
 static inline int64_t bounds__rail_index(array_double_1d tables, int64_t scan, double u);
-static inline int64_t bounds__least_bend(double* bend, double* stretch, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t first, int64_t exponent, double length, double u);
-static inline int64_t bounds__stretch_bend(double* length, double* bend, double* stretch, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, int64_t exponent, double u);
 static inline double bounds__largest_fall(double slope, double bend, double length, double stretch);
 static ALWAYS_INLINE int64_t bounds__clear_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent);
 static inline int64_t bounds__rising_from_minimum(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, double y, int64_t direction, double abscissa);
@@ -34,6 +32,11 @@ static inline int64_t first_root__root_before(double* result_0, int64_t* result_
 static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, double roll);
 static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, double guess, bool warm);
 static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, double guess, bool warm);
+
+/* search/rising_cell.py */
+static ALWAYS_INLINE int64_t rising_cell__rate_at_node(double* abscissa, double* bend, double* stretch, double* result_3, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node);
+static ALWAYS_INLINE int64_t rising_cell__departure_from_line(double* result_0, double* change_share, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double rest);
+static OUT_OF_LINE bool rising_cell__rises_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t cell);
 
 /* search/roll.py */
 static inline int64_t roll__nearest_start(array_double_1d tables, int64_t starts, double shift);
@@ -60,6 +63,7 @@ static inline int64_t smallest_gap__search_cell(array_double_1d tables, array_do
 static inline int64_t smallest_gap__search_end(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, int64_t outward);
 static inline int64_t smallest_gap__search_between(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, double abscissa);
 static inline int64_t smallest_gap__walk(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t node, int64_t direction);
+static inline int64_t smallest_gap__first_step(int64_t exponent);
 static inline int64_t smallest_gap__best_node(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, int64_t stride);
 static inline bool smallest_gap__search_side(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, bool known);
 
@@ -194,77 +198,6 @@ static inline int64_t bounds__rail_index(array_double_1d tables, int64_t scan, d
     return (int64_t)(u);
 }
 
-/* By how much the slope difference rises at least [1/m] over the 2^exponent cells, of ``length`` [m]
- * together, that begin with node ``first``, and the share by which the outline is stretched there [-]; the
- * first is no bound where the second is not below WIDEST.
- *
- * u : place in the raster of the rail where they begin, in cells.
- */
-static inline int64_t bounds__least_bend(double* bend, double* stretch, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t first, int64_t exponent, double length, double u)
-{
-    int64_t node;
-    double roll;
-    double share;
-    double square;
-    int64_t rail;
-    double wheel;
-    node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * first;
-    roll = fabs((*cspan_at(&work, at + layout__PLACE_SIN_ROLL)));
-    (*stretch) = bounds__ROLL_STRETCH * roll;
-    share = bounds__ROLL_BEND * roll;
-    if ((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)
-    {
-        square = (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, at + layout__PLACE_SIN_YAW));
-        (*stretch) += bounds__STEEP_STRETCH * square + bounds__BEND_STRETCH * square * (*cspan_at(&work, at + layout__PLACE_RADIUS)) * (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + exponent));
-        share += bounds__YAW_BEND * square;
-    }
-    (*bend) = 0.0;
-    if ((*stretch) < bounds__WIDEST)
-    {
-        rail = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, u);
-        (*bend) = (*cspan_at(&tables, rail + layout__RAIL_CELL_LEAST_BENDS + exponent));
-        if (length > bounds__FINE_CELL * (double)(INT64_C(1) << exponent))
-        {
-            (*bend) = (*cspan_at(&tables, rail + layout__RAIL_CELL_LEAST_BENDS + (exponent + INT64_C(1))));
-        }
-        wheel = (*cspan_at(&tables, node + layout__SCAN_NODE_MOST_BENDS + exponent));
-        (*bend) -= (*stretch) * fabs((*bend)) + wheel + share * fabs(wheel);
-    }
-    return 0;
-}
-
-/* Length [m] of the 2^exponent cells from ``node`` on in ``direction`` (1 or -1), ``least_bend`` over
- * them [1/m] and the share of the outline's stretch [-], which is WIDEST where the raster ends before.
- *
- * u : place of the node in the raster of the rail, in cells.
- */
-static inline int64_t bounds__stretch_bend(double* length, double* bend, double* stretch, array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, int64_t exponent, double u)
-{
-    int64_t cells;
-    int64_t first;
-    double begin;
-    cells = INT64_C(1) << exponent;
-    first = node;
-    if (direction < INT64_C(0))
-    {
-        first = node - cells;
-    }
-    (*length) = 0.0;
-    (*bend) = 0.0;
-    (*stretch) = bounds__WIDEST;
-    if ((first >= INT64_C(0)) && (first + cells < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT)))))
-    {
-        (*length) = (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (first + cells) + layout__SCAN_NODE_Y)) - (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * first + layout__SCAN_NODE_Y));
-        begin = u;
-        if (direction < INT64_C(0))
-        {
-            begin -= (1.0 + bounds__WIDEST) * (*cspan_at(&tables, scan + layout__SCAN_RAIL_PER_METRE)) * (*length);
-        }
-        bounds__least_bend(bend, stretch, tables, work, scan, at, first, exponent, (*length), begin);
-    }
-    return 0;
-}
-
 /* How far the gap can fall at most [m] over ``length`` [m], with a slope that begins with
  * ``slope`` and rises by no less than ``bend`` [1/m], on a wheel that is stretched by no more than
  * the share ``stretch``.
@@ -297,16 +230,68 @@ static inline double bounds__largest_fall(double slope, double bend, double leng
 static ALWAYS_INLINE int64_t bounds__clear_exponent(array_double_1d tables, array_double_1d work, int64_t scan, int64_t at, int64_t node, int64_t direction, double abscissa, double excess, double slope, int64_t exponent)
 {
     double u;
-    double length;
-    double bend;
+    double roll;
+    double least_stretch;
+    double share;
+    double stretch_per_bend;
+    double square;
+    int64_t cells;
+    int64_t first;
+    int64_t begin;
     double stretch;
+    double length;
+    double edge;
+    int64_t rail;
+    int64_t reach;
+    double bend;
+    double wheel;
     u = bounds__rail_place(tables, scan, abscissa);
+    roll = fabs((*cspan_at(&work, at + layout__PLACE_SIN_ROLL)));
+    least_stretch = bounds__ROLL_STRETCH * roll;
+    share = bounds__ROLL_BEND * roll;
+    stretch_per_bend = 0.0;
+    if ((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)
+    {
+        square = (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, at + layout__PLACE_SIN_YAW));
+        least_stretch += bounds__STEEP_STRETCH * square;
+        share += bounds__YAW_BEND * square;
+        stretch_per_bend = bounds__BEND_STRETCH * square * (*cspan_at(&work, at + layout__PLACE_RADIUS));
+    }
     while(exponent >= INT64_C(0))
     {
-        bounds__stretch_bend(&length, &bend, &stretch, tables, work, scan, at, node, direction, exponent, u);
-        if ((stretch < bounds__WIDEST) && (bounds__largest_fall(slope, bend, length, stretch) <= excess))
+        cells = INT64_C(1) << exponent;
+        first = node;
+        if (direction < INT64_C(0))
         {
-            return exponent;
+            first = node - cells;
+        }
+        if ((first >= INT64_C(0)) && (first + cells < (int64_t)((*cspan_at(&tables, scan + layout__SCAN_COUNT)))))
+        {
+            begin = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * first;
+            stretch = least_stretch + stretch_per_bend * (*cspan_at(&tables, begin + layout__SCAN_NODE_STEEPEST_BENDS + exponent));
+            if (stretch < bounds__WIDEST)
+            {
+                length = (*cspan_at(&tables, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (first + cells) + layout__SCAN_NODE_Y)) - (*cspan_at(&tables, begin + layout__SCAN_NODE_Y));
+                edge = u;
+                if (direction < INT64_C(0))
+                {
+                    edge -= (1.0 + bounds__WIDEST) * (*cspan_at(&tables, scan + layout__SCAN_RAIL_PER_METRE)) * length;
+                }
+                rail = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, edge);
+                reach = exponent;
+                if (length > bounds__FINE_CELL * (double)(cells))
+                {
+                    reach += INT64_C(1);
+                }
+                /* by how much the slope difference rises at least */
+                bend = (*cspan_at(&tables, rail + layout__RAIL_CELL_LEAST_BENDS + reach));
+                wheel = (*cspan_at(&tables, begin + layout__SCAN_NODE_MOST_BENDS + exponent));
+                bend -= stretch * fabs(bend) + wheel + share * fabs(wheel);
+                if (bounds__largest_fall(slope, bend, length, stretch) <= excess)
+                {
+                    return exponent;
+                }
+            }
         }
         exponent -= INT64_C(1);
     }
@@ -846,6 +831,115 @@ static inline int64_t first_root__root_before(double* result_0, int64_t* result_
     }
     roll__roll_between(result_0, result_1, work, tables, middle, first, last, 0);
     return 0;
+}
+
+
+/* ---- From search/rising_cell.py; change that one.
+ *
+ * Whether a cell of the raster holds one minimum of the gap at most.
+ *
+ * The bounds of ``bounds.py`` hold for stretches that begin anywhere in a cell of the rail, and so count a joint
+ * of the rail that lies beyond the cell of the wheel.  Where they say too little about the cell of a known
+ * minimum, both its ends say more: the rate at which the slope difference rises is known there, and in between
+ * it follows a straight line but for a departure that tables bound (prepare/scan_bends.py), and for a jump where
+ * there is a joint.
+ */
+
+/* Rail abscissa [m], the rail's bend [1/m], how much the outline is stretched [-], and the rate at which
+ * the slope difference rises along the wheel [1/m], at a node of the raster.
+ */
+static ALWAYS_INLINE int64_t rising_cell__rate_at_node(double* abscissa, double* bend, double* stretch, double* result_3, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node)
+{
+    double y_track;
+    double z_track;
+    double outline_slope;
+    double rate;
+    double height;
+    double slope;
+    locus__outline_jet(&y_track, &z_track, &outline_slope, stretch, &rate, work, at, (*cspan_at(&tables, node + layout__SCAN_NODE_Y)), (*cspan_at(&tables, node + layout__SCAN_NODE_HEIGHT)), (*cspan_at(&tables, node + layout__SCAN_NODE_SLOPE)), (*cspan_at(&tables, node + layout__SCAN_NODE_BEND)));
+    (*abscissa) = y_track - (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y));
+    tables__height_slope_bend(&height, &slope, bend, tables, pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_RAIL))), (*abscissa));
+    (*result_3) = (*bend) * (*stretch) - rate;
+    return 0;
+}
+
+/* By how much the rate may depart from a straight line [1/m] up to the next node, but for the rail's
+ * change, if wheel and rail do by ``rest``; and the share of that change which comes on top [-].
+ */
+static ALWAYS_INLINE int64_t rising_cell__departure_from_line(double* result_0, double* change_share, array_double_1d tables, array_double_1d work, int64_t at, int64_t node, double rest)
+{
+    double share;
+    double stretch;
+    share = rising_cell__CELL_SHARE;
+    (*change_share) = rising_cell__CELL_SHARE;
+    if ((*cspan_at(&work, at + layout__PLACE_YAWED)) == 1.0)
+    {
+        stretch = (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, at + layout__PLACE_SIN_YAW)) * (*cspan_at(&work, at + layout__PLACE_RADIUS)) * (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0)));
+        share = bounds__YAWED_SHARE + bounds__STRETCHED_SHARE * stretch;
+        (*change_share) += stretch;
+    }
+    (*result_0) = rising_cell__LEAST_DEPARTURE + (1.0 + share) * rest + rising_cell__WHEEL_SHARE * (*cspan_at(&tables, node + layout__SCAN_NODE_STEEPEST_BENDS + INT64_C(0)));
+    return 0;
+}
+
+/* Whether the slope difference certainly rises all the way from node ``cell`` to the next one, and both
+ * are above the rail.
+ */
+static OUT_OF_LINE bool rising_cell__rises_in_cell(array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t cell)
+{
+    int64_t scan;
+    int64_t node;
+    double first;
+    double first_bend;
+    double stretch;
+    double first_rate;
+    double last;
+    double last_bend;
+    double last_stretch;
+    double last_rate;
+    double length;
+    int64_t rail;
+    int64_t joint;
+    double share;
+    double jump;
+    double rest;
+    double departure;
+    double change_share;
+    double before;
+    double least;
+    scan = pair + (int64_t)((*cspan_at(&tables, pair + layout__PAIR_SCAN)));
+    node = scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * cell;
+    rising_cell__rate_at_node(&first, &first_bend, &stretch, &first_rate, tables, work, pair, at, node);
+    rising_cell__rate_at_node(&last, &last_bend, &last_stretch, &last_rate, tables, work, pair, at, scan + layout__SCAN_NODES + layout__SCAN_NODE_SIZE * (cell + INT64_C(1)));
+    length = last - first;
+    if (!((first_rate > 0.0) && (last_rate > 0.0) && (length > 0.0) && (length < rising_cell__WIDEST_CELL) && gap__above_rail(tables, pair, first) && gap__above_rail(tables, pair, last)))
+    {
+        return 0;
+    }
+    rail = scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_RAIL))) + layout__RAIL_CELL_SIZE * bounds__rail_index(tables, scan, bounds__rail_place(tables, scan, first));
+    joint = (int64_t)((*cspan_at(&tables, rail + layout__RAIL_CELL_JOINT)));
+    while((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE)) < first)
+    {
+        joint += INT64_C(1);
+    }
+    share = 1.0;
+    jump = 0.0;
+    if ((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE)) <= last)
+    {
+        share = ((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_PLACE)) - first) / length;
+        jump = (*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * joint + layout__RAIL_JOINT_JUMP));
+        if ((*cspan_at(&tables, scan + (int64_t)((*cspan_at(&tables, scan + layout__SCAN_JOINTS))) + layout__RAIL_JOINT_SIZE * (joint + INT64_C(1)) + layout__RAIL_JOINT_PLACE)) <= last)
+        {
+            return 0;
+        }
+    }
+    rest = (*cspan_at(&tables, node + layout__SCAN_NODE_DEPARTURE)) + length * (0.125 * length * (*cspan_at(&tables, rail + layout__RAIL_CELL_WAVE)) + 0.25 * (*cspan_at(&tables, rail + layout__RAIL_CELL_KINKS)));
+    rising_cell__departure_from_line(&departure, &change_share, tables, work, at, node, rest);
+    departure += change_share * (fabs(last_bend - jump - first_bend) + fabs(jump));
+    before = first_rate + share * (last_rate - jump * stretch - first_rate);
+    least = double_min(2, double_min(2, first_rate, last_rate), double_min(2, before, before + jump * stretch));
+    /* where the outline is stretched by so much, it may be folded */
+    return (least > departure) && (change_share < bounds__WIDEST);
 }
 
 
@@ -1619,10 +1713,10 @@ static inline bool smallest_gap__search_side(array_double_1d tables, array_doubl
         cell = bounds__node_below(tables, scan, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)));
         ahead = bounds__rising_from_minimum(tables, work, scan, at, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), INT64_C(1), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)));
         behind = bounds__rising_from_minimum(tables, work, scan, at, (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_Y)), -INT64_C(1), (*cspan_at(&work, side + layout__SIDE_SEARCH_BEST_RAIL)));
-        if ((ahead >= INT64_C(0)) && (behind >= INT64_C(0)))
+        if (((ahead >= INT64_C(0)) && (behind >= INT64_C(0))) || rising_cell__rises_in_cell(tables, work, pair, at, cell))
         {
-            smallest_gap__walk(tables, work, pair, side, cell + (INT64_C(1) << ahead), INT64_C(1));
-            smallest_gap__walk(tables, work, pair, side, cell + INT64_C(1) - (INT64_C(1) << behind), -INT64_C(1));
+            smallest_gap__walk(tables, work, pair, side, cell + smallest_gap__first_step(ahead), INT64_C(1));
+            smallest_gap__walk(tables, work, pair, side, cell + INT64_C(1) - smallest_gap__first_step(behind), -INT64_C(1));
             return 1;
         }
         node = cell;
@@ -1648,6 +1742,18 @@ static inline bool smallest_gap__search_side(array_double_1d tables, array_doubl
     smallest_gap__walk(tables, work, pair, side, node, INT64_C(1));
     smallest_gap__walk(tables, work, pair, side, node, -INT64_C(1));
     return 1;
+}
+
+/* How many cells lie between the far node of a minimum's cell and the node where a walk begins: those
+ * where the gap only rises, or the cell alone with an ``exponent`` of -1.
+ */
+static inline int64_t smallest_gap__first_step(int64_t exponent)
+{
+    if (exponent < INT64_C(0))
+    {
+        return INT64_C(1);
+    }
+    return INT64_C(1) << exponent;
 }
 
 /* The node with the smallest gap among every ``stride``-th one above the rail, which becomes the best

@@ -428,9 +428,10 @@ static ALWAYS_INLINE int64_t locus__outline_jet(double* y_track, double* z_track
     double r;
     double sin_yaw;
     double cos_yaw;
+    double w;
+    double root;
     double sin_phi;
     double cos_phi;
-    double w;
     double phi_rate;
     double normal_y;
     double normal_z;
@@ -452,12 +453,15 @@ static ALWAYS_INLINE int64_t locus__outline_jet(double* y_track, double* z_track
     {
         sin_yaw = (*cspan_at(&work, place + layout__PLACE_SIN_YAW));
         cos_yaw = (*cspan_at(&work, place + layout__PLACE_COS_YAW));
-        locus__around_wheel(&sin_phi, &cos_phi, work, place, slope);
-        w = (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope;
+        /* around_wheel, whose root the angle's rate needs too */
+        w = double_max(2, double_min(2, (*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE)) * slope, 1.0), -1.0);
+        root = sqrt(1.0 - w * w);
+        sin_phi = (-((*cspan_at(&work, place + layout__PLACE_T)) * root + w)) * (*cspan_at(&work, place + layout__PLACE_COS_T));
+        cos_phi = (root - (*cspan_at(&work, place + layout__PLACE_T)) * w) * (*cspan_at(&work, place + layout__PLACE_COS_T));
         phi_rate = 0.0;
-        if (w * w < 1.0)
+        if (root > 0.0)
         {
-            phi_rate = (-(*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE))) * bend / sqrt(1.0 - w * w);
+            phi_rate = (-(*cspan_at(&work, place + layout__PLACE_W_PER_SLOPE))) * bend / root;
         }
         (*y_track) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) + sin_yaw * r * sin_phi + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll);
         (*z_track) = arm * sin_roll + r * cos_phi * cos_roll - (*cspan_at(&work, place + layout__PLACE_HEIGHT));
@@ -467,7 +471,7 @@ static ALWAYS_INLINE int64_t locus__outline_jet(double* y_track, double* z_track
         normal_y_rate = sin_yaw * cos_phi * phi_rate - cos_yaw * (bend * cos_roll - sin_phi * phi_rate * sin_roll);
         normal_z_rate = (-sin_phi) * phi_rate * cos_roll - bend * sin_roll;
         (*outline_slope) = (-normal_y) / normal_z;
-        (*slope_rate) = (-(normal_y_rate * normal_z - normal_y * normal_z_rate)) / (normal_z * normal_z);
+        (*slope_rate) = (-(normal_y_rate + (*outline_slope) * normal_z_rate)) / normal_z;
     }
     return 0;
 }

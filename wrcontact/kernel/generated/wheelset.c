@@ -25,6 +25,7 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, ar
 /* wheelset/elastic.py */
 static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d tables, array_double_1d work);
 static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, double arm, double rate);
+static OUT_OF_LINE int64_t elastic__renewed(double* result_0, double* result_1, array_double_1d work, double by_height, double by_roll, double change);
 static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double height);
 static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, double rate);
 static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d tables, array_double_1d work, double roll);
@@ -678,8 +679,10 @@ static OUT_OF_LINE int64_t compliant__damp_patch(array_double_1d work, int64_t p
  * is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's
  * slope, by the envelope theorem (docs/method.md, section 11).
  *
- * Both unknowns are found by Broyden's method (Broyden 1965), in trials (trial.py); where it finds
- * nothing, by brackets (brackets.py).
+ * Both unknowns are found by Newton's method, in trials (trial.py).  A wheel's residual depends on little more
+ * than how deep it stands, so that what a move has changed says by which factor its derivatives are wrong; where
+ * a move leaves it nearly as deep, they are renewed by Broyden's formula (Broyden 1965).  Where this finds
+ * nothing, brackets do (brackets.py).
  */
 
 /* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome; outputs
@@ -872,35 +875,52 @@ static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, doub
     return INT64_C(0);
 }
 
-/* The residuals of a trial at ``height`` [m], and the derivatives that the last move has
- * shown (Broyden 1965).
- */
+/* The residuals of a trial at ``height`` [m], and the derivatives that the last move has shown. */
 static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double height)
 {
     double before_left;
     double before_right;
-    double move_height;
-    double move_roll;
-    double size;
-    double off_left;
-    double off_right;
     before_left = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT));
     before_right = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT));
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height;
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)) - height;
-    move_height = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
-    move_roll = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL));
-    size = move_height * move_height + move_roll * move_roll;
-    if (size > 0.0)
+    if (fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) > 0.0)
     {
-        off_left = ((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) - before_left - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) * move_height - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) * move_roll) / size;
-        off_right = ((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) - before_right - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) * move_height - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) * move_roll) / size;
-        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) += off_left * move_height;
-        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) += off_left * move_roll;
-        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) += off_right * move_height;
-        (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) += off_right * move_roll;
+        elastic__renewed(cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT), cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL), work, (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) - before_left);
+        elastic__renewed(cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT), cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL), work, (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) - before_right);
     }
     return INT64_C(0);
+}
+
+/* A side's derivatives, by which the last move changes its residual by as much as it has. */
+static OUT_OF_LINE int64_t elastic__renewed(double* result_0, double* result_1, array_double_1d work, double by_height, double by_roll, double change)
+{
+    double height;
+    double roll;
+    double expected;
+    bool near;
+    double factor;
+    double size;
+    double off;
+    height = by_height * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
+    roll = by_roll * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL));
+    expected = height + roll;
+    near = fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) < elastic__NEAR;
+    if (near && (fabs(expected) > elastic__CLEAR_SHARE * (fabs(height) + fabs(roll))))
+    {
+        factor = change / expected;
+        if ((factor > elastic__SMALLEST_FACTOR) && (factor * elastic__SMALLEST_FACTOR < 1.0))
+        {
+            (*result_0) = factor * by_height;
+            (*result_1) = factor * by_roll;
+            return 0;
+        }
+    }
+    size = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) + (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL));
+    off = (change - expected) / size;
+    (*result_0) = by_height + off * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
+    (*result_1) = by_roll + off * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL));
+    return 0;
 }
 
 /* The move of height and roll that lets the residuals vanish; whether there is one. */
@@ -2220,7 +2240,6 @@ static inline bool side__describe_contact(array_double_1d tables, array_double_1
         (*cspan_at(&work, point + layout__CONTACT_POINT_CONTACT_ANGLE)) = (-circle__atan(rail_slope)) - (*cspan_at(&work, place + layout__PLACE_RAIL_ROLL));
     }
     (*cspan_at(&work, point + layout__CONTACT_POINT_ROLLING_RADIUS)) = r;
-    frame__measure_contact(tables, work, pair);
     frame__open_contact_region(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS);
     (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CURVATURE));
     (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_Y)) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_BEND));
@@ -2612,7 +2631,6 @@ static inline int64_t step__step_row(array_double_1d tables, array_double_1d sta
     bool changed;
     int64_t i;
     int64_t size;
-    int64_t first;
     int64_t status;
     changed = !((*cspan_at(&workspace, layout__WORK_KNOWN)) == 1.0);
     for (i = INT64_C(0); i < layout__INPUT_COUNT; i += INT64_C(1))
@@ -2634,11 +2652,7 @@ static inline int64_t step__step_row(array_double_1d tables, array_double_1d sta
         (*cspan_at(&workspace, layout__WORK_KNOWN)) = (double)(1);
         (*cspan_at(&workspace, layout__WORK_STATUS)) = (double)(status);
         size = outline__row_size(tables);
-        first = layout__WORK_OUTPUTS;
-        for (i = INT64_C(0); i < size; i += INT64_C(1))
-        {
-            (*cspan_at(&outputs, size * row + i)) = (*cspan_at(&workspace, first + i));
-        }
+        runs__copy_run(workspace, layout__WORK_OUTPUTS, outputs, size * row, size);
     }
     return status;
 }

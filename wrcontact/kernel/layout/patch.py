@@ -234,6 +234,7 @@ class TracedStation:
     skew: float                     # [1/m^2]
     share: float                    # of the penetration that comes along its normal [-]
     counted: float                  # share of its load that counts for the prescribed force [-]
+    gaps: Float * 4                 # cubic of the gap on the way to the next station, 0 ... 1 [m]
 
 
 @record

@@ -111,6 +111,18 @@ static ALWAYS_INLINE double binary__power_of_two(int64_t k)
     return power;
 }
 
+/* Runs of numbers, as the Python source has them (elementary/runs.py). */
+static ALWAYS_INLINE int64_t runs__copy_run(array_double_1d source, int64_t first, array_double_1d to,
+                                            int64_t place, int64_t count)
+{
+    if (count > 0) {
+        cspan_at(&source, first + count - 1);
+        cspan_at(&to, place + count - 1);
+        memcpy(cspan_at(&to, place), cspan_at(&source, first), (size_t)count * sizeof(double));
+    }
+    return count;
+}
+
 /* a // b and a % b of integers: rounded down, the remainder with the sign of b. */
 static inline int64_t py_floor_div_int64_t(int64_t a, int64_t b)
 {

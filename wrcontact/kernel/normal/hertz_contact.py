@@ -10,7 +10,6 @@ from math import isfinite, pi, sqrt
 from typing import Final
 
 from ..contact.curves import rail_length
-from ..contact.frame import locate_along_track
 from ..elementary.powers import cube_root
 from ..layout import RULE_ELLIPSE, Contact, Frame, Pair, Region, SideSearch, Tables, seldom
 from ..patch.filling import add_load, begin_patch, clear_patches, finish_patch, finish_patches
@@ -31,9 +30,9 @@ def hertz_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
 
     A lateral curvature below FLOOR A (concave or flat pairs, which Hertz does not cover) counts as FLOOR A.
     """
-    locate_along_track(pair, contact.frame, contact.regions, 1)
     region = contact.regions[0]
     point = side.point
+    region.x_track = point.x_track
     A = 0.5 * point.curvature_x
     B = max(FLOOR * A, 0.5 * point.curvature_y)
     half_length, half_width, stiffness, penetration = press_ellipse(pair.tables, region, A, B, force,

@@ -199,7 +199,8 @@ def lay_strips(problem: StripProblem, waves: Waves, smooth: bool):
             strip.middle = strip.x + strip.lead
             strip.width = spread * waves.sin[i] * strip.stretch
             strip.slender = log(strip.width / strip.half_length)
-            strip.gap = rest_gap(problem, j, strip.station)
+            if not smooth:
+                strip.gap = rest_gap(problem, j, strip.station)
         if smooth:
             smooth_gaps(problem, waves, run, k * count)
         for i in range(k * count, (k + 1) * count):

@@ -133,6 +133,7 @@ def trace_zones(pair: Pair, contact: Contact, count: int):
     place_on_middle(problem)
     for i in range(problem.traced_count):
         incline_station(pair.tables, contact.frame, problem.traced[i])
+    bend_gaps(problem)
 
 
 def trace_station(pair: Pair, contact: Contact, region: Region, at: TracedStation):
@@ -253,11 +254,23 @@ def between(low: float, high: float, u: float):
 
 def rest_gap(problem: StripProblem, j: int, station: float):
     """Gap [m] at ``station`` [m] behind traced station ``j``, on the ridge, where nothing penetrates."""
-    low = problem.traced[j]
-    high = problem.traced[j + 1]
-    way = high.station - low.station
-    u = (station - low.station) / way
-    v = 1.0 - u
-    overlap = ((1.0 + 2.0 * u) * v * v * low.overlap + u * u * (3.0 - 2.0 * u) * high.overlap
-               + u * v * way * (v * low.rise - u * high.rise))
-    return between(low.share, high.share, u) * problem.penetration - overlap
+    gaps = problem.traced[j].gaps
+    u = way_through(problem, j, station)
+    return gaps[0] + u * (gaps[1] + u * (gaps[2] + u * gaps[3]))
+
+
+def bend_gaps(problem: StripProblem):
+    """The gap between every two stations of a curve: what comes of the penetration less the overlap, a cubic
+    with the rise at both."""
+    for i in range(problem.traced_count - 1):
+        low = problem.traced[i]
+        high = problem.traced[i + 1]
+        if low.region == high.region:
+            way = high.station - low.station
+            start = way * low.rise
+            stop = way * high.rise
+            grown = high.overlap - low.overlap
+            low.gaps[0] = low.share * problem.penetration - low.overlap
+            low.gaps[1] = (high.share - low.share) * problem.penetration - start
+            low.gaps[2] = 2.0 * start + stop - 3.0 * grown
+            low.gaps[3] = 2.0 * grown - start - stop

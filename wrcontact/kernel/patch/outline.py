@@ -111,12 +111,16 @@ def write_ellipse(outline: Outline, stations: int, totals: PatchTotals):
     half_length = totals.max_half_length
     half_width = totals.stop
     pressure = totals.max_pressure
-    for j in range(stations):
-        share = 2.0 * float(j) / float(stations - 1) - 1.0
+    last = stations - 1
+    for j in range((stations + 1) // 2):
+        share = 1.0 - 2.0 * float(j) / float(last)
         height = sqrt(1.0 - share * share)
-        outline.numbers[j] = share * half_width
+        outline.numbers[j] = 0.0 - share * half_width
+        outline.numbers[last - j] = share * half_width
         outline.numbers[stations + j] = half_length * height
+        outline.numbers[stations + last - j] = half_length * height
         outline.numbers[2 * stations + j] = pressure * height
+        outline.numbers[2 * stations + last - j] = pressure * height
 
 
 def write_quadratic(outline: Outline, stations: int, totals: PatchTotals, strips: SolvedStrips,

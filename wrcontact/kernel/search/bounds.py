@@ -114,54 +114,6 @@ def rail_index(scan: Scan, u: float):
     return int(u)
 
 
-def least_bend(scan: Scan, at: Place, first: int, exponent: int, length: float, u: float):
-    """By how much the slope difference rises at least [1/m] over the 2^exponent cells, of ``length`` [m]
-    together, that begin with node ``first``, and the share by which the outline is stretched there [-]; the
-    first is no bound where the second is not below WIDEST.
-
-    u : place in the raster of the rail where they begin, in cells.
-    """
-    node = scan.nodes[first]
-    roll = fabs(at.sin_roll)
-    stretch = ROLL_STRETCH * roll
-    share = ROLL_BEND * roll
-    if at.yawed:
-        square = at.sin_yaw * at.sin_yaw
-        stretch += STEEP_STRETCH * square + BEND_STRETCH * square * at.radius * node.steepest_bends[exponent]
-        share += YAW_BEND * square
-    bend = 0.0
-    if stretch < WIDEST:
-        rail = scan.rail[rail_index(scan, u)]
-        bend = rail.least_bends[exponent]
-        if length > FINE_CELL * float(1 << exponent):
-            bend = rail.least_bends[exponent + 1]
-        wheel = node.most_bends[exponent]
-        bend -= stretch * fabs(bend) + wheel + share * fabs(wheel)
-    return bend, stretch
-
-
-def stretch_bend(scan: Scan, at: Place, node: int, direction: int, exponent: int, u: float):
-    """Length [m] of the 2^exponent cells from ``node`` on in ``direction`` (1 or -1), ``least_bend`` over
-    them [1/m] and the share of the outline's stretch [-], which is WIDEST where the raster ends before.
-
-    u : place of the node in the raster of the rail, in cells.
-    """
-    cells = 1 << exponent
-    first = node
-    if direction < 0:
-        first = node - cells
-    length = 0.0
-    bend = 0.0
-    stretch = WIDEST
-    if first >= 0 and first + cells < scan.count:
-        length = scan.nodes[first + cells].y - scan.nodes[first].y
-        begin = u
-        if direction < 0:
-            begin -= (1.0 + WIDEST) * scan.rail_per_metre * length
-        bend, stretch = least_bend(scan, at, first, exponent, length, begin)
-    return length, bend, stretch
-
-
 def largest_fall(slope: float, bend: float, length: float, stretch: float):
     """How far the gap can fall at most [m] over ``length`` [m], with a slope that begins with
     ``slope`` and rises by no less than ``bend`` [1/m], on a wheel that is stretched by no more than
@@ -186,10 +138,38 @@ def clear_exponent(scan: Scan, at: Place, node: int, direction: int, abscissa: f
     slope : of rail minus outline at the node, seen in ``direction`` (1 or -1).
     """
     u = rail_place(scan, abscissa)
+    roll = fabs(at.sin_roll)
+    least_stretch = ROLL_STRETCH * roll
+    share = ROLL_BEND * roll
+    stretch_per_bend = 0.0
+    if at.yawed:
+        square = at.sin_yaw * at.sin_yaw
+        least_stretch += STEEP_STRETCH * square
+        share += YAW_BEND * square
+        stretch_per_bend = BEND_STRETCH * square * at.radius
     while exponent >= 0:
-        length, bend, stretch = stretch_bend(scan, at, node, direction, exponent, u)
-        if stretch < WIDEST and largest_fall(slope, bend, length, stretch) <= excess:
-            return exponent
+        cells = 1 << exponent
+        first = node
+        if direction < 0:
+            first = node - cells
+        if first >= 0 and first + cells < scan.count:
+            begin = scan.nodes[first]
+            stretch = least_stretch + stretch_per_bend * begin.steepest_bends[exponent]
+            if stretch < WIDEST:
+                length = scan.nodes[first + cells].y - begin.y
+                edge = u
+                if direction < 0:
+                    edge -= (1.0 + WIDEST) * scan.rail_per_metre * length
+                rail = scan.rail[rail_index(scan, edge)]
+                reach = exponent
+                if length > FINE_CELL * float(cells):
+                    reach += 1
+                # by how much the slope difference rises at least
+                bend = rail.least_bends[reach]
+                wheel = begin.most_bends[exponent]
+                bend -= stretch * fabs(bend) + wheel + share * fabs(wheel)
+                if largest_fall(slope, bend, length, stretch) <= excess:
+                    return exponent
         exponent -= 1
     return exponent
 

@@ -22,6 +22,7 @@ from ..layout import EXPONENTS, Cell, Pair, Place, SideSearch
 from ..surface.gap import FOLDED, above_rail, vertical_gap
 from .bounds import (above_rail_end, bend_bounds, clear_exponent, leaves_rail, node_below, node_gap,
                      only_rises_or_falls, rising_from_minimum)
+from .rising_cell import rises_in_cell
 
 #: Cells are halved down to this width [m]; what a cell can then hide is less than M (2e-6 m)^2 / 8, 1e-11 m
 #: at worst.
@@ -231,9 +232,9 @@ def search_side(pair: Pair, side: SideSearch, known: bool) -> bool:
         cell = node_below(scan, side.best_y)
         ahead = rising_from_minimum(scan, at, side.best_y, 1, side.best_rail)
         behind = rising_from_minimum(scan, at, side.best_y, -1, side.best_rail)
-        if ahead >= 0 and behind >= 0:
-            walk(pair, side, cell + (1 << ahead), 1)
-            walk(pair, side, cell + 1 - (1 << behind), -1)
+        if (ahead >= 0 and behind >= 0) or rises_in_cell(pair, at, cell):
+            walk(pair, side, cell + first_step(ahead), 1)
+            walk(pair, side, cell + 1 - first_step(behind), -1)
             return True
         node = cell
         gap, mismatch, abscissa = node_gap(pair, at, node)
@@ -249,6 +250,14 @@ def search_side(pair: Pair, side: SideSearch, known: bool) -> bool:
     walk(pair, side, node, 1)
     walk(pair, side, node, -1)
     return True
+
+
+def first_step(exponent: int):
+    """How many cells lie between the far node of a minimum's cell and the node where a walk begins: those
+    where the gap only rises, or the cell alone with an ``exponent`` of -1."""
+    if exponent < 0:
+        return 1
+    return 1 << exponent
 
 
 def best_node(pair: Pair, side: SideSearch, stride: int):

@@ -146,11 +146,14 @@ def outline_jet(place: Place, y: float, z: float, slope: float, bend: float):
     else:
         sin_yaw = place.sin_yaw
         cos_yaw = place.cos_yaw
-        sin_phi, cos_phi = around_wheel(place, slope)
-        w = place.w_per_slope * slope
+        # around_wheel, whose root the angle's rate needs too
+        w = max(min(place.w_per_slope * slope, 1.0), -1.0)
+        root = sqrt(1.0 - w * w)
+        sin_phi = -(place.t * root + w) * place.cos_t
+        cos_phi = (root - place.t * w) * place.cos_t
         phi_rate = 0.0
-        if w * w < 1.0:
-            phi_rate = -place.w_per_slope * bend / sqrt(1.0 - w * w)
+        if root > 0.0:
+            phi_rate = -place.w_per_slope * bend / root
         y_track = (place.shift + sin_yaw * r * sin_phi
                    + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll))
         z_track = arm * sin_roll + r * cos_phi * cos_roll - place.height
@@ -162,7 +165,7 @@ def outline_jet(place: Place, y: float, z: float, slope: float, bend: float):
                          - cos_yaw * (bend * cos_roll - sin_phi * phi_rate * sin_roll))
         normal_z_rate = -sin_phi * phi_rate * cos_roll - bend * sin_roll
         outline_slope = -normal_y / normal_z
-        slope_rate = -(normal_y_rate * normal_z - normal_y * normal_z_rate) / (normal_z * normal_z)
+        slope_rate = -(normal_y_rate + outline_slope * normal_z_rate) / normal_z
     return y_track, z_track, outline_slope, stretch, slope_rate
 
 

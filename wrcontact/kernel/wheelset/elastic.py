@@ -10,8 +10,10 @@ How a side's height follows the roll,
 is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's
 slope, by the envelope theorem (docs/method.md, section 11).
 
-Both unknowns are found by Broyden's method (Broyden 1965), in trials (trial.py); where it finds
-nothing, by brackets (brackets.py).
+Both unknowns are found by Newton's method, in trials (trial.py).  A wheel's residual depends on little more
+than how deep it stands, so that what a move has changed says by which factor its derivatives are wrong; where
+a move leaves it nearly as deep, they are renewed by Broyden's formula (Broyden 1965).  Where this finds
+nothing, brackets do (brackets.py).
 """
 
 from math import fabs
@@ -38,9 +40,15 @@ UNBALANCED: Final[float] = 1e-9
 NOT_LAST: Final[float] = 1e-10
 #: A smallest gap that has moved by less than this along the wheel is the same one, found anew [m].
 SAME_GAP: Final[float] = 1e-9
-#: Strips are solved coarsely in the first trials, until a move is shorter [m]: the coarse penetrations are
-#: about as much off.
-COARSE: Final[float] = 2e-6
+#: Strips are solved coarsely in the first trials, until a move is shorter [m]: the residual that it leaves is
+#: then as large as what is off in coarse penetrations.
+COARSE: Final[float] = 1.5e-5
+#: After a longer move [m] Broyden's formula is taken: it finds the way among several equilibria.
+NEAR: Final[float] = 2e-6
+#: Of a side's expected change, this share of its two parts' sizes has to be left for a factor to be found
+#: from it, and the factor has to lie between SMALLEST_FACTOR and its inverse [-].
+CLEAR_SHARE: Final[float] = 0.15
+SMALLEST_FACTOR: Final[float] = 0.5
 #: Longest move of a wheel in one trial [m].
 LONGEST_MOVE: Final[float] = 2e-4
 #: Smallest determinant of the residuals' derivatives [-]; -(lever_left + lever_right) / arm
@@ -171,24 +179,32 @@ def begin_derivatives(method: Broyden, supports: Supports, arm: float, rate: flo
 
 @seldom
 def update(method: Broyden, supports: Supports, height: float):
-    """The residuals of a trial at ``height`` [m], and the derivatives that the last move has
-    shown (Broyden 1965)."""
+    """The residuals of a trial at ``height`` [m], and the derivatives that the last move has shown."""
     before_left = method.left
     before_right = method.right
     method.left = supports[0].height - height
     method.right = supports[1].height - height
-    move_height = method.move_height
-    move_roll = method.move_roll
-    size = move_height * move_height + move_roll * move_roll
-    if size > 0.0:
-        off_left = (method.left - before_left - method.left_height * move_height
-                    - method.left_roll * move_roll) / size
-        off_right = (method.right - before_right - method.right_height * move_height
-                     - method.right_roll * move_roll) / size
-        method.left_height += off_left * move_height
-        method.left_roll += off_left * move_roll
-        method.right_height += off_right * move_height
-        method.right_roll += off_right * move_roll
+    if fabs(method.move_height) + fabs(method.move_roll) > 0.0:
+        method.left_height, method.left_roll = renewed(method, method.left_height, method.left_roll,
+                                                       method.left - before_left)
+        method.right_height, method.right_roll = renewed(method, method.right_height, method.right_roll,
+                                                         method.right - before_right)
+
+
+@seldom
+def renewed(method: Broyden, by_height: float, by_roll: float, change: float):
+    """A side's derivatives, by which the last move changes its residual by as much as it has."""
+    height = by_height * method.move_height
+    roll = by_roll * method.move_roll
+    expected = height + roll
+    near = fabs(method.move_height) + fabs(method.move_roll) < NEAR
+    if near and fabs(expected) > CLEAR_SHARE * (fabs(height) + fabs(roll)):
+        factor = change / expected
+        if factor > SMALLEST_FACTOR and factor * SMALLEST_FACTOR < 1.0:
+            return factor * by_height, factor * by_roll
+    size = method.move_height * method.move_height + method.move_roll * method.move_roll
+    off = (change - expected) / size
+    return by_height + off * method.move_height, by_roll + off * method.move_roll
 
 
 @seldom

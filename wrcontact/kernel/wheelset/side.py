@@ -7,7 +7,7 @@ from math import fabs, isfinite
 from typing import Final
 
 from ..contact.deep_points import deepest_entry, follow_overlaps, keep_points
-from ..contact.frame import measure_contact, open_contact_region, open_frame
+from ..contact.frame import open_contact_region, open_frame
 from ..contact.overlaps import find_overlaps
 from ..contact.pressed_regions import press_frame, touching_shift
 from ..creep.cut import cut_patch
@@ -66,7 +66,6 @@ def describe_contact(tables: Tables, work: Work, index: int, y: float, aside: fl
     if place.leaning:
         point.contact_angle = -atan(rail_slope) - place.rail_roll
     point.rolling_radius = r
-    measure_contact(pair, frame)
     open_contact_region(tables, frame, region)
     point.curvature_x = region.curvature
     point.curvature_y = region.bend

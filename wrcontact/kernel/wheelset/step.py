@@ -9,6 +9,7 @@ writes the outputs.
 
 from ..layout import (INPUT_COUNT, MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, NOT_CONVERGED, OFF_PROFILE,
                       UNLOADED, VALID, State, Tables, Work, offset)
+from ..elementary.runs import copy_run
 from ..patch.outline import row_size
 from ..search.roll import place_both
 from .compliant import solve_compliant
@@ -132,9 +133,7 @@ def step_row(tables: Tables, state: State, workspace: Work, inputs: 'float[:]', 
         workspace.known = True
         workspace.status = status
         size = row_size(tables)
-        first = offset(workspace.outputs, workspace)
-        for i in range(size):
-            outputs[size * row + i] = workspace[first + i]
+        copy_run(workspace.raw, offset(workspace.outputs, workspace), outputs, size * row, size)
     return status
 
 
