@@ -8,6 +8,7 @@ from tests.helpers.cases import INPUT_NAMES, poses
 from tests.helpers.fmus import SAME, needs_compiler, outline_of_both
 from wrcontact import ContactSystem
 from wrcontact.interface import variables
+from wrcontact.interface.outputs import WEAR
 from wrcontact.interface.variables import PLACE, REFERENCE, VARIABLES
 
 pytestmark = needs_compiler
@@ -28,11 +29,13 @@ def test_outlines_with_other_numbers_of_stations(run3):
             stepper.inputs[[REFERENCE[name] for name in row]] = list(row.values())
             status = stepper.step()
             wanted = {v.name: value
-                      for v, value in zip(VARIABLES[variables.FIRST_OUTPUT:variables.STATUS], stepper.outputs)
+                      for v, value in zip(VARIABLES[variables.FIRST_OUTPUT:variables.FIRST_WEAR],
+                                          stepper.outputs)
                       if not v.name.endswith("]")}
             for name, values in outline_of_both(stepper.outputs).items():
                 wanted |= {f"{name}[{k + 1}]": value for k, value in enumerate(values)}
-            assert len(found) == len(wanted) + 3 and found["status"] == status
+            wear = len(WEAR) * 2 * number
+            assert len(found) == len(wanted) + wear + 3 and found["status"] == status
             for name, value in wanted.items():
                 nominal = VARIABLES[PLACE[re.sub(r"\[\d+\]$", "[1]", name)]].nominal or 1.0
                 assert found[name] == pytest.approx(value, rel=SAME, abs=SAME * nominal), (number, name)
