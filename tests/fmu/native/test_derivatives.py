@@ -8,7 +8,7 @@ from tests.helpers.cases import LEFT_SIDE, moving_track, poses, system
 from tests.helpers.fmus import needs_compiler, outline_of_both, session, stepped
 from wrcontact import ContactSystem
 from wrcontact.interface import variables
-from wrcontact.interface.variables import PLACE, REFERENCE, VARIABLES
+from wrcontact.interface.variables import PLACE, VARIABLES
 from wrcontact.kernel.binding.library import default_kernel
 
 pytestmark = needs_compiler
@@ -31,8 +31,8 @@ def kernel_rates(start, stations, row, names, inputs):
     stepped(made, row)
     stepper.inputs[:] = made._values[:len(stepper.inputs)]
     stepper.step()
-    places = [REFERENCE[name] - variables.FIRST_OUTPUT for name in names]
-    rates = [stepper._bound.derivative(np.eye(len(stepper.inputs))[REFERENCE[name]])[1] for name in inputs]
+    places = [PLACE[name] - variables.FIRST_OUTPUT for name in names]
+    rates = [stepper._bound.derivative(np.eye(len(stepper.inputs))[PLACE[name]])[1] for name in inputs]
     return [[*along[places], *outline_of_both(along)["right.station"]] for along in rates]
 
 
