@@ -53,7 +53,6 @@ class SolvedSide:
         strip.y_track, strip.z_track = place[1:] + self.moved
         strip.cos, strip.sin = math.cos(angle), -math.sin(angle)
         strip.rolling_radius = surfaces.pair.lowered(surfaces.at).rolling_radius(place)
-        strip.wheel_place, strip.rail_place = self.profile_places(x, station)
 
     def profile_places(self, x, station):
         """Abscissae of the wheel's and of the rail's profile at x, ``station`` [m]."""
@@ -83,9 +82,9 @@ def cut_patches(side, record, strips):
             side.set_place(strip, middle, strip.station)
 
 
-def place_stations(side, record, stations):
+def place_wear(side, record, stations):
     """The places of so many ``stations`` of a side, record SideSearch, on both profiles, and the patch that
-    each belongs to; ``side`` is its :class:`SolvedSide`."""
+    each belongs to, and the places of its strips; ``side`` is its :class:`SolvedSide`."""
     nearest = 0
     for j in range(stations):
         station = record.outline.numbers[j]
@@ -93,6 +92,9 @@ def place_stations(side, record, stations):
         x = float(side.wheel.surfaces.curve.at("x", station))
         for run, value in zip((0, 1, 3), (*side.profile_places(x, station), record.patches[nearest].rank)):
             record.wear.numbers[run * stations + j] = value
+    for patch, worn in zip(record.patches[:record.patch_count], record.worn):
+        for i, strip in enumerate(patch.strips):
+            worn.wheel_place[i], worn.rail_place[i] = side.profile_places(patch.x + strip.x, strip.station)
 
 
 class KernelRolling:

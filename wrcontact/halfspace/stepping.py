@@ -22,7 +22,7 @@ from ..status import Status
 from ..stepper import Stepper
 from .contact import TOLERANCE
 from .outputs import fill_side
-from .pressed_rolling import CompleteRolling, KernelRolling, SolvedSide, cut_patches, place_stations
+from .pressed_rolling import CompleteRolling, KernelRolling, SolvedSide, cut_patches, place_wear
 from .pressed_wheel import Settings, find_equilibrium, press, stand_of
 from .rolling_step import Solver, report_forces, rub_patches
 from .wheel_on_rail import wheel_on_rail
@@ -125,7 +125,7 @@ class HalfspaceSolver(Solver):
         if tables.tangential != layout.TANGENTIAL_NONE or has_wear(tables):
             cut_patches(found, side, strips)
         if has_wear(tables):
-            place_stations(found, side, int(tables.stations))
+            place_wear(found, side, int(tables.stations))
         return found
 
     def _pair(self, index, roll, height):

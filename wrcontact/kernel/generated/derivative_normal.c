@@ -6794,17 +6794,16 @@ static inline int64_t derivative_wear_places__place_wear_t(array_double_1d table
     number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (number = INT64_C(0); number < number_end; number += INT64_C(1))
     {
-        derivative_wear_places__place_strips_of_wear_t(tables, work, work_t, pair, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+        derivative_wear_places__place_strips_of_wear_t(tables, work, work_t, pair, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``place_strips_of_wear``. */
-static inline int64_t derivative_wear_places__place_strips_of_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t patch)
+static inline int64_t derivative_wear_places__place_strips_of_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t patch, int64_t worn)
 {
     int64_t region;
     int64_t i;
-    int64_t strip;
     double rail;
     lanes rail_t;
     double wheel;
@@ -6812,12 +6811,11 @@ static inline int64_t derivative_wear_places__place_strips_of_wear_t(array_doubl
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * wear_places__first_region(work, patch);
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        derivative_wear_places__profile_places_t(&rail, &rail_t, &wheel, &wheel_t, tables, work, work_t, pair, region, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)), (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STATION)));
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_RAIL_PLACE))) = each(rail_t);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_RAIL_PLACE)) = rail;
-        EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WHEEL_PLACE))) = each(wheel_t);
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_WHEEL_PLACE)) = wheel;
+        derivative_wear_places__profile_places_t(&rail, &rail_t, &wheel, &wheel_t, tables, work, work_t, pair, region, (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_STATION)), (*lanes_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_STATION)));
+        EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + i))) = each(rail_t);
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + i)) = rail;
+        EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_WHEEL_PLACE + i))) = each(wheel_t);
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_WHEEL_PLACE + i)) = wheel;
     }
     return INT64_C(0);
 }

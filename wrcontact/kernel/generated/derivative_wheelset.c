@@ -801,6 +801,8 @@ static inline int64_t derivative_report__report_wear_t(array_double_1d tables, a
     int64_t number_end;
     int64_t number;
     int64_t patch;
+    int64_t i_2;
+    int64_t k1;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     runs = layout__WEAR_RUN_COUNT * (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
     first = layout__WORK_OUTPUTS + outline__wear_place(tables);
@@ -847,15 +849,21 @@ static inline int64_t derivative_report__report_wear_t(array_double_1d tables, a
             patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
             if (((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) > INT64_C(0)) && ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) <= layout__PATCH_LIMIT))
             {
-                derivative_report__report_strips_t(work, work_t, patch, strips + layout__STRIP_OUTPUTS_SIZE * ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) - INT64_C(1)), requested__has_creep_forces(tables, work));
+                derivative_report__complete_strips_t(work, work_t, patch, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number, requested__has_creep_forces(tables, work));
+                for (i_2 = INT64_C(0); i_2 < layout__STRIP_OUTPUTS_SIZE; i_2 += INT64_C(1))
+                {
+                    k1 = strips + layout__STRIP_OUTPUTS_SIZE * ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) - INT64_C(1)) + i_2;
+                    EACH_LANE each((*lanes_at(&work_t, k1))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number + i_2)));
+                    (*cspan_at(&work, k1)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number + i_2));
+                }
             }
         }
     }
     return INT64_C(0);
 }
 
-/* Derivative of ``report_strips``. */
-static inline int64_t derivative_report__report_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, bool rubbing)
+/* Derivative of ``complete_strips``. */
+static inline int64_t derivative_report__complete_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn, bool rubbing)
 {
     int64_t i;
     int64_t strip;
@@ -864,23 +872,19 @@ static inline int64_t derivative_report__report_strips_t(array_double_1d work, a
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        EACH_LANE each((*lanes_at(&work_t, out + layout__STRIP_OUTPUTS_WHEEL_PLACE + i))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WHEEL_PLACE)));
-        (*cspan_at(&work, out + layout__STRIP_OUTPUTS_WHEEL_PLACE + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_WHEEL_PLACE));
-        EACH_LANE each((*lanes_at(&work_t, out + layout__STRIP_OUTPUTS_RAIL_PLACE + i))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_RAIL_PLACE)));
-        (*cspan_at(&work, out + layout__STRIP_OUTPUTS_RAIL_PLACE + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_RAIL_PLACE));
-        EACH_LANE each((*lanes_at(&work_t, out + layout__STRIP_OUTPUTS_WIDTH + i))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
-        (*cspan_at(&work, out + layout__STRIP_OUTPUTS_WIDTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-        EACH_LANE each((*lanes_at(&work_t, out + layout__STRIP_OUTPUTS_LINE_LOAD + i))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)));
-        (*cspan_at(&work, out + layout__STRIP_OUTPUTS_LINE_LOAD + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD));
-        EACH_LANE each((*lanes_at(&work_t, out + layout__STRIP_OUTPUTS_HALF_LENGTH + i))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
-        (*cspan_at(&work, out + layout__STRIP_OUTPUTS_HALF_LENGTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-        EACH_LANE each((*lanes_at(&work_t, out + layout__STRIP_OUTPUTS_POWER + i))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_POWER)));
-        (*cspan_at(&work, out + layout__STRIP_OUTPUTS_POWER + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER));
+        EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_WIDTH + i))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_WIDTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_LINE_LOAD + i))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)));
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_LINE_LOAD + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD));
+        EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        (*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_SLIP + i)) = all_lanes(0.0);
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_SLIP + i)) = 0.0;
         if (rubbing)
         {
             derivative_rubbing__strip_slip_t(&v1, &v1_t, work, work_t, patch, strip);
-            EACH_LANE each((*lanes_at(&work_t, out + layout__STRIP_OUTPUTS_SLIP + i))) = each(v1_t);
-            (*cspan_at(&work, out + layout__STRIP_OUTPUTS_SLIP + i)) = v1;
+            EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_SLIP + i))) = each(v1_t);
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_SLIP + i)) = v1;
         }
     }
     return INT64_C(0);
@@ -1388,6 +1392,7 @@ static inline int64_t derivative_shared_power__share_power_t(array_double_1d wor
     int64_t number_end;
     int64_t number;
     int64_t patch;
+    int64_t worn;
     int64_t i;
     double v1;
     lanes v1_t;
@@ -1405,10 +1410,11 @@ static inline int64_t derivative_shared_power__share_power_t(array_double_1d wor
     for (number = INT64_C(0); number < number_end; number += INT64_C(1))
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        derivative_shared_power__share_among_strips_t(work, work_t, patch);
+        worn = side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number;
+        derivative_shared_power__share_among_strips_t(work, work_t, patch, worn);
         for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
         {
-            derivative_shared_power__add_power_t(work, work_t, side + layout__SIDE_SEARCH_WEAR, side + layout__SIDE_SEARCH_OUTLINE, stations, (double)((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK)))), all_lanes(0.0), patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i);
+            derivative_shared_power__add_power_t(work, work_t, side + layout__SIDE_SEARCH_WEAR, side + layout__SIDE_SEARCH_OUTLINE, stations, (double)((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK)))), all_lanes(0.0), patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i, (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)), (*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i)));
         }
     }
     derivative_shared_power__cell_width_t(&v1, &v1_t, work, work_t, side + layout__SIDE_SEARCH_OUTLINE, stations);
@@ -1434,14 +1440,13 @@ static inline int64_t derivative_shared_power__share_power_t(array_double_1d wor
 }
 
 /* Derivative of ``share_among_strips``. */
-static inline int64_t derivative_shared_power__share_among_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+static inline int64_t derivative_shared_power__share_among_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn)
 {
     lanes power_t;
     double power;
     lanes total_t;
     double total;
     int64_t i;
-    int64_t strip;
     double v1;
     lanes v1_t;
     lanes scale_t;
@@ -1455,22 +1460,20 @@ static inline int64_t derivative_shared_power__share_among_strips_t(array_double
     {
         for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
         {
-            strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-            derivative_rubbing__strip_power_t(&v1, &v1_t, work, work_t, patch, strip);
-            EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_POWER))) = each(v1_t);
-            (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) = v1;
-            EACH_LANE each(total_t) = each(total_t) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_POWER))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
-            total = total + (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            derivative_rubbing__strip_power_t(&v1, &v1_t, work, work_t, patch, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i);
+            EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) = each(v1_t);
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = v1;
+            EACH_LANE each(total_t) = each(total_t) + (each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * each((*lanes_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH))));
+            total = total + (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
         }
         if (!(total > 0.0))
         {
             for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
             {
-                strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-                EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_POWER))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)));
-                (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD));
-                EACH_LANE each(total_t) = each(total_t) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_POWER))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
-                total = total + (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+                EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) = each((*lanes_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD)));
+                (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
+                EACH_LANE each(total_t) = each(total_t) + (each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * each((*lanes_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH))));
+                total = total + (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
             }
         }
     }
@@ -1484,16 +1487,15 @@ static inline int64_t derivative_shared_power__share_among_strips_t(array_double
     }
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         if (scale == 0.0)
         {
-            (*lanes_at(&work_t, strip + layout__ROLLING_STRIP_POWER)) = all_lanes(0.0);
-            (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) = 0.0;
+            (*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = all_lanes(0.0);
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = 0.0;
         }
         else
         {
-            EACH_LANE each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_POWER))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_POWER))) * scale + (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) * each(scale_t);
-            (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) * scale;
+            EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) = each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) * scale + (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * each(scale_t);
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * scale;
         }
     }
     return INT64_C(0);
@@ -1512,7 +1514,7 @@ static inline int64_t derivative_shared_power__cell_width_t(double* result_0, la
 }
 
 /* Derivative of ``add_power``. */
-static inline int64_t derivative_shared_power__add_power_t(array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t outline, int64_t stations, double owner, lanes owner_t, int64_t strip)
+static inline int64_t derivative_shared_power__add_power_t(array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t outline, int64_t stations, double owner, lanes owner_t, int64_t strip, double power, lanes power_t)
 {
     double v1;
     lanes v1_t;
@@ -1553,8 +1555,8 @@ static inline int64_t derivative_shared_power__add_power_t(array_double_1d work,
     lanes share_t;
     double share;
     double v16;
-    lanes power_t;
-    double power;
+    lanes part_t;
+    double part;
     double v17;
     derivative_shared_power__cell_width_t(&v1, &v1_t, work, work_t, outline, stations);
     EACH_LANE each(width_t) = each(v1_t);
@@ -1600,10 +1602,10 @@ static inline int64_t derivative_shared_power__add_power_t(array_double_1d work,
         stop = v9;
         if (stop > start)
         {
-            v10 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            v10 = power * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
             v11 = stop - start;
             v12 = v10 / v11;
-            EACH_LANE each(density_t) = (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_POWER))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))) - v12 * (each(stop_t) - each(start_t))) / v11;
+            EACH_LANE each(density_t) = (each(power_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + power * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))) - v12 * (each(stop_t) - each(start_t))) / v11;
             density = v12;
             EACH_LANE each(at_t) = each(start_t);
             at = start;
@@ -1631,13 +1633,13 @@ static inline int64_t derivative_shared_power__add_power_t(array_double_1d work,
                 EACH_LANE each(share_t) = each(v14_t);
                 share = v14;
                 v16 = after - at;
-                EACH_LANE each(power_t) = each(density_t) * v16 + density * (each(after_t) - each(at_t));
-                power = density * v16;
+                EACH_LANE each(part_t) = each(density_t) * v16 + density * (each(after_t) - each(at_t));
+                part = density * v16;
                 v17 = 1.0 - share;
-                EACH_LANE each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) + ((-each(share_t)) * power + v17 * each(power_t));
-                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) + v17 * power;
-                EACH_LANE each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1))))) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1))))) + (each(share_t) * power + share * each(power_t));
-                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1)))) = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1)))) + share * power;
+                EACH_LANE each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) + ((-each(share_t)) * part + v17 * each(part_t));
+                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) + v17 * part;
+                EACH_LANE each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1))))) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1))))) + (each(share_t) * part + share * each(part_t));
+                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1)))) = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1)))) + share * part;
                 EACH_LANE each(at_t) = each(after_t);
                 at = after;
             }
@@ -1645,8 +1647,8 @@ static inline int64_t derivative_shared_power__add_power_t(array_double_1d work,
         else
         {
             cell = int64_t_min(2, (int64_t)(start + 0.5), stations - INT64_C(1));
-            EACH_LANE each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_POWER))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
-            (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            EACH_LANE each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) + (each(power_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + power * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
+            (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) + power * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
         }
     }
     return INT64_C(0);

@@ -340,7 +340,7 @@ static inline int64_t derivative_report__report_load_t(array_double_1d work, arr
 static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t);
 static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t);
 static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t outline, int64_t stations, bool rubbing);
-static inline int64_t derivative_report__report_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, bool rubbing);
+static inline int64_t derivative_report__complete_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn, bool rubbing);
 static inline int64_t derivative_report__report_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, bool requested);
 static inline int64_t derivative_report__report_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
 static inline int64_t derivative_report__report_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
@@ -380,10 +380,10 @@ static inline int64_t derivative_separation__moved_separation_t(double* gap, lan
 static inline int64_t derivative_separation__separation_t(double* gap, lanes* gap_t, double* rate, lanes* rate_t, double* bend, lanes* bend_t, double* curvature, lanes* curvature_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
 
 /* derivative_shared_power.py */
-static inline int64_t derivative_shared_power__share_among_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
+static inline int64_t derivative_shared_power__share_among_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn);
 static inline int64_t derivative_shared_power__cell_width_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations);
 static inline int64_t derivative_shared_power__own_share_t(double* found, lanes* found_t, array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t stations, int64_t cell, double owner, lanes owner_t, double share, lanes share_t);
-static inline int64_t derivative_shared_power__add_power_t(array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t outline, int64_t stations, double owner, lanes owner_t, int64_t strip);
+static inline int64_t derivative_shared_power__add_power_t(array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t outline, int64_t stations, double owner, lanes owner_t, int64_t strip, double power, lanes power_t);
 static inline int64_t derivative_shared_power__share_power_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations);
 
 /* derivative_side.py */
@@ -519,7 +519,7 @@ static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, a
 
 /* derivative_wear_places.py */
 static inline int64_t derivative_wear_places__profile_places_t(double* rail, lanes* rail_t, double* wheel, lanes* wheel_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double station, lanes station_t);
-static inline int64_t derivative_wear_places__place_strips_of_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t patch);
+static inline int64_t derivative_wear_places__place_strips_of_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t patch, int64_t worn);
 static inline int64_t derivative_wear_places__place_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side);
 
 /* derivative_wheelset_rules.py */

@@ -171,7 +171,7 @@ static inline double strip_surfaces__rest_gap(array_double_1d work, int64_t j, d
 static OUT_OF_LINE int64_t wear_places__nearest_patch(array_double_1d work, int64_t side, int64_t index, double station);
 static OUT_OF_LINE int64_t wear_places__first_region(array_double_1d work, int64_t patch);
 static OUT_OF_LINE int64_t wear_places__profile_places(double* rail, double* wheel, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double station);
-static OUT_OF_LINE int64_t wear_places__place_strips_of_wear(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch);
+static OUT_OF_LINE int64_t wear_places__place_strips_of_wear(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch, int64_t worn);
 static OUT_OF_LINE int64_t wear_places__place_wear(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
 
 
@@ -4447,26 +4447,24 @@ static OUT_OF_LINE int64_t wear_places__place_wear(array_double_1d tables, array
     number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (number = INT64_C(0); number < number_end; number += INT64_C(1))
     {
-        wear_places__place_strips_of_wear(tables, work, pair, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+        wear_places__place_strips_of_wear(tables, work, pair, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number);
     }
     return INT64_C(0);
 }
 
 /* The places of the strips of a patch. */
-static OUT_OF_LINE int64_t wear_places__place_strips_of_wear(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch)
+static OUT_OF_LINE int64_t wear_places__place_strips_of_wear(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch, int64_t worn)
 {
     int64_t region;
     int64_t i;
-    int64_t strip;
     double rail;
     double wheel;
     region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * wear_places__first_region(work, patch);
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        wear_places__profile_places(&rail, &wheel, tables, work, pair, region, (*cspan_at(&work, strip + layout__ROLLING_STRIP_STATION)));
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_RAIL_PLACE)) = rail;
-        (*cspan_at(&work, strip + layout__ROLLING_STRIP_WHEEL_PLACE)) = wheel;
+        wear_places__profile_places(&rail, &wheel, tables, work, pair, region, (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_STATION)));
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + i)) = rail;
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_WHEEL_PLACE + i)) = wheel;
     }
     return INT64_C(0);
 }

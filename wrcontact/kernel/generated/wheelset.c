@@ -57,7 +57,7 @@ static inline int64_t report__report_patch(array_double_1d work, int64_t patch, 
 static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror);
 static inline int64_t report__outline_place(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t report__report_outline(array_double_1d work, int64_t side, int64_t outline, int64_t stations, bool rubbing);
-static OUT_OF_LINE int64_t report__report_strips(array_double_1d work, int64_t patch, int64_t out, bool rubbing);
+static OUT_OF_LINE int64_t report__complete_strips(array_double_1d work, int64_t patch, int64_t worn, bool rubbing);
 static OUT_OF_LINE int64_t report__report_wear(array_double_1d tables, array_double_1d work, int64_t index, bool requested);
 static inline int64_t report__report_side(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t report__report(array_double_1d tables, array_double_1d work);
@@ -99,10 +99,10 @@ static inline int64_t rubbing__rub_side(array_double_1d tables, array_double_1d 
 static inline int64_t rubbing__rub_patches(array_double_1d tables, array_double_1d work);
 
 /* wheelset/shared_power.py */
-static OUT_OF_LINE int64_t shared_power__share_among_strips(array_double_1d work, int64_t patch);
+static OUT_OF_LINE int64_t shared_power__share_among_strips(array_double_1d work, int64_t patch, int64_t worn);
 static OUT_OF_LINE double shared_power__cell_width(array_double_1d work, int64_t outline, int64_t stations);
 static OUT_OF_LINE double shared_power__own_share(array_double_1d work, int64_t wear, int64_t stations, int64_t cell, double owner, double share);
-static OUT_OF_LINE int64_t shared_power__add_power(array_double_1d work, int64_t wear, int64_t outline, int64_t stations, double owner, int64_t strip);
+static OUT_OF_LINE int64_t shared_power__add_power(array_double_1d work, int64_t wear, int64_t outline, int64_t stations, double owner, int64_t strip, double power);
 static OUT_OF_LINE int64_t shared_power__share_power(array_double_1d work, int64_t side, int64_t stations);
 
 /* wheelset/side.py */
@@ -1585,6 +1585,7 @@ static OUT_OF_LINE int64_t report__report_wear(array_double_1d tables, array_dou
     int64_t number_end;
     int64_t number;
     int64_t patch;
+    int64_t i_2;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     runs = layout__WEAR_RUN_COUNT * (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
     first = layout__WORK_OUTPUTS + outline__wear_place(tables);
@@ -1626,30 +1627,32 @@ static OUT_OF_LINE int64_t report__report_wear(array_double_1d tables, array_dou
             patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
             if (((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) > INT64_C(0)) && ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) <= layout__PATCH_LIMIT))
             {
-                report__report_strips(work, patch, strips + layout__STRIP_OUTPUTS_SIZE * ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) - INT64_C(1)), requested__has_creep_forces(tables, work));
+                report__complete_strips(work, patch, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number, requested__has_creep_forces(tables, work));
+                for (i_2 = INT64_C(0); i_2 < layout__STRIP_OUTPUTS_SIZE; i_2 += INT64_C(1))
+                {
+                    (*cspan_at(&work, strips + layout__STRIP_OUTPUTS_SIZE * ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) - INT64_C(1)) + i_2)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number + i_2));
+                }
             }
         }
     }
     return INT64_C(0);
 }
 
-/* The strips of a patch, with slip if it is ``rubbing``. */
-static OUT_OF_LINE int64_t report__report_strips(array_double_1d work, int64_t patch, int64_t out, bool rubbing)
+/* What the strips of a patch have beside places and power, with slip if it is ``rubbing``. */
+static OUT_OF_LINE int64_t report__complete_strips(array_double_1d work, int64_t patch, int64_t worn, bool rubbing)
 {
     int64_t i;
     int64_t strip;
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-        (*cspan_at(&work, out + layout__STRIP_OUTPUTS_WHEEL_PLACE + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_WHEEL_PLACE));
-        (*cspan_at(&work, out + layout__STRIP_OUTPUTS_RAIL_PLACE + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_RAIL_PLACE));
-        (*cspan_at(&work, out + layout__STRIP_OUTPUTS_WIDTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
-        (*cspan_at(&work, out + layout__STRIP_OUTPUTS_LINE_LOAD + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD));
-        (*cspan_at(&work, out + layout__STRIP_OUTPUTS_HALF_LENGTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
-        (*cspan_at(&work, out + layout__STRIP_OUTPUTS_POWER + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER));
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_WIDTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_LINE_LOAD + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD));
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_SLIP + i)) = 0.0;
         if (rubbing)
         {
-            (*cspan_at(&work, out + layout__STRIP_OUTPUTS_SLIP + i)) = rubbing__strip_slip(work, patch, strip);
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_SLIP + i)) = rubbing__strip_slip(work, patch, strip);
         }
     }
     return INT64_C(0);
@@ -2331,6 +2334,7 @@ static OUT_OF_LINE int64_t shared_power__share_power(array_double_1d work, int64
     int64_t number_end;
     int64_t number;
     int64_t patch;
+    int64_t worn;
     int64_t i;
     double width;
     double own;
@@ -2342,10 +2346,11 @@ static OUT_OF_LINE int64_t shared_power__share_power(array_double_1d work, int64
     for (number = INT64_C(0); number < number_end; number += INT64_C(1))
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        shared_power__share_among_strips(work, patch);
+        worn = side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number;
+        shared_power__share_among_strips(work, patch, worn);
         for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
         {
-            shared_power__add_power(work, side + layout__SIDE_SEARCH_WEAR, side + layout__SIDE_SEARCH_OUTLINE, stations, (double)((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK)))), patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i);
+            shared_power__add_power(work, side + layout__SIDE_SEARCH_WEAR, side + layout__SIDE_SEARCH_OUTLINE, stations, (double)((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK)))), patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i, (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)));
         }
     }
     width = shared_power__cell_width(work, side + layout__SIDE_SEARCH_OUTLINE, stations);
@@ -2365,12 +2370,11 @@ static OUT_OF_LINE int64_t shared_power__share_power(array_double_1d work, int64
 }
 
 /* Share the friction power of a patch among its strips. */
-static OUT_OF_LINE int64_t shared_power__share_among_strips(array_double_1d work, int64_t patch)
+static OUT_OF_LINE int64_t shared_power__share_among_strips(array_double_1d work, int64_t patch, int64_t worn)
 {
     double power;
     double total;
     int64_t i;
-    int64_t strip;
     double scale;
     power = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
     total = 0.0;
@@ -2378,17 +2382,15 @@ static OUT_OF_LINE int64_t shared_power__share_among_strips(array_double_1d work
     {
         for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
         {
-            strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-            (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) = rubbing__strip_power(work, patch, strip);
-            total += (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = rubbing__strip_power(work, patch, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i);
+            total += (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
         }
         if (!(total > 0.0))
         {
             for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
             {
-                strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
-                (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD));
-                total += (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+                (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
+                total += (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
             }
         }
     }
@@ -2399,14 +2401,13 @@ static OUT_OF_LINE int64_t shared_power__share_among_strips(array_double_1d work
     }
     for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
     {
-        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
         if (scale == 0.0)
         {
-            (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) = 0.0;
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = 0.0;
         }
         else
         {
-            (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) *= scale;
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) *= scale;
         }
     }
     return INT64_C(0);
@@ -2420,8 +2421,10 @@ static OUT_OF_LINE double shared_power__cell_width(array_double_1d work, int64_t
     return result;
 }
 
-/* Add the power [W] of a strip of the patch with the number ``owner`` to the stations around it. */
-static OUT_OF_LINE int64_t shared_power__add_power(array_double_1d work, int64_t wear, int64_t outline, int64_t stations, double owner, int64_t strip)
+/* Add the ``power`` per width [W/m] of a strip of the patch with the number ``owner`` to the stations
+ * around it.
+ */
+static OUT_OF_LINE int64_t shared_power__add_power(array_double_1d work, int64_t wear, int64_t outline, int64_t stations, double owner, int64_t strip, double power)
 {
     double width;
     double last;
@@ -2432,7 +2435,7 @@ static OUT_OF_LINE int64_t shared_power__add_power(array_double_1d work, int64_t
     int64_t cell;
     double after;
     double share;
-    double power;
+    double part;
     width = shared_power__cell_width(work, outline, stations);
     last = (double)(stations - INT64_C(1));
     if ((width > 0.0) && ((*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) > 0.0))
@@ -2442,7 +2445,7 @@ static OUT_OF_LINE int64_t shared_power__add_power(array_double_1d work, int64_t
         stop = double_min(2, double_max(2, ((*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP)) - (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + INT64_C(0)))) / width, 0.0), last);
         if (stop > start)
         {
-            density = (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) / (stop - start);
+            density = power * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) / (stop - start);
             at = start;
             while(at < stop)
             {
@@ -2453,9 +2456,9 @@ static OUT_OF_LINE int64_t shared_power__add_power(array_double_1d work, int64_t
                     after = double_min(2, (double)(cell + INT64_C(1)), stop);
                 }
                 share = shared_power__own_share(work, wear, stations, cell, owner, 0.5 * (at + after) - (double)(cell));
-                power = density * (after - at);
-                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) += (1.0 - share) * power;
-                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1)))) += share * power;
+                part = density * (after - at);
+                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) += (1.0 - share) * part;
+                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1)))) += share * part;
                 at = after;
             }
         }
@@ -2463,7 +2466,7 @@ static OUT_OF_LINE int64_t shared_power__add_power(array_double_1d work, int64_t
         {
             /* beside the outline but for rounding */
             cell = int64_t_min(2, (int64_t)(start + 0.5), stations - INT64_C(1));
-            (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) += (*cspan_at(&work, strip + layout__ROLLING_STRIP_POWER)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) += power * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
         }
     }
     return INT64_C(0);

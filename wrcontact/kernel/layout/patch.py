@@ -82,9 +82,6 @@ class RollingStrip:
     force_x: float                  # creep force on the wheel per width [N/m],
     force_y: float
     moment: float                   # and moment of the lateral one about the centre of load, per width [N]
-    wheel_place: float              # wheel and rail abscissa of its middle [m],
-    rail_place: float
-    power: float                    # and its friction power per width [W/m]: with wear_outputs only
 
 
 @record
@@ -184,6 +181,10 @@ class StripOutputs:
     half_length: StripNumbers       # [m]
     power: StripNumbers             # [W/m]
     slip: StripNumbers              # [m/s]
+
+
+#: Those of the patches of one wheel, in the order of the patches.
+StripsOfPatches = StripOutputs * SOLVED_PATCH_LIMIT
 
 
 @record

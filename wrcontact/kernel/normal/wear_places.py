@@ -7,7 +7,7 @@ patches that are far from each other, both abscissae run alike from the point of
 
 from ..contact.pressed import NODE_SHARP, meet_wheel
 from ..layout import (REGION_LIMIT, ROLLING_STRIP_LIMIT, Contact, Frame, Pair, Patch, Region, SideSearch,
-                      seldom)
+                      StripOutputs, seldom)
 from .patch_places import abscissa_at
 
 
@@ -25,18 +25,17 @@ def place_wear(pair: Pair, contact: Contact, side: SideSearch):
         side.wear.numbers[stations + j] = rail
         side.wear.numbers[3 * stations + j] = float(patch.rank)
     for number in range(side.patch_count):
-        place_strips_of_wear(pair, contact, side.patches[number])
+        place_strips_of_wear(pair, contact, side.patches[number], side.worn[number])
 
 
 @seldom
-def place_strips_of_wear(pair: Pair, contact: Contact, patch: Patch):
+def place_strips_of_wear(pair: Pair, contact: Contact, patch: Patch, worn: StripOutputs):
     """The places of the strips of a patch."""
     region = contact.regions[first_region(patch)]
     for i in range(ROLLING_STRIP_LIMIT):
-        strip = patch.strips[i]
-        rail, wheel = profile_places(pair, contact.frame, region, strip.station)
-        strip.rail_place = rail
-        strip.wheel_place = wheel
+        rail, wheel = profile_places(pair, contact.frame, region, patch.strips[i].station)
+        worn.rail_place[i] = rail
+        worn.wheel_place[i] = wheel
 
 
 @seldom

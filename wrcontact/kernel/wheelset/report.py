@@ -10,7 +10,7 @@ from typing import Final
 from ..layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, PATCH_LIMIT, ROLLING_STRIP_LIMIT, RUN_COUNT, SIDES_BOTH,
                       SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, STATION_COUNT, STRIP_OUTPUTS_SIZE,
                       WEAR_RUN_COUNT, WEAR_STRIPS, ContactPoint, Outline, Patch, PatchOutputs, SideOutputs,
-                      SideSearch, StripOutputs, Tables, Vector, WearRuns, Work, clear, offset, seldom)
+                      SideSearch, StripOutputs, Tables, Vector, WearRuns, Work, clear, copy, offset, seldom)
 from ..patch.outline import wear_place
 from .shared_power import share_power
 from .requested import has_creep_forces, is_requested
@@ -219,20 +219,18 @@ def report_wear(tables: Tables, work: Work, index: int, requested: bool):
         for number in range(side.patch_count):
             patch = side.patches[number]
             if patch.rank > 0 and patch.rank <= PATCH_LIMIT:
-                report_strips(patch, StripOutputs.at(work, strips + STRIP_OUTPUTS_SIZE * (patch.rank - 1)),
-                              has_creep_forces(tables, work))
+                complete_strips(patch, side.worn[number], has_creep_forces(tables, work))
+                copy(side.worn[number], StripOutputs.at(work, strips + STRIP_OUTPUTS_SIZE * (patch.rank - 1)))
 
 
 @seldom
-def report_strips(patch: Patch, out: StripOutputs, rubbing: bool):
-    """The strips of a patch, with slip if it is ``rubbing``."""
+def complete_strips(patch: Patch, worn: StripOutputs, rubbing: bool):
+    """What the strips of a patch have beside places and power, with slip if it is ``rubbing``."""
     for i in range(ROLLING_STRIP_LIMIT):
         strip = patch.strips[i]
-        out.wheel_place[i] = strip.wheel_place
-        out.rail_place[i] = strip.rail_place
-        out.width[i] = strip.width
-        out.line_load[i] = strip.line_load
-        out.half_length[i] = strip.half_length
-        out.power[i] = strip.power
+        worn.width[i] = strip.width
+        worn.line_load[i] = strip.line_load
+        worn.half_length[i] = strip.half_length
+        worn.slip[i] = 0.0
         if rubbing:
-            out.slip[i] = strip_slip(patch, strip)
+            worn.slip[i] = strip_slip(patch, strip)

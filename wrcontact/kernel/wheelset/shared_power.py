@@ -14,7 +14,7 @@ so that the trapezoidal sum over the stations is the integral of P, and its mean
 station that belongs to another patch the station of its own patch gets all.
 """
 
-from ..layout import ROLLING_STRIP_LIMIT, Outline, Patch, RollingStrip, SideSearch, WearRuns, seldom
+from ..layout import ROLLING_STRIP_LIMIT, Outline, Patch, RollingStrip, SideSearch, StripOutputs, WearRuns, seldom
 from .rubbing import strip_power
 
 
@@ -25,9 +25,10 @@ def share_power(side: SideSearch, stations: int):
         side.wear.numbers[j] = 0.0
     for number in range(side.patch_count):
         patch = side.patches[number]
-        share_among_strips(patch)
+        worn = side.worn[number]
+        share_among_strips(patch, worn)
         for i in range(ROLLING_STRIP_LIMIT):
-            add_power(side.wear, side.outline, stations, float(patch.rank), patch.strips[i])
+            add_power(side.wear, side.outline, stations, float(patch.rank), patch.strips[i], worn.power[i])
     width = cell_width(side.outline, stations)
     for j in range(2 * stations, 3 * stations):
         own = width
@@ -38,29 +39,26 @@ def share_power(side: SideSearch, stations: int):
 
 
 @seldom
-def share_among_strips(patch: Patch):
+def share_among_strips(patch: Patch, worn: StripOutputs):
     """Share the friction power of a patch among its strips."""
     power = patch.forces.friction_power
     total = 0.0
     if power != 0.0:
         for i in range(ROLLING_STRIP_LIMIT):
-            strip = patch.strips[i]
-            strip.power = strip_power(patch, strip)
-            total += strip.power * strip.width
+            worn.power[i] = strip_power(patch, patch.strips[i])
+            total += worn.power[i] * patch.strips[i].width
         if not total > 0.0:
             for i in range(ROLLING_STRIP_LIMIT):
-                strip = patch.strips[i]
-                strip.power = strip.line_load
-                total += strip.power * strip.width
+                worn.power[i] = patch.strips[i].line_load
+                total += worn.power[i] * patch.strips[i].width
     scale = 0.0
     if total > 0.0:
         scale = power / total
     for i in range(ROLLING_STRIP_LIMIT):
-        strip = patch.strips[i]
         if scale == 0.0:
-            strip.power = 0.0
+            worn.power[i] = 0.0
         else:
-            strip.power *= scale
+            worn.power[i] *= scale
 
 
 @seldom
@@ -70,8 +68,10 @@ def cell_width(outline: Outline, stations: int):
 
 
 @seldom
-def add_power(wear: WearRuns, outline: Outline, stations: int, owner: float, strip: RollingStrip):
-    """Add the power [W] of a strip of the patch with the number ``owner`` to the stations around it."""
+def add_power(wear: WearRuns, outline: Outline, stations: int, owner: float, strip: RollingStrip,
+              power: float):
+    """Add the ``power`` per width [W/m] of a strip of the patch with the number ``owner`` to the stations
+    around it."""
     width = cell_width(outline, stations)
     last = float(stations - 1)
     if width > 0.0 and strip.width > 0.0:
@@ -79,7 +79,7 @@ def add_power(wear: WearRuns, outline: Outline, stations: int, owner: float, str
         start = min(max((strip.start - outline.numbers[0]) / width, 0.0), last)
         stop = min(max((strip.stop - outline.numbers[0]) / width, 0.0), last)
         if stop > start:
-            density = strip.power * strip.width / (stop - start)
+            density = power * strip.width / (stop - start)
             at = start
             while at < stop:
                 cell = min(int(at), stations - 2)
@@ -87,14 +87,14 @@ def add_power(wear: WearRuns, outline: Outline, stations: int, owner: float, str
                 if cell < stations - 2:
                     after = min(float(cell + 1), stop)
                 share = own_share(wear, stations, cell, owner, 0.5 * (at + after) - float(cell))
-                power = density * (after - at)
-                wear.numbers[2 * stations + cell] += (1.0 - share) * power
-                wear.numbers[2 * stations + cell + 1] += share * power
+                part = density * (after - at)
+                wear.numbers[2 * stations + cell] += (1.0 - share) * part
+                wear.numbers[2 * stations + cell + 1] += share * part
                 at = after
         else:
             # beside the outline but for rounding
             cell = min(int(start + 0.5), stations - 1)
-            wear.numbers[2 * stations + cell] += strip.power * strip.width
+            wear.numbers[2 * stations + cell] += power * strip.width
 
 
 @seldom
