@@ -575,7 +575,7 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
             (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
         }
     }
-    if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_WEAR_OUTPUTS)) != 0.0)
+    if ((*cspan_at(&tables, layout__TABLES_WEAR)) == 1.0)
     {
         derivative_report__report_wear_t(tables, work, work_t, index, first > layout__SIDE_STATION);
     }

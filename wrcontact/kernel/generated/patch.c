@@ -437,7 +437,7 @@ static inline int64_t outline__row_size(array_double_1d tables)
 {
     int64_t size;
     size = outline__wear_place(tables);
-    if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_WEAR_OUTPUTS)) != 0.0)
+    if ((*cspan_at(&tables, layout__TABLES_WEAR)) == 1.0)
     {
         size += INT64_C(2) * layout__WEAR_RUN_COUNT * (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))) + layout__WEAR_END;
     }

@@ -1381,7 +1381,7 @@ static inline int64_t report__report_side(array_double_1d tables, array_double_1
             (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
         }
     }
-    if ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_WEAR_OUTPUTS)) != 0.0)
+    if ((*cspan_at(&tables, layout__TABLES_WEAR)) == 1.0)
     {
         report__report_wear(tables, work, index, first > layout__SIDE_STATION);
     }
@@ -1796,7 +1796,7 @@ static inline bool requested__has_creep_forces(array_double_1d tables, array_dou
 static inline bool requested__has_wear(array_double_1d tables)
 {
     bool result;
-    result = ((*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_WEAR_OUTPUTS)) != 0.0) && ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL);
+    result = ((*cspan_at(&tables, layout__TABLES_WEAR)) == 1.0) && ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL);
     return result;
 }
 

@@ -88,7 +88,7 @@ def straight_at(patch: Patch, strips: SolvedStrips, after: int, station: float):
 def row_size(tables: Tables):
     """How many numbers an evaluation gives: the outputs, and the outlines where they follow behind them."""
     size = wear_place(tables)
-    if tables.parameters.wear_outputs != 0.0:
+    if tables.wear:
         size += 2 * WEAR_RUN_COUNT * tables.stations + WEAR_END
     return size
 

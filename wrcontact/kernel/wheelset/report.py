@@ -67,7 +67,7 @@ def report_side(tables: Tables, work: Work, index: int):
     else:
         for i in range(RUN_COUNT * tables.stations):
             outline.numbers[i] = tables.absent
-    if tables.parameters.wear_outputs != 0.0:
+    if tables.wear:
         report_wear(tables, work, index, first > SIDE_STATION)
 
 

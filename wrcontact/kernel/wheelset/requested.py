@@ -108,7 +108,7 @@ def has_creep_forces(tables: Tables, work: Work) -> bool:
 
 def has_wear(tables: Tables) -> bool:
     """Whether the outputs of wear are requested."""
-    return tables.parameters.wear_outputs != 0.0 and tables.depth == DEPTH_ALL
+    return tables.wear and tables.depth == DEPTH_ALL
 
 
 def release_friction(work: Work):

@@ -14,7 +14,8 @@ so that the trapezoidal sum over the stations is the integral of P, and its mean
 station that belongs to another patch the station of its own patch gets all.
 """
 
-from ..layout import ROLLING_STRIP_LIMIT, Outline, Patch, RollingStrip, SideSearch, StripOutputs, WearRuns, seldom
+from ..layout import (ROLLING_STRIP_LIMIT, Outline, Patch, RollingStrip, SideSearch, StripOutputs, WearRuns,
+                      seldom)
 from .rubbing import strip_power
 
 
