@@ -7,7 +7,7 @@ symbols that only the kernel has, are declared here.
 from pathlib import Path
 
 from wrcontact.interface.inputs import INPUTS
-from wrcontact.interface.outputs import PATCH, SIDE, WHEELSET
+from wrcontact.interface.outputs import PATCH, SIDE, STRIPS, WEAR, WHEELSET
 from wrcontact.interface.parameters import PARAMETERS
 from wrcontact.interface.rows import AXES, Blocks, Run, Vector
 from wrcontact.interface.variables import STATUS, VARIABLES
@@ -123,6 +123,13 @@ def page():
         "## Outputs of a patch": [
             "In an FMU the names begin with `left.patch[k].` or `right.patch[k].`.", "",
             *table(headings, of_table(PATCH, "patch."))],
+        "## Outputs of wear": [
+            "They are there with the parameter `wear_outputs`. In an FMU the names begin with `left.` or "
+            "`right.`, and without the parameter their values are zero.", "",
+            *table(headings, of_table(WEAR, "wear."))],
+        "## Outputs of a strip": [
+            "With `wear_outputs`, in Python only: arrays (16,) of `state.right.strips[k]`.", "",
+            *table(headings, of_table(STRIPS, "strip."))],
         "## Symbols of the kernel": [
             "What stands in a record has its name there, `Record.field` of `wrcontact/kernel/layout`.", "",
             *table(("symbol", "name in code", "unit", "meaning", "equation"), of_kernel())],

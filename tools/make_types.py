@@ -12,35 +12,34 @@ from textwrap import indent
 import numpy as np
 
 import wrcontact
-from wrcontact import methods, state
+from wrcontact import methods
 from wrcontact.interface import one_wheel
 from wrcontact.interface.inputs import INPUTS
 from wrcontact.interface.parameters import GROUPS, LEFT, PARAMETERS, SIDED
-from wrcontact.kernel import layout
-from wrcontact.results.inputs import Inputs
+from wrcontact.results.outlines import Outline
+from wrcontact.results.views import View
 
 ROOT = Path(__file__).resolve().parent.parent
 TEMPLATES = ROOT / "tools" / "types"
 #: Where each of them goes, in wrcontact.
 PLACES = {"__init__": "__init__.pyi", "state": "state.pyi", "system": "system.pyi", "wheel": "wheel.pyi",
-          "stepper": "stepper.pyi", "results_inputs": "results/inputs.pyi"}
+          "stepper": "stepper.pyi", "results_inputs": "results/inputs.pyi",
+          "results_outlines": "results/outlines.pyi", "results_views": "results/views.pyi"}
 NOTE = "# Written by tools/make_types.py; do not edit.\n"
 PROFILES = ("wheel", "rail")
-#: Objects with every property of the results.
-SAMPLES = {"WheelsetState": lambda: state.WheelsetState(np.ones(layout.OUTPUT_COUNT), 0, None),
-           "Side": lambda: SAMPLES["WheelsetState"]().right, "Patch": lambda: SAMPLES["Side"]().patches[0],
-           "Outline": lambda: SAMPLES["Side"]().outline, "Contact": lambda: SAMPLES["Side"]().contact,
-           "SideNormal": lambda: SAMPLES["Side"]().normal, "Vector": lambda: SAMPLES["Side"]().force,
-           "WheelsetNormal": lambda: SAMPLES["WheelsetState"]().normal,
-           "Creepage": lambda: SAMPLES["Patch"]().creepage,
-           "Tangential": lambda: SAMPLES["Patch"]().tangential,
-           "Inputs": lambda: np.ones(len(INPUTS)).view(Inputs)}
+#: A result with every property, and its parts by their classes.
+STATE = wrcontact.ContactSystem(wear_outputs=True).evaluate(3e-3)
+RIGHT = STATE.right
+SAMPLES = {type(part).__name__: part for part in (
+    STATE, STATE.normal, RIGHT, RIGHT.contact, RIGHT.normal, RIGHT.force, RIGHT.patches[0],
+    RIGHT.patches[0].creepage, RIGHT.patches[0].tangential, RIGHT.strips[0], STATE.inputs)}
+SAMPLES["Outline"] = RIGHT.outline
 
 
 def properties(kind, written):
     """Lines of the properties of a class of results that are not ``written`` by hand."""
-    sample = SAMPLES[kind]()
-    owner = type(sample)
+    sample = SAMPLES[kind]
+    owner = Outline if kind == "Outline" else type(sample)
     for name in dir(owner):
         found = getattr(owner, name)
         if name.startswith("_") or not isinstance(found, property) or name in written \
@@ -49,7 +48,7 @@ def properties(kind, written):
         words = (found.__doc__ or "").strip().splitlines()
         value = getattr(sample, name)
         typed = "Any" if kind == "Inputs" else "_Array" if isinstance(value, np.ndarray) else "_N"
-        if isinstance(value, state._View):
+        if isinstance(value, View):
             typed = f"{type(value).__name__}[_N]"
         yield "@property"
         yield f"def {name}(self) -> {typed}:"

@@ -10,6 +10,7 @@ from .methods import __all__ as _methods
 from .methods.numbers import UnusualValueWarning
 from .motion import motion_of
 from .profiles import Profile, ProfileFile, ProfileWarning
+from .results.guiding import GuidingForces, guiding_forces, low_pass, sliding_mean
 from .state import WheelsetState
 from .status import Status, explain
 from .stepper import Stepper
@@ -17,10 +18,11 @@ from .system import ContactSystem
 from .wheel import WheelContact, WheelState
 
 __version__ = "0.2.0.dev0"
-__all__ = ["ContactSystem", "CreepForces", "CreepPatch", "Friction", "Material", "Profile", "ProfileFile",
-           "ProfileWarning", "Status", "Stepper", "Track", "UnusualValueWarning", "WheelContact",
-           "WheelState", "Wheelset", "WheelsetState", "check", "creep_forces", "elliptic_patch", "explain",
-           "motion_of", "outlined_patch", "patch_of", *_methods]
+__all__ = ["ContactSystem", "CreepForces", "CreepPatch", "Friction", "GuidingForces", "Material", "Profile",
+           "ProfileFile", "ProfileWarning", "Status", "Stepper", "Track", "UnusualValueWarning",
+           "WheelContact", "WheelState", "Wheelset", "WheelsetState", "check", "creep_forces",
+           "elliptic_patch", "explain", "guiding_forces", "low_pass", "motion_of", "outlined_patch",
+           "patch_of", "sliding_mean", *_methods]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
 _LATER = frozenset({"conditioning", "halfspace", "plots", "study"})

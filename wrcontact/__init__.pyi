@@ -10,6 +10,7 @@ from .system import ContactSystem as ContactSystem
 from .creep.forces import CreepForces as CreepForces
 from .creep.patch import CreepPatch as CreepPatch
 from .interface.friction import Friction as Friction
+from .results.guiding import GuidingForces as GuidingForces
 from .interface.parameters import Material as Material
 from .profiles.profile import Profile as Profile
 from .profiles.options import ProfileFile as ProfileFile
@@ -25,9 +26,12 @@ from .state import WheelsetState as WheelsetState
 from .creep.forces import creep_forces as creep_forces
 from .creep.patch import elliptic_patch as elliptic_patch
 from .status import explain as explain
+from .results.guiding import guiding_forces as guiding_forces
+from .results.guiding import low_pass as low_pass
 from .motion.body import motion_of as motion_of
 from .creep.patch import outlined_patch as outlined_patch
 from .creep.results import patch_of as patch_of
+from .results.guiding import sliding_mean as sliding_mean
 from .methods.contact import Rigid as Rigid
 from .methods.contact import Elastic as Elastic
 from .methods.contact import Compliant as Compliant

@@ -3,7 +3,6 @@
 Names, units and words of the properties are those of the rows in wrcontact/interface/outputs.py.
 """
 
-from types import GenericAlias
 from typing import NamedTuple
 
 import numpy as np
@@ -15,92 +14,12 @@ from .interface.rows import Vector as VectorRow
 from .kernel import layout
 from .methods.words import did_you_mean
 from .results import columns
-from .results import words as text
-from .results.columns import Kept, output_names, output_places
+from .results.columns import SIDES, Kept, output_names, output_places
 from .results.inputs import Inputs
 from .results.inputs import number as _number
+from .results.outlines import Outline, Strips, WornOutline, outline_offset
+from .results.views import View, number_at, view_at, words_of
 from .status import Status
-
-
-def station_count(values):
-    """The number of stations in outlines of this output array."""
-    return columns.station_count(values.shape[-1])
-
-
-def outline_offset(values, first):
-    """Where the outline of the side whose outputs begin at ``first`` lies, see kernel/patch/outline.py."""
-    if values.shape[-1] == layout.OUTPUT_COUNT:
-        return first + layout.SIDE_STATION
-    behind = layout.RUN_COUNT * station_count(values) if first == layout.OUT_RIGHT else 0
-    return layout.OUTPUT_COUNT + behind
-
-
-class _View:
-    """Named places of an output array (m,) or (n, m) from ``offset`` on."""
-
-    __slots__ = ("_values", "_offset")
-    __class_getitem__ = classmethod(GenericAlias)  # numbers of a pose, arrays of a table: types alone know
-    _members = ()  # names of the parts, in the order of the table
-    _shown = ()  # those of them in the short text; () for all
-
-    def __init__(self, values, offset):
-        self._values = values
-        self._offset = offset
-
-    def __repr__(self):
-        shown = [f"{name}={text.short(getattr(self, name))}" for name in self._shown or self._members]
-        poses = [f"{self._values.shape[0]} poses"] if self._values.ndim > 1 else []
-        return f"{type(self).__name__}({', '.join(poses + shown)})"
-
-    def __len__(self):
-        if self._values.ndim == 1:
-            raise TypeError(f"the {type(self).__name__} of one pose has no length")
-        return self._values.shape[0]
-
-    def __bool__(self):
-        """Whether a table has rows; what belongs to one pose is there."""
-        return self._values.ndim == 1 or len(self) > 0
-
-    def to_dict(self):
-        """All values by name, dicts in dicts: of one pose numbers and lists, of a table arrays (n, ...)."""
-        single = self._values.ndim == 1
-        return {name: _plain(getattr(self, name), single) for name in self._members}
-
-
-def _plain(value, single):
-    """A part of a result for a dict."""
-    if isinstance(value, _View):
-        return value.to_dict()
-    if isinstance(value, tuple):
-        return [entry.to_dict() for entry in value]
-    return value.tolist() if single and isinstance(value, np.ndarray) else value
-
-
-def _at(place, words):
-    """A property for one value at ``place``: a float, or (n,) for a table."""
-    return property(lambda self: _number(self._values[..., self._offset + place]), doc=words)
-
-
-def _view(kind, place, words):
-    """A property that is a view of ``kind`` from ``place`` on."""
-    return property(lambda self: kind(self._values, self._offset + place), doc=words)
-
-
-def _run(number, words):
-    """A property for array ``number`` of an outline: (stations,), or (n, stations) for a table."""
-
-    def read(self):
-        stations = station_count(self._values)
-        start = self._offset + number * stations
-        return self._values[..., start : start + stations]
-
-    return property(read, doc=words)
-
-
-def _words(row, behind="."):
-    """The docstring of a row's property."""
-    words = row.meaning.format(axis=", ".join(way for _, way in AXES))
-    return f"{words[0].upper()}{words[1:]} [{row.unit}]{behind}"
 
 
 def _named(rows, record, **parts):
@@ -115,22 +34,22 @@ def _named(rows, record, **parts):
     def decorate(cls):
         cls._members = tuple(dict.fromkeys(row.name.split(".")[0] for row in rows)) + cls._members
         for part, owner in parts.items():
-            setattr(cls, part, _view(owner, 0, owner.__doc__))
+            setattr(cls, part, view_at(owner, 0, owner.__doc__))
         for row in rows:
             part, _, name = row.name.rpartition(".")
             owner, place = parts.get(part, cls), getattr(record, row.field).offset // 8
             if part:
                 owner._members += (name,)
             if name not in vars(owner):
-                words = _words(row)
-                setattr(owner, name, _view(Vector, place, words) if isinstance(row, VectorRow)
-                        else _at(place, words))
+                words = words_of(row)
+                setattr(owner, name, view_at(Vector, place, words) if isinstance(row, VectorRow)
+                        else number_at(place, words))
         return cls
 
     return decorate
 
 
-class Vector(_View):
+class Vector(View):
     """Three components in the track's axes: x forward, y to the right, z down, as names, as a sequence of
     three, and with ``np.asarray`` as an array (3,), (n, 3) of a table."""
 
@@ -151,41 +70,41 @@ class Vector(_View):
 
 
 for _place, (_axis, _way) in enumerate(AXES):
-    setattr(Vector, _axis, _at(_place, f"Component {_way}."))
+    setattr(Vector, _axis, number_at(_place, f"Component {_way}."))
 
 
-class Creepage(_View):
+class Creepage(View):
     """Velocity of the wheel against the rail in the plane of a patch, over the rolling speed."""
 
     __slots__ = ()
 
 
-class Tangential(_View):
+class Tangential(View):
     """Creep force and moment of a patch on its wheel."""
 
     __slots__ = ()
 
 
-class Contact(_View):
+class Contact(View):
     """The contact point in the frames of the wheel, the rail and the track."""
 
     __slots__ = ()
 
 
-class SideNormal(_View):
+class SideNormal(View):
     """Forces and moments of the pressures alone, without creep forces."""
 
     __slots__ = ()
 
 
-class WheelsetNormal(_View):
+class WheelsetNormal(View):
     """Forces and moments of the pressures alone, without creep forces."""
 
     __slots__ = ()
 
 
 @_named(table.PATCH, layout.PatchOutputs, creepage=Creepage, tangential=Tangential)
-class Patch(_View):
+class Patch(View):
     """One contact patch."""
 
     __slots__ = ()
@@ -196,19 +115,8 @@ class Patch(_View):
         return bool(np.any(np.asarray(self.area) > 0.0))
 
 
-class Outline(_View):
-    """Outline and pressure at evenly spaced stations across, from the first loaded place to the last."""
-
-    __slots__ = ()
-    _members = tuple(row.name for row in table.SIDE if isinstance(row, Run))
-
-
-for _place, _row in enumerate(row for row in table.SIDE if isinstance(row, Run)):
-    setattr(Outline, _row.name, _run(_place, _words(_row, ", one value per station.")))
-
-
 @_named(table.SIDE, layout.SideOutputs, contact=Contact, normal=SideNormal)
-class Side(_View):
+class Side(View):
     """One wheel on its rail."""
 
     __slots__ = ()
@@ -232,7 +140,29 @@ class Side(_View):
     @property
     def outline(self):
         """Outline and pressure over the loaded width."""
-        return Outline(self._values, outline_offset(self._values, self._offset))
+        kind = WornOutline if columns.has_wear(self._values.shape[-1]) else Outline
+        return kind(self._values, outline_offset(self._values, self._offset), self._is_right)
+
+    @property
+    def strips(self):
+        """The :class:`Strips` of each of ``patches``; with wear_outputs only."""
+        width = self._values.shape[-1]
+        if not columns.has_wear(width):
+            raise AttributeError("strips are not computed; they need ContactSystem(wear_outputs=True)")
+        (side,) = (name for name, first in SIDES.items() if first == self._offset)
+        return tuple(Strips(self._values, columns.strips_place(width, side, k))
+                     for k in range(len(self.patches)))
+
+    @property
+    def _is_right(self):
+        return self._offset == layout.OUT_RIGHT
+
+    def to_dict(self):
+        """All values by name, as those of every part of a result; strips where they are computed."""
+        found = super().to_dict()
+        if columns.has_wear(self._values.shape[-1]):
+            found["strips"] = [strips.to_dict() for strips in self.strips]
+        return found
 
 
 class Equilibrium(NamedTuple):
@@ -248,7 +178,7 @@ class Equilibrium(NamedTuple):
 
 
 @_named(table.WHEELSET, layout.Outputs, normal=WheelsetNormal)
-class WheelsetState(_View):
+class WheelsetState(View):
     """Result of an evaluation.
 
     Attributes
@@ -272,7 +202,7 @@ class WheelsetState(_View):
         self._inputs = inputs
         self._places = kept
         self._system, self._equilibrium = system, None
-        self._values, self._offset = values if kept is None else Kept(values, kept, width), 0
+        super().__init__(values if kept is None else Kept(values, kept, width), 0)
 
     @property
     def inputs(self):

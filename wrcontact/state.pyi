@@ -9,24 +9,16 @@ from numpy.typing import NDArray
 from typing_extensions import TypeVar
 
 from .results.inputs import Inputs
+from .results.outlines import Outline, Strips
+from .results.views import View, _N
 from .status import Status
 
 _Array = NDArray[Any]
-# A number of one pose, an array of a table; likewise a count, and a status.
-_N = TypeVar("_N", default=float)
+# Of one pose or a table: a count, and a status.
 _K = TypeVar("_K", default=int)
 _S = TypeVar("_S", default=Status)
 
-def station_count(values: _Array) -> int: ...
-def outline_offset(values: _Array, first: int) -> int: ...
-
-class _View(Generic[_N]):
-    def __init__(self, values: Any, offset: int) -> None: ...
-    def __len__(self) -> int: ...
-    def __bool__(self) -> bool: ...
-    def to_dict(self) -> dict[str, Any]: ...
-
-class Vector(_View[_N]):
+class Vector(View[_N]):
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> _Array: ...
     def __iter__(self) -> Iterator[_N]: ...
     @overload
@@ -43,7 +35,7 @@ class Vector(_View[_N]):
     def z(self) -> _N:
         """Component down."""
 
-class Creepage(_View[_N]):
+class Creepage(View[_N]):
     @property
     def spin(self) -> _N:
         """Spin: rotation of the wheel about the normal from the rail to the wheel, over the rolling speed [1/m]."""
@@ -54,7 +46,7 @@ class Creepage(_View[_N]):
     def y(self) -> _N:
         """Lateral creepage, in the plane of the patch, positive to the left on both sides [1]."""
 
-class Tangential(_View[_N]):
+class Tangential(View[_N]):
     @property
     def moment(self) -> _N:
         """Moment of the tractions on the wheel about the normal from the rail to the wheel through its centre of load [N.m]."""
@@ -65,7 +57,7 @@ class Tangential(_View[_N]):
     def y(self) -> _N:
         """Creep force on the wheel, in the plane of the patch to the field side [N]."""
 
-class Contact(_View[_N]):
+class Contact(View[_N]):
     @property
     def x_track(self) -> _N:
         """Contact point in the track frame, forward [m]."""
@@ -91,7 +83,7 @@ class Contact(_View[_N]):
     def z_wheel(self) -> _N:
         """Contact point in the wheel profile frame, down from the running circle [m]."""
 
-class SideNormal(_View[_N]):
+class SideNormal(View[_N]):
     @property
     def force(self) -> Vector[_N]:
         """Part of the force that is due to the pressures alone, forward, to the right, down [N]."""
@@ -99,7 +91,7 @@ class SideNormal(_View[_N]):
     def moment(self) -> Vector[_N]:
         """Moment of this part about the wheelset's centre, around the axis forward, to the right, down [N.m]."""
 
-class WheelsetNormal(_View[_N]):
+class WheelsetNormal(View[_N]):
     @property
     def force(self) -> Vector[_N]:
         """Part of the resultant that is due to the pressures alone, forward, to the right, down [N]."""
@@ -107,7 +99,7 @@ class WheelsetNormal(_View[_N]):
     def moment(self) -> Vector[_N]:
         """Moment of this part about the wheelset's centre, around the axis forward, to the right, down [N.m]."""
 
-class Patch(_View[_N]):
+class Patch(View[_N]):
     @property
     def area(self) -> _N:
         """Contact area [m2]."""
@@ -166,30 +158,15 @@ class Patch(_View[_N]):
     def z_track(self) -> _N:
         """Centre of load in the track frame, down from top of rail [m]."""
 
-class Outline(_View[_N]):
-    @property
-    def half_length(self) -> _Array:
-        """Half the length of the patch in rolling direction at the station [m], one value per station."""
-    @property
-    def pressure(self) -> _Array:
-        """Contact pressure on the centre line of the patch at the station [Pa], one value per station."""
-    @property
-    def shear(self) -> _Array:
-        """Creep force per area, mean over the length of the patch at the station [Pa], one value per station."""
-    @property
-    def slip(self) -> _Array:
-        """Sliding velocity at the station, such that shear times slip is the friction power per area [m/s], one value per station."""
-    @property
-    def station(self) -> _Array:
-        """Lateral position of an outline station in the contact plane, from the contact point to the field side [m], one value per station."""
-
-class Side(_View[_N], Generic[_N, _K]):
+class Side(View[_N], Generic[_N, _K]):
     @property
     def patch_count(self) -> _K: ...
     @property
     def patches(self) -> tuple[Patch[_N], ...]: ...
     @property
     def outline(self) -> Outline[_N]: ...
+    @property
+    def strips(self) -> tuple[Strips[_N], ...]: ...
     @property
     def area(self) -> _N:
         """Contact area, total over the patches [m2]."""
@@ -205,6 +182,12 @@ class Side(_View[_N], Generic[_N, _K]):
     @property
     def curvature_y(self) -> _N:
         """Relative (combined) principal curvature of wheel and rail at the contact point, across the rail [1/m]."""
+    @property
+    def damping_power(self) -> _N:
+        """Power that contact damping takes from the motion, sum over the patches [W]."""
+    @property
+    def derailment_quotient(self) -> _N:
+        """Y/Q of EN 14363: force of the wheel on its rail, outwards over downwards; zero where it does not press its rail down [1]."""
     @property
     def driving_torque(self) -> _N:
         """Torque of the creep forces about the axle, positive where they turn the wheel forward [N.m]."""
@@ -250,7 +233,7 @@ class Equilibrium(NamedTuple):
     roll: float
     status: int
 
-class WheelsetState(_View[_N], Generic[_N, _K, _S]):
+class WheelsetState(View[_N], Generic[_N, _K, _S]):
     values: _Array
     status: _S
     def __init__(self, values: _Array, status: _S, inputs: _Array | None, kept: _Array | None = None,

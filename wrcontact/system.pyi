@@ -73,6 +73,7 @@ class ContactSystem:
         published_spin: int = 0,
         contact_damping: float = 0.0,
         independent_wheels: bool = False,
+        wear_outputs: bool = False,
         stations: int = 31,
         smoothing: float | None = None,
         left_wheel: _OneProfile | None = None,

@@ -18,12 +18,12 @@ from .methods import (
     LateralCurvature,
     TangentialModel,
 )
+from .results.views import _N
 from .state import _Array, Side, WheelsetState
 from .status import Status
 from .stepper import Stepper
 from .system import ContactSystem, _OneProfile, _Wanted
 
-_N = TypeVar("_N", default=float)
 _K = TypeVar("_K", default=int)
 _S = TypeVar("_S", default=Status)
 
@@ -84,6 +84,7 @@ class WheelContact:
         tangential_model: Literal["none", "strips", "fastsim", "fastrip", "polach", "halfspace"] | TangentialModel = "none",
         published_spin: int = 0,
         contact_damping: float = 0.0,
+        wear_outputs: bool = False,
         stations: int = 31,
         smoothing: float | None = None,
     ) -> None: ...

@@ -20,7 +20,7 @@ static const double *block_values(const instance *self, const model_block *block
         return &core->time;
     if (block->run < 0 || core->stations == MODEL_STATIONS)
         return core->values + block->first;
-    return core->values + MODEL_STATUS + (size_t)block->run * core->stations;
+    return core->values + MODEL_BEHIND + (size_t)block->run * core->stations;
 }
 
 /* Whether a variable is computed only when it is read. */

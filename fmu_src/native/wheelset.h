@@ -19,8 +19,8 @@
 typedef enum { PHASE_INSTANTIATED, PHASE_CONFIGURING, PHASE_INITIALISING, PHASE_RUNNING, PHASE_TERMINATED, PHASE_EVENT,
                PHASE_CONTINUOUS } wheelset_phase;
 
-/* What the kernel gives: the outputs, and behind them the outlines, if they are of another number of stations than
- * MODEL_STATIONS. */
+/* What the kernel gives: the outputs, and behind them, from the place MODEL_BEHIND on, the outlines, if they are of another
+ * number of stations than MODEL_STATIONS, and the outputs of wear, if they are asked for. */
 enum { ROW = MODEL_OUTPUTS + MODEL_OUTLINES };
 
 /* Rates of a row, and behind them those of the equilibrium. */

@@ -15,6 +15,7 @@ METHODS = [
     {"normal_model": "analyn_strip", "stations": 61},
     {"normal_model": "analyn_strip", "nodes": 38, "strips": 13, "sweeps": 7},
     {"separation": "equidistant", "normal_model": "analyn_strip"},
+    {"wear_outputs": True, "tangential_model": "strips", "stations": 7},
     *(form for form in FORMS if "lateral_curvature" not in form)]
 #: The uncompiled kernel prepares their tables for seconds.
 ONLY_FULL = [

@@ -14,7 +14,8 @@ from tests.helpers.paths import ROOT
 
 SCRIPT = runpy.run_path(str(ROOT / "tools" / "make_types.py"))
 #: Modules whose types stand beside them.
-MODULES = ["wrcontact.state", "wrcontact.system", "wrcontact.stepper", "wrcontact.wheel"]
+MODULES = ["wrcontact.state", "wrcontact.system", "wrcontact.stepper", "wrcontact.wheel",
+           "wrcontact.results.outlines", "wrcontact.results.views"]
 #: A user's program without an error; a line with the word "wrong" has one.
 PROGRAM = '''
 from typing import Any
@@ -46,6 +47,9 @@ some: NDArray[Any] = table[1:3].roll
 stepper = system.stepper(side="right")
 stepper.inputs[stepper.place("speed")] = 20.0
 force, moment = stepper.resultant(wrcontact.motion_of([0, 0, -0.46], np.eye(3), [20, 0, 0], [0, -43, 0]))
+quotient: float = state.right.derailment_quotient
+places: NDArray[Any] = state.right.strips[0].wheel_place
+filtered: NDArray[Any] = wrcontact.low_pass(wrcontact.guiding_forces(table).sum_y, 1e-3)
 slopes: NDArray[Any] = system.derivatives(of=["force.y"], by=["yaw"], lateral_shift=1e-3)
 wheel = wrcontact.WheelContact(side="left", contact_damping=0.01).evaluate(vertical_shift_input=1e-4)
 assert_type(wheel.force.x, float)

@@ -6,7 +6,7 @@ import numpy as np
 
 import wrcontact
 from tests.helpers.inside import solver_of
-from wrcontact.interface.variables import FIRST_OUTPUT, INTEGER, STATUS, VARIABLES
+from wrcontact.interface.variables import FIRST_OUTPUT, FIRST_WEAR, INTEGER, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.kernel.layout import (
     IN_LATERAL_SHIFT,
@@ -19,7 +19,7 @@ from wrcontact.kernel.layout import (
     OUTPUT_COUNT,
 )
 
-OUTPUTS = VARIABLES[FIRST_OUTPUT:STATUS]
+OUTPUTS = VARIABLES[FIRST_OUTPUT:FIRST_WEAR]
 NAMES = [variable.name for variable in OUTPUTS]
 CONTINUOUS = np.array([variable.type != INTEGER for variable in OUTPUTS])
 NOMINAL = np.array([variable.nominal or 1.0 for variable in OUTPUTS])

@@ -7,15 +7,16 @@ import fmpy
 from fmi_host import refused
 
 
-def outlines(fmu, stations, rows):
-    """All outputs after each row of inputs, for each number of stations; the instances step in turn."""
-    instances = {number: fmu.running(stations=number) for number in stations}
+def outlines(fmu, stations, rows, start):
+    """All outputs after each row of inputs, for each number of stations, with the parameters ``start``; the
+    instances step in turn."""
+    instances = {number: fmu.running(stations=number, **start) for number in stations}
     seen = {number: [] for number in stations}
     for row in rows:
         for number, instance in instances.items():
             seen[number] += instance.go_on([row])
     return {"seen": [seen[number] for number in stations],
-            "alone": [fmu.running(stations=number).go_on(rows) for number in stations]}
+            "alone": [fmu.running(stations=number, **start).go_on(rows) for number in stations]}
 
 
 def stations_again(fmu, stations, other, rows):

@@ -18,6 +18,7 @@ from tests.helpers.cases import INPUT_NAMES
 from tests.helpers.paths import HELPERS
 from wrcontact import ContactSystem
 from wrcontact.interface import variables
+from wrcontact.interface.outputs import WEAR
 from wrcontact.interface.variables import BOOLEAN, PLACE, REFERENCE, STRING, VARIABLES
 from wrcontact.kernel.binding.compiler import CompilerProblem, compiler_for
 from wrcontact.kernel.binding.files import PLATFORMS, host_platform
@@ -172,10 +173,15 @@ def measured(name, file, step=1e-4):
 
 
 def outline_of_both(values):
-    """Both sides' runs of an outline by the names of FMI 3."""
+    """Both sides' runs of an outline by the names of FMI 3; those of wear are zero where they are not
+    computed."""
     state = WheelsetState(values, 0, None)
-    return {f"{side}.{name}": getattr(getattr(state, side).outline, name).tolist()
-            for side in ("left", "right") for name in ("station", "half_length", "pressure", "shear", "slip")}
+    found = {}
+    for side in ("left", "right"):
+        outline = getattr(state, side).outline.to_dict()
+        outline |= {row.name: [0.0] * len(outline["station"]) for row in WEAR if row.name not in outline}
+        found |= {f"{side}.{name}": values for name, values in outline.items()}
+    return found
 
 
 needs_glibc = pytest.mark.skipif(not shutil.which("cc") or sys.platform != "linux",

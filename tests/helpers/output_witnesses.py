@@ -11,6 +11,7 @@ from math import atan, atan2, cos, sin, tan
 import numpy as np
 
 from tests.helpers import creep_witnesses as creep
+from tests.helpers import wear_witnesses as wear
 from tests.helpers.wheel_witness import WheelWitness, track
 
 #: Shares by which ANALYN may differ from the half-space.  Measured in the scenes: 0.01, 0.05, 0.13 (the
@@ -35,21 +36,24 @@ ROUGH = 1.5
 #: slides; and one whose left wheel carries nothing.
 SCENES = {
     "centred": ({}, {}, 0),
-    "yawed": ({}, {"lateral_shift": 3e-3, "yaw": 0.01, "load_transfer": 0.2}, 0),
-    "two_planes": ({}, {"lateral_shift": -6.15e-3, "yaw": -0.0175, "normal_force": 40e3}, 0),
-    "three_patches": ({"rail_profile": "54E1", "rail_inclination": 0.05},
+    "yawed": ({"wear_outputs": True}, {"lateral_shift": 3e-3, "yaw": 0.01, "load_transfer": 0.2}, 0),
+    "two_planes": ({"wear_outputs": True},
+                   {"lateral_shift": -6.15e-3, "yaw": -0.0175, "normal_force": 40e3}, 0),
+    "three_patches": ({"rail_profile": "54E1", "rail_inclination": 0.05, "wear_outputs": True},
                       {"lateral_shift": 5.5e-3, "normal_force": 100e3}, 0),
-    "hertz": ({"normal_model": "hertz"}, {"lateral_shift": 3e-3, "yaw": 0.01, "load_transfer": 0.2}, 0),
-    "compliant": ({"contact_mode": "compliant", "tangential_model": "polach"},
+    "hertz": ({"normal_model": "hertz", "wear_outputs": True},
+              {"lateral_shift": 3e-3, "yaw": 0.01, "load_transfer": 0.2}, 0),
+    "compliant": ({"contact_mode": "compliant", "tangential_model": "polach", "contact_damping": 0.5,
+                   "wear_outputs": True},
                   {"lateral_shift": 4e-3, "yaw": 5e-3, "normal_force": 1.0, "vertical_shift_input": 0.134e-3,
                    "roll_input": -0.253e-3, "speed": 20.0, "lateral_velocity": 0.05,
                    "vertical_velocity": -0.01, "yaw_rate": 0.03, "roll_rate": 0.02, "wheel_rate": 44.0,
                    "track_curvature": 2e-3, "left.friction": 0.25, "right.friction": 0.4}, 0),
-    "sliding": ({"tangential_model": "fastsim"},
+    "sliding": ({"tangential_model": "fastsim", "wear_outputs": True},
                 {"lateral_shift": 1e-3, "yaw": 0.0, "speed": 20.0, "wheel_rate": 5.0, "lateral_velocity": 0.0,
                  "vertical_velocity": 0.0, "yaw_rate": 0.0, "roll_rate": 0.0, "track_curvature": 0.0,
                  "left.friction": 0.25, "right.friction": 0.4}, 0),
-    "unloaded": ({}, {"lateral_shift": 1e-3, "load_transfer": 1.0}, 1),
+    "unloaded": ({"wear_outputs": True}, {"lateral_shift": 1e-3, "load_transfer": 1.0}, 1),
 }
 
 
@@ -65,6 +69,7 @@ class Scene:
                                           start.get("normal_model", "analyn")) for side in ("left", "right")}
         for wheel in self.wheels.values():
             wheel.tangential = start.get("tangential_model", "none")
+            wheel.damping, wheel.worn = start.get("contact_damping", 0.0), start.get("wear_outputs", False)
 
     def wanted(self, name):
         """(Value, tolerance) pairs of the output called ``name``."""
@@ -399,6 +404,8 @@ LOAD = {
     "friction_power": ("W", creep.side_power),
     "wear_number": ("N", creep.wear_number),
     "driving_torque": ("N.m", creep.side_torque),
+    "damping_power": ("W", wear.damping_power),
+    "derailment_quotient": ("1", wear.derailment_quotient),
 }
 PATCH = {
     "normal_force": ("N", of_patch("load", OF_LOAD)),
@@ -428,6 +435,10 @@ OUTLINE = {
     "pressure": ("Pa", outline(1, OF_PRESSURE)),
     "shear": ("Pa", creep.shear),
     "slip": ("m/s", creep.slip),
+    "wheel_place": ("m", wear.wheel_place),
+    "rail_place": ("m", wear.rail_place),
+    "power": ("W/m", wear.power),
+    "patch_of": ("1", wear.patch_of),
 }
 WITNESSES = {
     **WHEELSET,

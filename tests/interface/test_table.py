@@ -10,7 +10,7 @@ import wrcontact
 from tests.helpers.inside import tables_of
 from wrcontact import state
 from wrcontact.interface.inputs import INPUTS
-from wrcontact.interface.outputs import PATCH, SIDE, WHEELSET
+from wrcontact.interface.outputs import PATCH, SIDE, STRIPS, WEAR, WHEELSET
 from wrcontact.interface.parameters import KERNEL_PARAMETERS, PARAMETERS
 from wrcontact.interface.rows import Blocks, Input, Run, Vector
 from wrcontact.interface.variables import FIRST_OUTPUT, STATUS, VARIABLES
@@ -26,12 +26,13 @@ def test_records_have_a_field_for_every_row_in_order():
     assert names(layout.PatchOutputs) == [row.field for row in PATCH]
     assert names(layout.SideOutputs) == [row.name if isinstance(row, Blocks) else row.field for row in SIDE]
     assert names(layout.Outputs)[:-1] == [row.field for row in WHEELSET]
+    assert names(layout.StripOutputs) == [row.field for row in STRIPS]
     assert names(layout.Parameters) == list(KERNEL_PARAMETERS)
     assert layout.INPUT_NOMINALS == tuple(row.nominal for row in INPUTS)
 
 
 def test_every_output_is_a_property_of_a_result_that_reads_its_place():
-    values = np.arange(float(layout.OUTPUT_COUNT))
+    values = np.arange(float(STATUS - FIRST_OUTPUT + layout.WEAR_END))    # with the outputs of wear
     values[[layout.OUT_LEFT, layout.OUT_RIGHT]] = layout.PATCH_LIMIT
     result = wrcontact.WheelsetState(values, 0, np.zeros(layout.INPUT_COUNT))
     for variable in VARIABLES[FIRST_OUTPUT:STATUS]:
@@ -40,7 +41,7 @@ def test_every_output_is_a_property_of_a_result_that_reads_its_place():
         found = result
         for part in variable.name.replace("]", "").split("."):
             name, _, number = part.partition("[")
-            if name in ("station", "half_length", "pressure", "shear", "slip"):
+            if name in {row.name for row in (*SIDE, *WEAR) if isinstance(row, Run)}:
                 found = found.outline
             name = "patches" if name == "patch" else name
             found = getattr(found, name)[int(number) - 1] if number else getattr(found, name)

@@ -44,7 +44,8 @@ def answered(name):
     session = Session(tell=lambda sentence: None)
     for key, value in {**start, **inputs}.items():
         reference, kind = known[key]
-        (session.set_strings if kind == "String" else session.set_reals)([reference], [value])
+        {"String": session.set_strings, "Boolean": session.set_booleans}.get(kind, session.set_reals)(
+            [reference], [value])
     session.start()
     session.step()
     values = {}
@@ -61,7 +62,7 @@ def scenes():
 @pytest.mark.parametrize("kind", PAGES)
 def test_every_output_has_a_witness_of_its_name_and_unit(kind):
     found = outputs(PAGES[kind])
-    assert len(found) == 547 + 1        # and the status
+    assert len(found) == 799 + 1        # and the status
     assert {folded(name)[0] for name in found} == set(WITNESSES)
     for name, (unit, _, _) in found.items():
         assert unit == WITNESSES[folded(name)[0]][0], name

@@ -9,6 +9,7 @@ from tests.helpers.fake_system import FakeSystem
 from tests.helpers.faults import needs_linux
 from wrcontact.interface.variables import (
     FIRST_OUTPUT,
+    FIRST_WEAR,
     INPUT,
     OUTPUT,
     PARAMETER,
@@ -56,7 +57,10 @@ def roll(session):
 
 def test_outputs_lie_in_the_order_of_the_kernel():
     assert [v.index for v in VARIABLES[: layout.INPUT_COUNT]] == list(range(layout.INPUT_COUNT))
-    assert [v.index for v in VARIABLES[FIRST_OUTPUT:STATUS]] == list(range(layout.OUTPUT_COUNT))
+    wear = 2 * layout.WEAR_RUN_COUNT * layout.STATION_COUNT
+    row = layout.OUTPUT_COUNT + wear
+    assert [v.index for v in VARIABLES[FIRST_OUTPUT:STATUS]] == list(range(row))
+    assert VARIABLES[FIRST_WEAR].index == layout.OUTPUT_COUNT
     assert select(INPUT) + select(PARAMETER) + select(OUTPUT) == list(VARIABLES)
 
 

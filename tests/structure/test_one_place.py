@@ -9,7 +9,8 @@ KERNEL = ROOT / "wrcontact" / "kernel"
 FILES = [*(path for path in KERNEL.rglob("*.py") if "generated" not in path.parts),
          *(ROOT / "wrcontact" / "halfspace").rglob("*.py")]
 #: Vectors and numbers of a record Forces; a patch has its normal moment before, by itself.
-VECTORS, NUMBERS = {"force", "moment", "normal_force"}, {"driving_torque", "friction_power", "wear_number"}
+VECTORS, NUMBERS = {"force", "moment", "normal_force"}, {"driving_torque", "friction_power", "damping_power",
+                                                                "wear_number"}
 OUTPUTS = {"Outputs", "SideOutputs", "PatchOutputs"}
 
 

@@ -13,7 +13,7 @@ from tests.helpers.inside import tables_of
 from tests.helpers.mirror import side_signs
 from tests.helpers.surface_witness import assert_positions
 from wrcontact.interface.inputs import RAILS
-from wrcontact.interface.variables import FIRST_OUTPUT, STATUS, VARIABLES
+from wrcontact.interface.variables import FIRST_OUTPUT, FIRST_WEAR, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.status import Status
 
@@ -100,7 +100,7 @@ def test_in_the_mirror_left_and_right_change_places(sides, methods, moved):
     assert valid.mean() > (0.5 if moved else 0.99)
     found, there = found[valid], there[valid]
     # at least the usual size: on a cone the centre of load is nearly zero
-    usual = [variable.nominal or 1.0 for variable in VARIABLES[FIRST_OUTPUT:STATUS]]
+    usual = [variable.nominal or 1.0 for variable in VARIABLES[FIRST_OUTPUT:FIRST_WEAR]]
     size = np.maximum(np.abs(found).max(axis=0), usual)
     # rigid rolls are found to 1e-14 rad; elastic heights and rolls to 1e-13 m, of a penetration of 50 um
     near = 1e-7 if "elastic" in methods.values() else 1e-9

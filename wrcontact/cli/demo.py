@@ -15,7 +15,17 @@ from rich import box
 from rich.table import Table
 
 from ..conventions import MILLIMETRE, SIDES
-from ..interface.variables import INPUT, INTEGER, OUTPUT, REAL, REFERENCE, VARIABLES, select
+from ..interface.variables import (
+    FIRST_WEAR,
+    INPUT,
+    INTEGER,
+    OUTPUT,
+    REAL,
+    REFERENCE,
+    STATUS,
+    VARIABLES,
+    select,
+)
 from ..progress import working
 from .door import Refused, sentences
 from .report import console
@@ -147,7 +157,12 @@ def step_through(fmu, stored):
         slave.terminate()
         slave.freeInstance()
     columns = dict(zip(references, np.array(seen, dtype=float).T))
-    return {v.name: columns[REFERENCE[v.name]] for v in select(OUTPUT)}, np.array(seconds)
+    return {v.name: columns[REFERENCE[v.name]] for v in _outputs()}, np.array(seconds)
+
+
+def _outputs(type=None):
+    """The outputs that are read: all but those of wear, which are not computed."""
+    return [v for v in select(OUTPUT, type) if v not in VARIABLES[FIRST_WEAR:STATUS]]
 
 
 def _stepped(slave, stored):
@@ -157,7 +172,7 @@ def _stepped(slave, stored):
     """
     names = stored_inputs(stored)
     inputs = [REFERENCE[name] for name in names]
-    reals, integers = ([REFERENCE[v.name] for v in select(OUTPUT, type)] for type in (REAL, INTEGER))
+    reals, integers = ([REFERENCE[v.name] for v in _outputs(type)] for type in (REAL, INTEGER))
     rows = np.column_stack([stored[name] for name in names]).tolist()
     instants, seen, seconds = stored["time"].tolist(), [], []
     step_size = instants[1] - instants[0]

@@ -44,6 +44,8 @@ WORDS = {
        for side in ("left", "right")},
     "independent_wheels": "Each wheel turns by itself, with --left-wheel-rate and --right-wheel-rate instead "
                           "of --wheel-rate",
+    "wear_outputs": "Compute what models of wear read: the place on both profiles, the friction power and "
+                    "the patch at each station of an outline",
     "left_friction": "Left wheel: coefficient of friction, read with a --tangential-model",
     "right_friction": "Right wheel: coefficient of friction, read with a --tangential-model",
     "flange_friction_angle": "Contact angle half-way between the friction of the tread and that of the "

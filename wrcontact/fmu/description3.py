@@ -4,7 +4,7 @@ import re
 from typing import NamedTuple
 from xml.etree.ElementTree import Element, SubElement
 
-from ..interface.outputs import SIDE
+from ..interface.outputs import SIDE, WEAR
 from ..interface.references import STORED, numbered
 from ..interface.rows import Run
 from ..interface.variables import BOOLEAN, INPUT, INTEGER, OUTPUT, PARAMETER, REAL, STRING, VARIABLES
@@ -28,7 +28,8 @@ KINDS = {
 }
 
 TYPES = {REAL: "Float64", INTEGER: "Int32", BOOLEAN: "Boolean", STRING: "String"}
-FIRST_STATION = re.compile(rf"(.*\.(?:{'|'.join(row.name for row in SIDE if isinstance(row, Run))}))\[1\]")
+RUNS = "|".join(row.name for row in (*SIDE, *WEAR) if isinstance(row, Run))
+FIRST_STATION = re.compile(rf"(.*\.(?:{RUNS}))\[1\]")
 STATIONS_REFERENCE = STORED[3]["stations"]     # by which arrays say their size
 TIME, STATIONS, RETIRED = -1, -2, -3        # places of the two that are not in the table, and of no variable
 SINGLE = -1                 # run of a variable that is no array

@@ -216,9 +216,13 @@ from it gives the same bits as one that was not interrupted. Its bytes can be re
 
 OUTLINES = {
     2: "The outline of a wheel's patch is 31 scalars each of <code>station</code>, <code>half_length</code>, "
-       "<code>pressure</code>, <code>shear</code> and <code>slip</code>; the FMU of FMI 3.0 has arrays instead.",
+       "<code>pressure</code>, <code>shear</code> and <code>slip</code>, and if <code>wear_outputs</code> is true "
+       "also <code>wheel_place</code>, <code>rail_place</code>, <code>power</code> and <code>patch_of</code>, "
+       "otherwise zero; the FMU of FMI 3.0 has arrays instead.",
     3: "The outline of a wheel's patch is in the arrays <code>station</code>, <code>half_length</code>, "
-       "<code>pressure</code>, <code>shear</code> and <code>slip</code>, evenly spaced from the first loaded place to the last. Their length is the "
+       "<code>pressure</code>, <code>shear</code> and <code>slip</code>, and if <code>wear_outputs</code> is true "
+       "also in <code>wheel_place</code>, <code>rail_place</code>, <code>power</code> and <code>patch_of</code>, "
+       "otherwise zero, evenly spaced from the first loaded place to the last. Their length is the "
        "structural parameter <code>stations</code>, 3 &hellip; 201: set it with fmi3SetUInt64 between "
        "fmi3EnterConfigurationMode and fmi3ExitConfigurationMode, before the initialisation; no other output "
        "depends on it. An array has one value reference, and a call needs room for all its values. Value "

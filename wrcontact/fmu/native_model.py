@@ -11,6 +11,7 @@ from ..interface.variables import (
     BOOLEAN,
     EQUILIBRIUM,
     FIRST_OUTPUT,
+    FIRST_WEAR,
     INTEGER,
     PARAMETER,
     PLACE,
@@ -44,7 +45,7 @@ def sizes_header(blocks, variant):
     sizes = {
         "VARIABLES": len(VARIABLES), "INPUTS": layout.INPUT_COUNT, "EQUILIBRIUM": EQUILIBRIUM,
         "FIRST_OUTPUT": FIRST_OUTPUT, "SIDES": variant.sides,
-        "OUTPUTS": STATUS - FIRST_OUTPUT, "STATUS": STATUS,
+        "OUTPUTS": layout.OUTPUT_COUNT, "BEHIND": FIRST_WEAR, "STATUS": STATUS,
         "TOLERANCE": PLACE["tolerance"], "STRINGS": len(STRINGS), "TEXT": TEXT, "SENTENCE": SENTENCE,
         "WHEEL_SLOT": STRINGS.index("wheel_profile"), "RAIL_SLOT": STRINGS.index("rail_profile"),
         "LEFT_WHEEL_SLOT": STRINGS.index("left_wheel_profile"),
@@ -56,7 +57,9 @@ def sizes_header(blocks, variant):
         "KEPT": int(Status.OFF_PROFILE),
         "LOAD": INPUT_NAMES.index("normal_force"), "LOAD_LEAST": USUAL_LOAD[0], "LOAD_MOST": USUAL_LOAD[1],
         "FIXED_SIZE": len(fixed_tables()),
-        "STATIONS": layout.STATION_COUNT, "OUTLINES": 2 * layout.RUN_COUNT * layout.STATION_LIMIT,
+        "STATIONS": layout.STATION_COUNT,
+        "OUTLINES": (2 * (layout.RUN_COUNT + layout.WEAR_RUN_COUNT) * layout.STATION_LIMIT
+                     + layout.WEAR_END),
         "MEMORY": layout.STATE_SIZE, "KNOWN": layout.Work.outputs.offset // 8, "WORK": layout.WORK_SIZE,
         "SETUP": layout.SETUP_SIZE,
         "WIDEST": layout.SCAN_LIMIT * FINE_STEP,

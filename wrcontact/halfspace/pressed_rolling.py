@@ -15,6 +15,7 @@ from ..kernel import layout
 from ..kernel.binding.library import default_kernel
 from ..kernel.creep.creepage import move_strip
 from ..kernel.creep.cut import cut_patch
+from ..kernel.normal.wear_places import nearest_patch
 from .edge import EDGE_PAD, edge_field, extent
 from .outputs import split_patches
 from .pressed_wheel import PressedWheel
@@ -53,6 +54,13 @@ class SolvedSide:
         strip.cos, strip.sin = math.cos(angle), -math.sin(angle)
         strip.rolling_radius = surfaces.pair.lowered(surfaces.at).rolling_radius(place)
 
+    def profile_places(self, x, station):
+        """Abscissae of the wheel's and of the rail's profile at x, ``station`` [m]."""
+        surfaces = self.wheel.surfaces
+        lowered = surfaces.pair.lowered(surfaces.at)
+        return (lowered.abscissa(surfaces.place(x, station)),
+                float(surfaces.curve.at("rail_y", station)) - surfaces.pair.rail_y)
+
     def slips(self, motion, speed, x, station):
         """Creepages [1] and spin [1/m] (3,) at x, ``station`` [m], with the rolling ``speed`` [m/s]."""
         strip = layout.RollingStrip()
@@ -72,6 +80,21 @@ def cut_patches(side, record, strips):
             middle = float(np.interp(strip.station, station, x))
             strip.x = middle - patch.x
             side.set_place(strip, middle, strip.station)
+
+
+def place_wear(side, record, stations):
+    """The places of so many ``stations`` of a side, record SideSearch, on both profiles, and the patch that
+    each belongs to, and the places of its strips; ``side`` is its :class:`SolvedSide`."""
+    nearest = 0
+    for j in range(stations):
+        station = record.outline.numbers[j]
+        nearest = nearest_patch(record, nearest, station)
+        x = float(side.wheel.surfaces.curve.at("x", station))
+        for run, value in zip((0, 1, 3), (*side.profile_places(x, station), record.patches[nearest].rank)):
+            record.wear.numbers[run * stations + j] = value
+    for patch, worn in zip(record.patches[:record.patch_count], record.worn):
+        for i, strip in enumerate(patch.strips):
+            worn.wheel_place[i], worn.rail_place[i] = side.profile_places(patch.x + strip.x, strip.station)
 
 
 class KernelRolling:

@@ -15,14 +15,14 @@ import numpy as np
 
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
-from ..kernel.wheelset.requested import has_creep_forces, requested_outcome
+from ..kernel.wheelset.requested import has_creep_forces, has_wear, requested_outcome
 from ..kernel.wheelset.rubbing import move_patches
 from ..progress import tracked
 from ..status import Status
 from ..stepper import Stepper
 from .contact import TOLERANCE
 from .outputs import fill_side
-from .pressed_rolling import CompleteRolling, KernelRolling, SolvedSide, cut_patches
+from .pressed_rolling import CompleteRolling, KernelRolling, SolvedSide, cut_patches, place_wear
 from .pressed_wheel import Settings, find_equilibrium, press, stand_of
 from .rolling_step import Solver, report_forces, rub_patches
 from .wheel_on_rail import wheel_on_rail
@@ -122,8 +122,10 @@ class HalfspaceSolver(Solver):
         found = SolvedSide(wheel.counted_from(across), self._moved(index) * [2.0 * index - 1.0, 1.0])
         strips = self._work.contact.strips
         fill_side(side, strips, found.wheel, found.moved, int(tables.stations))
-        if tables.tangential != layout.TANGENTIAL_NONE:
+        if tables.tangential != layout.TANGENTIAL_NONE or has_wear(tables):
             cut_patches(found, side, strips)
+        if has_wear(tables):
+            place_wear(found, side, int(tables.stations))
         return found
 
     def _pair(self, index, roll, height):

@@ -132,9 +132,13 @@ class WheelOnRail:
         wheel = self.wheel_along(np.array([[x]]), y, z, angle, start[None])
         return float(wheel[0, 0] - self.rail_along(y, z, angle, start)[0])
 
+    def abscissa(self, place):
+        """Abscissa of the wheel's profile [m] beside a place (3,) of the track frame."""
+        return float(self.attitude[:, 1] @ (place - self.centre) - self.arm)
+
     def rolling_radius(self, place):
         """Radius of the wheel [m] beside a place (3,) of the track frame."""
-        y = self.attitude[:, 1] @ (place - self.centre) - self.arm
+        y = self.abscissa(place)
         return self.radius + float(evaluate_table(self.wheel, _within(self.wheel, y))[0])
 
 

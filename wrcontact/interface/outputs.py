@@ -95,6 +95,10 @@ SIDE = (
            "over the patches", 0.0),
     Output("driving_torque", "N.m", 1e3, "torque of the creep forces about the axle, positive where they "
            "turn the wheel forward"),
+    Output("damping_power", "W", 10.0, "power that contact damping takes from the motion, sum over the "
+           "patches"),
+    Output("derailment_quotient", "1", 0.1, "Y/Q of EN 14363: force of the wheel on its rail, outwards over "
+           "downwards; zero where it does not press its rail down"),
     Blocks("patch", PATCH_LIMIT, PATCH, "patch"),
     Run("station", "m", 1e-3, "lateral position of an outline station in the contact plane, from the contact "
         "point to the field side"),
@@ -118,6 +122,31 @@ WHEELSET = (
            "{axis}", field="normal_moment"),
     Output("driving_torque", "N.m", 1e3, "Torque of the creep forces about the axle, positive where they "
            "turn the wheels forward"),
+)
+
+#: Outputs of one wheel that follow all others, if the parameter wear_outputs is true.
+WEAR = (
+    Run("wheel_place", "m", 1e-2, "place of the station in the wheel profile frame, from the running circle "
+        "to the field side"),
+    Run("rail_place", "m", 1e-2, "place of the station in the rail profile frame, from the highest point of "
+        "the inclined head to the field side"),
+    Run("power", "W/m", 1e5, "friction power per width at the station; its trapezoidal sum over the stations "
+        "is the friction power of the wheel"),
+    Run("patch_of", "1", 1.0, "number of the patch that the station lies in, between patches of the nearest "
+        "one; zero without load", 0.0),
+)
+
+#: Of each strip of a patch along the rolling direction; in Python only, with wear_outputs.
+STRIPS = (
+    Output("wheel_place", "m", 1e-2, "place of its middle in the wheel profile frame, from the running "
+           "circle to the field side"),
+    Output("rail_place", "m", 1e-2, "place of its middle in the rail profile frame, from the highest point "
+           "of the inclined head to the field side"),
+    Output("width", "m", 1e-3, "width across the rail, as stations count it", 0.0),
+    Output("line_load", "N/m", 1e7, "load per width", 0.0),
+    Output("half_length", "m", 1e-2, "half its length in rolling direction", 0.0),
+    Output("power", "W/m", 1e5, "friction power per width"),
+    Output("slip", "m/s", 0.01, "sliding velocity: friction power over creep force", 0.0),
 )
 
 SIDES = ("left", "right")

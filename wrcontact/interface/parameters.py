@@ -64,6 +64,9 @@ OTHERS = {
                               "below zero", nominal=0.1),
     "independent_wheels": Number(False, 0, 1, "1", "Whether each wheel turns by itself, with left.wheel_rate "
                                  "and right.wheel_rate instead of wheel_rate", switch=True),
+    "wear_outputs": Number(False, 0, 1, "1", "Whether the outputs of wear are computed: wheel_place, "
+                           "rail_place, power and patch_of at the stations of an outline, and in Python the "
+                           "strips of each patch", switch=True),
     "stations": Number(STATION_COUNT, STATION_LEAST, STATION_LIMIT, "1", "Stations of a patch's outline",
                        whole=True, python_only=True),
     "smoothing": Number(None, 0.0, 0.5e-3, "m", "Permitted RMS distance between the curve and the points of "

@@ -11,7 +11,7 @@ import re
 from dataclasses import dataclass, replace
 
 from .inputs import ANSWERED, INPUTS
-from .outputs import SIDE, SIDES, STATION_COUNT, WHEELSET
+from .outputs import SIDE, SIDES, STATION_COUNT, WEAR, WHEELSET
 from .parameters import PARAMETERS
 from .references import numbered
 from .rows import AXES, Blocks, Run, Vector
@@ -117,10 +117,12 @@ def _output(row, name, meaning, place):
 
 
 def _outputs():
-    """What comes back: the kernel's array in its own order."""
+    """What comes back: the kernel's array in its own order, and what follows it with wear_outputs."""
     yield from _expanded(WHEELSET)
     for side in SIDES:
         yield from _expanded(SIDE, f"{side}.", f"{side.capitalize()} wheel")
+    for side in SIDES:
+        yield from _expanded(WEAR, f"{side}.", f"{side.capitalize()} wheel")
 
 
 def _indexed(variables):
@@ -151,8 +153,10 @@ REFERENCE = numbered(PLACE, 2)
 
 #: Place of the first of the equilibrium's two outputs.
 EQUILIBRIUM = PLACE["equilibrium.vertical_shift"]
-#: Places of the first kernel output and of the status; between them the kernel's array lies without a hole.
+#: Places of the first kernel output, of the first output of wear, and of the status; between them the
+#: kernel's array lies without a hole.
 FIRST_OUTPUT = PLACE["roll"]
+FIRST_WEAR = PLACE[f"{SIDES[0]}.{WEAR[0].name}[1]"]
 STATUS = PLACE["status"]
 
 

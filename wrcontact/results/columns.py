@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 
-from ..interface.outputs import SIDE
+from ..interface.outputs import SIDE, WEAR
 from ..interface.rows import Run
 from ..interface.variables import INPUT, OUTPUT, VARIABLES
 from ..kernel import layout
@@ -23,25 +23,55 @@ STATUS = "status"
 PERMITTED = ("; permitted are 'all', 'patches', 'geometry', or names such as 'right.area', 'right.patch' and "
              "'roll' (docs/nomenclature.md)")
 RUNS = tuple(row.name for row in SIDE if isinstance(row, Run))
+#: Runs that are there with wear_outputs only.
+WEAR_RUNS = tuple(row.name for row in WEAR)
 INPUT_PLACES = {v.name: v.index for v in VARIABLES if v.causality == INPUT}
 #: Variables of the kernel's outputs by name.
 OUTPUTS = {v.name: v for v in VARIABLES if v.causality == OUTPUT and v.index is not None}
 
 
+def has_wear(width):
+    """Whether output arrays of ``width`` numbers have the outputs of wear: these are an odd number."""
+    return (width - layout.OUTPUT_COUNT) % 2 == 1
+
+
+@cache
 def station_count(width):
     """The number of stations of each outline in output arrays of ``width`` numbers."""
     behind = width - layout.OUTPUT_COUNT
-    return behind // (2 * layout.RUN_COUNT) if behind else layout.STATION_COUNT
+    if not has_wear(width):
+        return behind // (2 * layout.RUN_COUNT) if behind else layout.STATION_COUNT
+    behind -= layout.WEAR_END
+    if behind == 2 * layout.WEAR_RUN_COUNT * layout.STATION_COUNT:
+        return layout.STATION_COUNT
+    return behind // (2 * (layout.RUN_COUNT + layout.WEAR_RUN_COUNT))
+
+
+def wear_place(width):
+    """Where the outputs of wear begin in output arrays of ``width`` numbers."""
+    stations = station_count(width)
+    return layout.OUTPUT_COUNT + (0 if stations == layout.STATION_COUNT else 2 * layout.RUN_COUNT * stations)
+
+
+def strips_place(width, side, patch):
+    """Where the strips of a patch, 0 ... 2, of a ``side`` begin in output arrays with outputs of wear."""
+    behind = 2 * layout.WEAR_RUN_COUNT * station_count(width)
+    number = layout.PATCH_LIMIT * (*SIDES,).index(side) + patch
+    return wear_place(width) + behind + layout.STRIP_OUTPUTS_SIZE * number
 
 
 @cache
 def output_places(width):
     """{name: place} of all outputs in output arrays of ``width`` numbers."""
-    places = {name: variable.index for name, variable in OUTPUTS.items()}
-    if width == layout.OUTPUT_COUNT:
-        return places
-    places = {name: place for name, place in places.items() if not is_run(name)}
-    names = (f"{side}.{run}[{j + 1}]" for side in SIDES for run in RUNS for j in range(station_count(width)))
+    stations, behind = station_count(width), []
+    places = {name: variable.index for name, variable in OUTPUTS.items() if not is_run(name, WEAR_RUNS)}
+    if stations != layout.STATION_COUNT:
+        places = {name: place for name, place in places.items() if not is_run(name)}
+        behind.append(RUNS)
+    if has_wear(width):
+        behind.append(WEAR_RUNS)
+    names = (f"{side}.{run}[{j + 1}]" for runs in behind for side in SIDES for run in runs
+             for j in range(stations))
     return places | {name: layout.OUTPUT_COUNT + place for place, name in enumerate(names)}
 
 
@@ -58,9 +88,9 @@ def output_names(places, width):
     return tuple(known[place] for place in places.tolist() if place in known)
 
 
-def is_run(name):
-    """Whether this is a number of an outline, such as ``right.pressure[7]``."""
-    return _stem(name).rpartition(".")[2] in RUNS
+def is_run(name, runs=(*RUNS, *WEAR_RUNS)):
+    """Whether this is a number of an outline, such as ``right.pressure[7]``, in one of these ``runs``."""
+    return _stem(name).rpartition(".")[2] in runs and name != _stem(name)
 
 
 def variable_of(name):
@@ -96,7 +126,7 @@ def selected(side, outputs, width):
         return _named(side, outputs, width)
     if side == "both" and outputs == "all":
         return Selection(side, outputs, None)
-    places = list(range(layout.OUT_LEFT))
+    places, strips = list(range(layout.OUT_LEFT)), []
     for name, first in SIDES.items():
         if side in ("both", name):
             places.extend(range(first, first + DEPTH_SIZES[outputs]))
@@ -104,8 +134,11 @@ def selected(side, outputs, width):
                 runs = (place for run, place in output_places(width).items()
                         if place >= layout.OUTPUT_COUNT and run.startswith(f"{name}."))
                 places.extend(runs)
+                if has_wear(width):
+                    first = strips_place(width, name, 0)
+                    strips.extend(range(first, first + layout.WEAR_STRIPS))
     known = _names_by_place(width)
-    return Selection(side, outputs, np.array([place for place in places if place in known]))
+    return Selection(side, outputs, np.array([place for place in places if place in known] + strips))
 
 
 def _named(side, outputs, width):

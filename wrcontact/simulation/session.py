@@ -24,6 +24,7 @@ from ..interface.variables import (
     BOOLEAN,
     EQUILIBRIUM,
     FIRST_OUTPUT,
+    FIRST_WEAR,
     INTEGER,
     OUTPUT,
     PARAMETER,
@@ -137,6 +138,7 @@ class Session:
         if self._built_with != self.parameters:
             self._stepper, self._balance = self._build(self.parameters), None
             self._built_with = dict(self.parameters)
+            self._values[FIRST_WEAR:STATUS] = 0.0
             self._stale = True
 
     def enter(self):
@@ -266,7 +268,8 @@ class Session:
         stepper, values = self._stepper, self._values
         stepper.inputs[:] = values[:INPUTS]
         outcome = stepper.step()
-        values[FIRST_OUTPUT:STATUS] = stepper.outputs
+        count = min(len(stepper.outputs), STATUS - FIRST_OUTPUT)    # strips are no variables
+        values[FIRST_OUTPUT:FIRST_OUTPUT + count] = stepper.outputs[:count]
         values[STATUS] = outcome
         self._stale = self._balanced = False
         self.evaluations += 1

@@ -15,20 +15,23 @@ pytestmark = needs_compiler
 STATIONS = (3, 7, 31, 61, 201)
 
 
-def test_outlines_with_other_numbers_of_stations(run3):
+@pytest.mark.parametrize("start", [{}, {"wear_outputs": True, "tangential_model": "strips"}],
+                         ids=["plain", "wear"])
+def test_outlines_with_other_numbers_of_stations(run3, start):
     """Instances with different numbers in one process, in turn: each with the values of the
     package, and as by itself."""
-    rows = poses(8)
-    answer = run3("outlines", stations=STATIONS, rows=rows)
+    rows = [{**row, "speed": 20.0} for row in poses(8)] if start else poses(8)
+    answer = run3("outlines", stations=STATIONS, rows=rows, start=start)
     assert answer["seen"] == answer["alone"]
     for number, seen in zip(STATIONS, answer["seen"]):
-        stepper = ContactSystem(stations=number).stepper()
+        stepper = ContactSystem(stations=number, **start).stepper()
         stepper.inputs[:] = [v.start for v in VARIABLES[:len(INPUT_NAMES)]]
         for row, found in zip(rows, seen):
             stepper.inputs[[REFERENCE[name] for name in row]] = list(row.values())
             status = stepper.step()
             wanted = {v.name: value
-                      for v, value in zip(VARIABLES[variables.FIRST_OUTPUT:variables.STATUS], stepper.outputs)
+                      for v, value in zip(VARIABLES[variables.FIRST_OUTPUT:variables.FIRST_WEAR],
+                                          stepper.outputs)
                       if not v.name.endswith("]")}
             for name, values in outline_of_both(stepper.outputs).items():
                 wanted |= {f"{name}[{k + 1}]": value for k, value in enumerate(values)}
@@ -69,5 +72,6 @@ def test_configuration_mode(run3):
 def test_outlines_by_simulate_fmu(run3):
     row = {"lateral_shift": 2e-3, "yaw": 1e-3}
     wanted = outline_of_both(ContactSystem(stations=61).evaluate(**row).values)
+    assert len(wanted) == 18
     for name, values in run3("simulated_stations", stations=61, row=row).items():
         assert values == pytest.approx(wanted[name], rel=SAME, abs=1e-15), name

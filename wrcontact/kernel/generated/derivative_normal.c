@@ -6771,3 +6771,93 @@ static inline int64_t derivative_strip_surfaces__bend_gaps_t(array_double_1d wor
     }
     return INT64_C(0);
 }
+
+
+/* ---- From derivative_wear_places.py; change that one.
+ *
+ * Derivatives of wear_places.py.
+ */
+
+/* Derivative of ``place_wear``. */
+static inline int64_t derivative_wear_places__place_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side)
+{
+    int64_t stations;
+    int64_t index;
+    int64_t j;
+    lanes station_t;
+    double station;
+    int64_t patch;
+    double rail;
+    lanes rail_t;
+    double wheel;
+    lanes wheel_t;
+    int64_t number_end;
+    int64_t number;
+    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
+    index = INT64_C(0);
+    for (j = INT64_C(0); j < stations; j += INT64_C(1))
+    {
+        EACH_LANE each(station_t) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + j)));
+        station = (*cspan_at(&work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + j));
+        index = wear_places__nearest_patch(work, side, index, station);
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
+        derivative_wear_places__profile_places_t(&rail, &rail_t, &wheel, &wheel_t, tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * wear_places__first_region(work, patch), station, station_t);
+        EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j))) = each(wheel_t);
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = wheel;
+        EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (stations + j)))) = each(rail_t);
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (stations + j))) = rail;
+        (*lanes_at(&work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + j))) = all_lanes(0.0);
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + j))) = (double)((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))));
+    }
+    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
+    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    {
+        derivative_wear_places__place_strips_of_wear_t(tables, work, work_t, pair, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number);
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``place_strips_of_wear``. */
+static inline int64_t derivative_wear_places__place_strips_of_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t patch, int64_t worn)
+{
+    int64_t region;
+    int64_t i;
+    double rail;
+    lanes rail_t;
+    double wheel;
+    lanes wheel_t;
+    region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * wear_places__first_region(work, patch);
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        derivative_wear_places__profile_places_t(&rail, &rail_t, &wheel, &wheel_t, tables, work, work_t, pair, region, (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_STATION)), (*lanes_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_STATION)));
+        EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + i))) = each(rail_t);
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + i)) = rail;
+        EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_WHEEL_PLACE + i))) = each(wheel_t);
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_WHEEL_PLACE + i)) = wheel;
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``profile_places``. */
+static inline int64_t derivative_wear_places__profile_places_t(double* rail, lanes* rail_t, double* wheel, lanes* wheel_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double station, lanes station_t)
+{
+    double v1;
+    lanes v1_t;
+    bool n2;
+    int64_t k3;
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each(station_t) - each((*lanes_at(&work_t, region + layout__REGION_OFFSET))) - each((*lanes_at(&work_t, region + layout__REGION_STATION)));
+    derivative_patch_places__abscissa_at_t(&v1, &v1_t, tables, work, work_t, pair, region, station - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)), rates_1);
+    EACH_LANE each((*rail_t)) = each(v1_t);
+    (*rail) = v1;
+    EACH_LANE each((*wheel_t)) = each((*lanes_at(&work_t, region + layout__REGION_WHEEL))) + each((*rail_t)) - each((*lanes_at(&work_t, region + layout__REGION_RAIL)));
+    (*wheel) = (*cspan_at(&work, region + layout__REGION_WHEEL)) + (*rail) - (*cspan_at(&work, region + layout__REGION_RAIL));
+    n2 = derivative_pressed__meet_rule_t(tables, work, work_t, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*rail), (*rail_t), (*wheel), (*wheel_t), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), pressed__NODE_SHARP, all_lanes(0.0));
+    if (n2)
+    {
+        k3 = layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_MEETING + layout__MEETING_WHEEL;
+        EACH_LANE each((*wheel_t)) = each((*lanes_at(&work_t, k3)));
+        (*wheel) = (*cspan_at(&work, k3));
+    }
+    return 0;
+}

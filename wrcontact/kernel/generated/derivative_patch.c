@@ -105,6 +105,8 @@ static inline int64_t derivative_filling__forget_t(array_double_1d work, array_l
         (*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + i_4)) = all_lanes(0.0);
         (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i_4)) = 0.0;
     }
+    (*lanes_at(&work_t, patch + layout__PATCH_DAMPING_POWER)) = all_lanes(0.0);
+    (*cspan_at(&work, patch + layout__PATCH_DAMPING_POWER)) = 0.0;
     (*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_X)) = all_lanes(0.0);
     (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
     (*lanes_at(&work_t, patch + layout__PATCH_CREEPAGE_Y)) = all_lanes(0.0);

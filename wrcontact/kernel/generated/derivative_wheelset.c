@@ -56,6 +56,9 @@ static inline int64_t derivative_compliant__damp_patches_t(array_double_1d work,
     lanes v2_t;
     lanes factor_t;
     double factor;
+    double v3;
+    double v4;
+    lanes v4_t;
     number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (number = INT64_C(0); number < number_end; number += INT64_C(1))
     {
@@ -70,10 +73,44 @@ static inline int64_t derivative_compliant__damp_patches_t(array_double_1d work,
         }
         EACH_LANE each(factor_t) = each(v2_t);
         factor = v2;
+        v3 = factor - 1.0;
+        derivative_compliant__pressing_power_t(&v4, &v4_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
+        EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_DAMPING_POWER))) = each(factor_t) * v4 + v3 * each(v4_t);
+        (*cspan_at(&work, patch + layout__PATCH_DAMPING_POWER)) = v3 * v4;
         derivative_compliant__damp_patch_t(work, work_t, patch, factor, factor_t);
     }
     derivative_filling__total_patches_t(work, work_t, side);
     return INT64_C(0);
+}
+
+/* Derivative of ``pressing_power``. */
+static inline int64_t derivative_compliant__pressing_power_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
+{
+    int64_t rail;
+    lanes force_y_t;
+    double force_y;
+    lanes force_z_t;
+    double force_z;
+    lanes moment_x_t;
+    double moment_x;
+    lanes rail_moment_t;
+    double rail_moment;
+    double v1;
+    double v2;
+    rail = motion + layout__MOTION_RAIL;
+    EACH_LANE each(force_y_t) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y)));
+    force_y = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y));
+    EACH_LANE each(force_z_t) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z)));
+    force_z = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
+    EACH_LANE each(moment_x_t) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0)))) - (each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y))) * force_z + (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) * each(force_z_t) - (each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z))) * force_y + (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) * each(force_y_t)));
+    moment_x = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) - ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) * force_z - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) * force_y);
+    EACH_LANE each(rail_moment_t) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0)))) - (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))) * force_z + (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) * each(force_z_t) - (each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))) * force_y + (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) * each(force_y_t)));
+    rail_moment = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) - ((*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) * force_z - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) * force_y);
+    v1 = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL));
+    v2 = (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL));
+    (*result_0) = rail_moment * (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) - force_y * v1 - force_z * v2 - moment_x * (*cspan_at(&work, motion + layout__MOTION_TURN_X)) - (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) - (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Z));
+    EACH_LANE each((*result_1)) = each(rail_moment_t) * (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) + rail_moment * each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) - (each(force_y_t) * v1 + force_y * (each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))))) - (each(force_z_t) * v2 + force_z * (each((*lanes_at(&work_t, motion + layout__MOTION_VERTICAL))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))))) - (each(moment_x_t) * (*cspan_at(&work, motion + layout__MOTION_TURN_X)) + moment_x * each((*lanes_at(&work_t, motion + layout__MOTION_TURN_X)))) - (each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1)))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) + (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) * each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y)))) - (each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2)))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) * each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))));
+    return 0;
 }
 
 /* Derivative of ``damp_patch``. */
@@ -177,6 +214,8 @@ static inline int64_t derivative_forces__press_patch_t(array_double_1d work, arr
         (*lanes_at(&work_t, forces + i_1)) = all_lanes(0.0);
         (*cspan_at(&work, forces + i_1)) = 0.0;
     }
+    EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_DAMPING_POWER))) = each((*lanes_at(&work_t, patch + layout__PATCH_DAMPING_POWER)));
+    (*cspan_at(&work, forces + layout__FORCES_DAMPING_POWER)) = (*cspan_at(&work, patch + layout__PATCH_DAMPING_POWER));
     EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1)))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Y)));
     (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y));
     EACH_LANE each((*lanes_at(&work_t, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2)))) = each((*lanes_at(&work_t, patch + layout__PATCH_NORMAL_Z)));
@@ -402,6 +441,8 @@ static inline int64_t derivative_forces__add_forces_t(array_double_1d work, arra
     (*cspan_at(&work, total + layout__FORCES_DRIVING_TORQUE)) = (*cspan_at(&work, total + layout__FORCES_DRIVING_TORQUE)) + (*cspan_at(&work, part + layout__FORCES_DRIVING_TORQUE));
     EACH_LANE each((*lanes_at(&work_t, total + layout__FORCES_FRICTION_POWER))) = each((*lanes_at(&work_t, total + layout__FORCES_FRICTION_POWER))) + each((*lanes_at(&work_t, part + layout__FORCES_FRICTION_POWER)));
     (*cspan_at(&work, total + layout__FORCES_FRICTION_POWER)) = (*cspan_at(&work, total + layout__FORCES_FRICTION_POWER)) + (*cspan_at(&work, part + layout__FORCES_FRICTION_POWER));
+    EACH_LANE each((*lanes_at(&work_t, total + layout__FORCES_DAMPING_POWER))) = each((*lanes_at(&work_t, total + layout__FORCES_DAMPING_POWER))) + each((*lanes_at(&work_t, part + layout__FORCES_DAMPING_POWER)));
+    (*cspan_at(&work, total + layout__FORCES_DAMPING_POWER)) = (*cspan_at(&work, total + layout__FORCES_DAMPING_POWER)) + (*cspan_at(&work, part + layout__FORCES_DAMPING_POWER));
     EACH_LANE each((*lanes_at(&work_t, total + layout__FORCES_WEAR_NUMBER))) = each((*lanes_at(&work_t, total + layout__FORCES_WEAR_NUMBER))) + each((*lanes_at(&work_t, part + layout__FORCES_WEAR_NUMBER)));
     (*cspan_at(&work, total + layout__FORCES_WEAR_NUMBER)) = (*cspan_at(&work, total + layout__FORCES_WEAR_NUMBER)) + (*cspan_at(&work, part + layout__FORCES_WEAR_NUMBER));
     return INT64_C(0);
@@ -534,6 +575,10 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
             (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
         }
     }
+    if ((*cspan_at(&tables, layout__TABLES_WEAR)) == 1.0)
+    {
+        derivative_report__report_wear_t(tables, work, work_t, index, first > layout__SIDE_STATION);
+    }
     return INT64_C(0);
 }
 
@@ -572,6 +617,7 @@ static inline int64_t derivative_report__report_load_t(array_double_1d work, arr
 {
     int64_t totals;
     int64_t forces;
+    double v1;
     totals = side + layout__SIDE_SEARCH_TOTALS;
     (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = all_lanes(0.0);
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))));
@@ -600,6 +646,16 @@ static inline int64_t derivative_report__report_load_t(array_double_1d work, arr
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER));
     EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE))) = each((*lanes_at(&work_t, forces + layout__FORCES_DRIVING_TORQUE)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE));
+    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_DAMPING_POWER))) = each((*lanes_at(&work_t, forces + layout__FORCES_DAMPING_POWER)));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DAMPING_POWER)) = (*cspan_at(&work, forces + layout__FORCES_DAMPING_POWER));
+    (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT)) = all_lanes(0.0);
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT)) = 0.0;
+    if ((*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2))) < 0.0)
+    {
+        v1 = (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(1))) / (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
+        EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT))) = (each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(1)))) - v1 * each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2))))) / (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT)) = v1;
+    }
     return INT64_C(0);
 }
 
@@ -727,6 +783,109 @@ static inline int64_t derivative_report__report_outline_t(array_double_1d work, 
     {
         (*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + i)) = all_lanes(0.0);
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = 0.0;
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``report_wear``. */
+static inline int64_t derivative_report__report_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, bool requested)
+{
+    int64_t side;
+    int64_t runs;
+    int64_t first;
+    int64_t found;
+    int64_t strips;
+    int64_t i;
+    int64_t rank;
+    int64_t i_1;
+    int64_t number_end;
+    int64_t number;
+    int64_t patch;
+    int64_t i_2;
+    int64_t k1;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    runs = layout__WEAR_RUN_COUNT * (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
+    first = layout__WORK_OUTPUTS + outline__wear_place(tables);
+    found = first + runs * index;
+    strips = first + INT64_C(2) * runs + layout__WEAR_STRIPS * index;
+    if (!requested)
+    {
+        for (i = INT64_C(0); i < runs; i += INT64_C(1))
+        {
+            (*lanes_at(&work_t, found + layout__WEAR_RUNS_NUMBERS + i)) = all_lanes(0.0);
+            (*cspan_at(&work, found + layout__WEAR_RUNS_NUMBERS + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+        }
+        for (i = INT64_C(0); i < layout__WEAR_STRIPS; i += INT64_C(1))
+        {
+            (*lanes_at(&work_t, strips + i)) = all_lanes(0.0);
+            (*cspan_at(&work, strips + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+        }
+        return INT64_C(0);
+    }
+    for (i = INT64_C(0); i < runs; i += INT64_C(1))
+    {
+        (*lanes_at(&work_t, found + layout__WEAR_RUNS_NUMBERS + i)) = all_lanes(0.0);
+        (*cspan_at(&work, found + layout__WEAR_RUNS_NUMBERS + i)) = 0.0;
+    }
+    for (rank = INT64_C(0); rank < layout__PATCH_LIMIT; rank += INT64_C(1))
+    {
+        for (i_1 = INT64_C(0); i_1 < layout__STRIP_OUTPUTS_SIZE; i_1 += INT64_C(1))
+        {
+            (*lanes_at(&work_t, strips + layout__STRIP_OUTPUTS_SIZE * rank + i_1)) = all_lanes(0.0);
+            (*cspan_at(&work, strips + layout__STRIP_OUTPUTS_SIZE * rank + i_1)) = 0.0;
+        }
+    }
+    if ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0))
+    {
+        derivative_shared_power__share_power_t(work, work_t, side, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))));
+        for (i = INT64_C(0); i < runs; i += INT64_C(1))
+        {
+            EACH_LANE each((*lanes_at(&work_t, found + layout__WEAR_RUNS_NUMBERS + i))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + i)));
+            (*cspan_at(&work, found + layout__WEAR_RUNS_NUMBERS + i)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + i));
+        }
+        number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
+        for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+        {
+            patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+            if (((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) > INT64_C(0)) && ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) <= layout__PATCH_LIMIT))
+            {
+                derivative_report__complete_strips_t(work, work_t, patch, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number, requested__has_creep_forces(tables, work));
+                for (i_2 = INT64_C(0); i_2 < layout__STRIP_OUTPUTS_SIZE; i_2 += INT64_C(1))
+                {
+                    k1 = strips + layout__STRIP_OUTPUTS_SIZE * ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) - INT64_C(1)) + i_2;
+                    EACH_LANE each((*lanes_at(&work_t, k1))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number + i_2)));
+                    (*cspan_at(&work, k1)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number + i_2));
+                }
+            }
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``complete_strips``. */
+static inline int64_t derivative_report__complete_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn, bool rubbing)
+{
+    int64_t i;
+    int64_t strip;
+    double v1;
+    lanes v1_t;
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_WIDTH + i))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_WIDTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_LINE_LOAD + i))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LINE_LOAD)));
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_LINE_LOAD + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD));
+        EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i))) = each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH)));
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        (*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_SLIP + i)) = all_lanes(0.0);
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_SLIP + i)) = 0.0;
+        if (rubbing)
+        {
+            derivative_rubbing__strip_slip_t(&v1, &v1_t, work, work_t, patch, strip);
+            EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_SLIP + i))) = each(v1_t);
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_SLIP + i)) = v1;
+        }
     }
     return INT64_C(0);
 }
@@ -1068,10 +1227,10 @@ static inline int64_t derivative_rubbing__strip_slip_t(double* slip, lanes* slip
     lanes force_t;
     double force;
     double v3;
+    lanes v3_t;
     lanes power_t;
     double power;
     double v4;
-    double v5;
     v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y));
     v2 = sqrt(v1);
     EACH_LANE each(force_t) = derivative_rates__root_rate(v2, each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)))));
@@ -1080,17 +1239,39 @@ static inline int64_t derivative_rubbing__strip_slip_t(double* slip, lanes* slip
     (*slip) = 0.0;
     if (force > 0.0)
     {
-        v3 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
-        EACH_LANE each(power_t) = -(each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) + ((each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) - (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + v3 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)))) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)))));
-        power = -((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + v3 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)));
+        derivative_rubbing__strip_power_t(&v3, &v3_t, work, work_t, patch, strip);
+        EACH_LANE each(power_t) = each(v3_t);
+        power = v3;
         if (power > 0.0)
         {
-            v4 = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * power;
-            v5 = v4 / force;
-            EACH_LANE each((*slip_t)) = (each((*lanes_at(&work_t, patch + layout__PATCH_SPEED))) * power + (*cspan_at(&work, patch + layout__PATCH_SPEED)) * each(power_t) - v5 * each(force_t)) / force;
-            (*slip) = v5;
+            v4 = power / force;
+            EACH_LANE each((*slip_t)) = (each(power_t) - v4 * each(force_t)) / force;
+            (*slip) = v4;
         }
     }
+    return 0;
+}
+
+/* Derivative of ``strip_power``. */
+static inline int64_t derivative_rubbing__strip_power_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip)
+{
+    double v1;
+    lanes power_t;
+    double power;
+    double v2;
+    lanes v2_t;
+    v1 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X));
+    EACH_LANE each(power_t) = -(each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SLIP))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_X))) + ((each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_LATERAL))) - (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_X))))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + v1 * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_FORCE_Y)))) + (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_SPIN))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_MOMENT)))));
+    power = -((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + v1 * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)));
+    v2 = power;
+    EACH_LANE each(v2_t) = each(power_t);
+    if (0.0 > v2)
+    {
+        v2 = 0.0;
+        v2_t = all_lanes(0.0);
+    }
+    (*result_0) = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * v2;
+    EACH_LANE each((*result_1)) = each((*lanes_at(&work_t, patch + layout__PATCH_SPEED))) * v2 + (*cspan_at(&work, patch + layout__PATCH_SPEED)) * each(v2_t);
     return 0;
 }
 
@@ -1196,6 +1377,307 @@ static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, 
         (*cspan_at(&work, patch + layout__PATCH_SATURATION)) = v4;
     }
     return INT64_C(0);
+}
+
+
+/* ---- From derivative_shared_power.py; change that one.
+ *
+ * Derivatives of shared_power.py.
+ */
+
+/* Derivative of ``share_power``. */
+static inline int64_t derivative_shared_power__share_power_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations)
+{
+    int64_t j;
+    int64_t number_end;
+    int64_t number;
+    int64_t patch;
+    int64_t worn;
+    int64_t i;
+    double v1;
+    lanes v1_t;
+    lanes width_t;
+    double width;
+    lanes own_t;
+    double own;
+    double v2;
+    for (j = INT64_C(2) * stations; j < INT64_C(3) * stations; j += INT64_C(1))
+    {
+        (*lanes_at(&work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = all_lanes(0.0);
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = 0.0;
+    }
+    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
+    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    {
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+        worn = side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number;
+        derivative_shared_power__share_among_strips_t(work, work_t, patch, worn);
+        for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+        {
+            derivative_shared_power__add_power_t(work, work_t, side + layout__SIDE_SEARCH_WEAR, side + layout__SIDE_SEARCH_OUTLINE, stations, (double)((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK)))), all_lanes(0.0), patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i, (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)), (*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i)));
+        }
+    }
+    derivative_shared_power__cell_width_t(&v1, &v1_t, work, work_t, side + layout__SIDE_SEARCH_OUTLINE, stations);
+    EACH_LANE each(width_t) = each(v1_t);
+    width = v1;
+    for (j = INT64_C(2) * stations; j < INT64_C(3) * stations; j += INT64_C(1))
+    {
+        EACH_LANE each(own_t) = each(width_t);
+        own = width;
+        if ((j == INT64_C(2) * stations) || (j == INT64_C(3) * stations - INT64_C(1)))
+        {
+            EACH_LANE each(own_t) = 0.5 * each(width_t);
+            own = 0.5 * width;
+        }
+        if (own > 0.0)
+        {
+            v2 = (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) / own;
+            EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j))) = (each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j))) - v2 * each(own_t)) / own;
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = v2;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``share_among_strips``. */
+static inline int64_t derivative_shared_power__share_among_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn)
+{
+    lanes power_t;
+    double power;
+    lanes total_t;
+    double total;
+    int64_t i;
+    double v1;
+    lanes v1_t;
+    lanes scale_t;
+    double scale;
+    double v2;
+    EACH_LANE each(power_t) = each((*lanes_at(&work_t, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER)));
+    power = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
+    total_t = all_lanes(0.0);
+    total = 0.0;
+    if (power != 0.0)
+    {
+        for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+        {
+            derivative_rubbing__strip_power_t(&v1, &v1_t, work, work_t, patch, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i);
+            EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) = each(v1_t);
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = v1;
+            EACH_LANE each(total_t) = each(total_t) + (each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * each((*lanes_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH))));
+            total = total + (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
+        }
+        if (!(total > 0.0))
+        {
+            for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+            {
+                EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) = each((*lanes_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD)));
+                (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
+                EACH_LANE each(total_t) = each(total_t) + (each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH)) + (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * each((*lanes_at(&work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH))));
+                total = total + (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
+            }
+        }
+    }
+    scale_t = all_lanes(0.0);
+    scale = 0.0;
+    if (total > 0.0)
+    {
+        v2 = power / total;
+        EACH_LANE each(scale_t) = (each(power_t) - v2 * each(total_t)) / total;
+        scale = v2;
+    }
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        if (scale == 0.0)
+        {
+            (*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i)) = all_lanes(0.0);
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = 0.0;
+        }
+        else
+        {
+            EACH_LANE each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) = each((*lanes_at(&work_t, worn + layout__STRIP_OUTPUTS_POWER + i))) * scale + (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * each(scale_t);
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * scale;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``cell_width``. */
+static inline int64_t derivative_shared_power__cell_width_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations)
+{
+    double v1;
+    double v2;
+    v1 = (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations - INT64_C(1)))) - (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + INT64_C(0)));
+    v2 = (double)(stations - INT64_C(1));
+    (*result_0) = v1 / v2;
+    EACH_LANE each((*result_1)) = (each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + (stations - INT64_C(1))))) - each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + INT64_C(0))))) / v2;
+    return 0;
+}
+
+/* Derivative of ``add_power``. */
+static inline int64_t derivative_shared_power__add_power_t(array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t outline, int64_t stations, double owner, lanes owner_t, int64_t strip, double power, lanes power_t)
+{
+    double v1;
+    lanes v1_t;
+    lanes width_t;
+    double width;
+    double last;
+    double v2;
+    double v3;
+    double v4;
+    lanes v4_t;
+    double v5;
+    lanes v5_t;
+    lanes start_t;
+    double start;
+    double v6;
+    double v7;
+    double v8;
+    lanes v8_t;
+    double v9;
+    lanes v9_t;
+    lanes stop_t;
+    double stop;
+    double v10;
+    double v11;
+    double v12;
+    lanes density_t;
+    double density;
+    lanes at_t;
+    double at;
+    int64_t cell;
+    lanes after_t;
+    double after;
+    double v13;
+    lanes v13_t;
+    double v15;
+    double v14;
+    lanes v14_t;
+    lanes share_t;
+    double share;
+    double v16;
+    lanes part_t;
+    double part;
+    double v17;
+    derivative_shared_power__cell_width_t(&v1, &v1_t, work, work_t, outline, stations);
+    EACH_LANE each(width_t) = each(v1_t);
+    width = v1;
+    last = (double)(stations - INT64_C(1));
+    if ((width > 0.0) && ((*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) > 0.0))
+    {
+        v2 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_START)) - (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + INT64_C(0)));
+        v3 = v2 / width;
+        v4 = v3;
+        EACH_LANE each(v4_t) = (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_START))) - each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + INT64_C(0)))) - v3 * each(width_t)) / width;
+        if (0.0 > v4)
+        {
+            v4 = 0.0;
+            v4_t = all_lanes(0.0);
+        }
+        v5 = v4;
+        EACH_LANE each(v5_t) = each(v4_t);
+        if (last < v5)
+        {
+            v5 = last;
+            v5_t = all_lanes(0.0);
+        }
+        EACH_LANE each(start_t) = each(v5_t);
+        start = v5;
+        v6 = (*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP)) - (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + INT64_C(0)));
+        v7 = v6 / width;
+        v8 = v7;
+        EACH_LANE each(v8_t) = (each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_STOP))) - each((*lanes_at(&work_t, outline + layout__OUTLINE_NUMBERS + INT64_C(0)))) - v7 * each(width_t)) / width;
+        if (0.0 > v8)
+        {
+            v8 = 0.0;
+            v8_t = all_lanes(0.0);
+        }
+        v9 = v8;
+        EACH_LANE each(v9_t) = each(v8_t);
+        if (last < v9)
+        {
+            v9 = last;
+            v9_t = all_lanes(0.0);
+        }
+        EACH_LANE each(stop_t) = each(v9_t);
+        stop = v9;
+        if (stop > start)
+        {
+            v10 = power * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+            v11 = stop - start;
+            v12 = v10 / v11;
+            EACH_LANE each(density_t) = (each(power_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + power * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))) - v12 * (each(stop_t) - each(start_t))) / v11;
+            density = v12;
+            EACH_LANE each(at_t) = each(start_t);
+            at = start;
+            while(at < stop)
+            {
+                cell = int64_t_min(2, (int64_t)(at), stations - INT64_C(2));
+                EACH_LANE each(after_t) = each(stop_t);
+                after = stop;
+                if (cell < stations - INT64_C(2))
+                {
+                    v13 = (double)(cell + INT64_C(1));
+                    v13_t = all_lanes(0.0);
+                    if (stop < v13)
+                    {
+                        v13 = stop;
+                        EACH_LANE each(v13_t) = each(stop_t);
+                    }
+                    EACH_LANE each(after_t) = each(v13_t);
+                    after = v13;
+                }
+                v15 = at + after;
+                lanes rates_1;
+                EACH_LANE each(rates_1) = 0.5 * (each(at_t) + each(after_t));
+                derivative_shared_power__own_share_t(&v14, &v14_t, work, work_t, wear, stations, cell, owner, owner_t, 0.5 * v15 - (double)(cell), rates_1);
+                EACH_LANE each(share_t) = each(v14_t);
+                share = v14;
+                v16 = after - at;
+                EACH_LANE each(part_t) = each(density_t) * v16 + density * (each(after_t) - each(at_t));
+                part = density * v16;
+                v17 = 1.0 - share;
+                EACH_LANE each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) + ((-each(share_t)) * part + v17 * each(part_t));
+                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) + v17 * part;
+                EACH_LANE each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1))))) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1))))) + (each(share_t) * part + share * each(part_t));
+                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1)))) = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1)))) + share * part;
+                EACH_LANE each(at_t) = each(after_t);
+                at = after;
+            }
+        }
+        else
+        {
+            cell = int64_t_min(2, (int64_t)(start + 0.5), stations - INT64_C(1));
+            EACH_LANE each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell)))) + (each(power_t) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) + power * each((*lanes_at(&work_t, strip + layout__ROLLING_STRIP_WIDTH))));
+            (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) + power * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``own_share``. */
+static inline int64_t derivative_shared_power__own_share_t(double* found, lanes* found_t, array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t stations, int64_t cell, double owner, lanes owner_t, double share, lanes share_t)
+{
+    lanes first_t;
+    double first;
+    lanes second_t;
+    double second;
+    EACH_LANE each(first_t) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + cell))));
+    first = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + cell)));
+    EACH_LANE each(second_t) = each((*lanes_at(&work_t, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + cell + INT64_C(1)))));
+    second = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + cell + INT64_C(1))));
+    EACH_LANE each((*found_t)) = each(share_t);
+    (*found) = share;
+    if ((first == owner) && (second != owner))
+    {
+        (*found_t) = all_lanes(0.0);
+        (*found) = 0.0;
+    }
+    else if ((second == owner) && (first != owner))
+    {
+        (*found_t) = all_lanes(0.0);
+        (*found) = 1.0;
+    }
+    return 0;
 }
 
 
@@ -1363,7 +1845,7 @@ static inline int64_t derivative_side__load_side_t(int64_t* count, int64_t* resu
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
     {
         derivative_patch_places__place_patches_t(tables, work, work_t, pair, side);
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE)
+        if (((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) || requested__has_wear(tables))
         {
             number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
             for (number = INT64_C(0); number < number_end; number += INT64_C(1))
@@ -1375,6 +1857,10 @@ static inline int64_t derivative_side__load_side_t(int64_t* count, int64_t* resu
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
         {
             derivative_outline__write_outline_t(work, work_t, side + layout__SIDE_SEARCH_OUTLINE, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), side, (*count));
+            if (requested__has_wear(tables) && ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0)))
+            {
+                derivative_wear_places__place_wear_t(tables, work, work_t, pair, side);
+            }
         }
     }
     (*result_1) = layout__VALID;

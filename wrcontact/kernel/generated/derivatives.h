@@ -40,6 +40,7 @@ static inline int64_t derivative_coefficients__skew_factors_t(double* v4, lanes*
 static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
 
 /* derivative_compliant.py */
+static inline int64_t derivative_compliant__pressing_power_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
 static inline int64_t derivative_compliant__damp_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
 static inline int64_t derivative_compliant__damp_patches_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
 static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t);
@@ -338,6 +339,8 @@ static inline int64_t derivative_report__report_load_t(array_double_1d work, arr
 static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t);
 static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t);
 static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t outline, int64_t stations, bool rubbing);
+static inline int64_t derivative_report__complete_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn, bool rubbing);
+static inline int64_t derivative_report__report_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, bool requested);
 static inline int64_t derivative_report__report_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
 static inline int64_t derivative_report__report_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 
@@ -359,6 +362,7 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d ta
 static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
 static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_rubbing__strip_shear_t(double* shear, lanes* shear_t, array_double_1d work, array_lanes_1d work_t, int64_t strip);
+static inline int64_t derivative_rubbing__strip_power_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip);
 static inline int64_t derivative_rubbing__strip_slip_t(double* slip, lanes* slip_t, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip);
 static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations, int64_t patch);
 static inline int64_t derivative_rubbing__write_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations);
@@ -373,6 +377,13 @@ static inline int64_t derivative_separation__equidistant_rise_t(double* result_0
 static inline int64_t derivative_separation__depth_lost_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
 static inline int64_t derivative_separation__moved_separation_t(double* gap, lanes* gap_t, double* rate, lanes* rate_t, double* bend, lanes* bend_t, double* curvature, lanes* curvature_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, int64_t kind);
 static inline int64_t derivative_separation__separation_t(double* gap, lanes* gap_t, double* rate, lanes* rate_t, double* bend, lanes* bend_t, double* curvature, lanes* curvature_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double station, lanes station_t, double tolerance, lanes tolerance_t);
+
+/* derivative_shared_power.py */
+static inline int64_t derivative_shared_power__share_among_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn);
+static inline int64_t derivative_shared_power__cell_width_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t outline, int64_t stations);
+static inline int64_t derivative_shared_power__own_share_t(double* found, lanes* found_t, array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t stations, int64_t cell, double owner, lanes owner_t, double share, lanes share_t);
+static inline int64_t derivative_shared_power__add_power_t(array_double_1d work, array_lanes_1d work_t, int64_t wear, int64_t outline, int64_t stations, double owner, lanes owner_t, int64_t strip, double power, lanes power_t);
+static inline int64_t derivative_shared_power__share_power_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations);
 
 /* derivative_side.py */
 static inline bool derivative_side__describe_contact_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double y, lanes y_t, double aside, lanes aside_t, double shift, lanes shift_t);
@@ -505,6 +516,11 @@ static inline int64_t derivative_tractions__point_weight_t(double* result_0, lan
 /* derivative_trial.py */
 static inline int64_t derivative_trial__permitted_approach_t(double* approach, lanes* approach_t, array_double_1d work, array_lanes_1d work_t, int64_t support, int64_t side, double height, lanes height_t);
 static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double height, lanes height_t);
+
+/* derivative_wear_places.py */
+static inline int64_t derivative_wear_places__profile_places_t(double* rail, lanes* rail_t, double* wheel, lanes* wheel_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double station, lanes station_t);
+static inline int64_t derivative_wear_places__place_strips_of_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t patch, int64_t worn);
+static inline int64_t derivative_wear_places__place_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side);
 
 /* derivative_wheelset_rules.py */
 static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t);

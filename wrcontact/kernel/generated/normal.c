@@ -168,6 +168,13 @@ static inline double strip_surfaces__way_through(array_double_1d work, int64_t j
 static inline double strip_surfaces__between(double low, double high, double u);
 static inline double strip_surfaces__rest_gap(array_double_1d work, int64_t j, double station);
 
+/* normal/wear_places.py */
+static OUT_OF_LINE int64_t wear_places__nearest_patch(array_double_1d work, int64_t side, int64_t index, double station);
+static OUT_OF_LINE int64_t wear_places__first_region(array_double_1d work, int64_t patch);
+static OUT_OF_LINE int64_t wear_places__profile_places(double* rail, double* wheel, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double station);
+static OUT_OF_LINE int64_t wear_places__place_strips_of_wear(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch, int64_t worn);
+static OUT_OF_LINE int64_t wear_places__place_wear(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
+
 
 /* ---- From normal/analyn.py; change that one.
  *
@@ -4431,4 +4438,97 @@ static inline int64_t strip_surfaces__bend_gaps(array_double_1d work)
         }
     }
     return INT64_C(0);
+}
+
+
+/* ---- From normal/wear_places.py; change that one.
+ *
+ * Where the stations of an outline and the strips of its patches lie on both profiles, for models of wear.
+ *
+ * The place on the rail follows from the station as for loads and strips (patch_places.py).  The wheel's is the
+ * one that the rail's normal meets there, with the wheel as it stands or has sunk; where it meets none, between
+ * patches that are far from each other, both abscissae run alike from the point of the patch on.
+ */
+
+/* The places of the stations of a side, the patch that each belongs to, and the places of all strips. */
+static OUT_OF_LINE int64_t wear_places__place_wear(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side)
+{
+    int64_t stations;
+    int64_t index;
+    int64_t j;
+    double station;
+    int64_t patch;
+    double rail;
+    double wheel;
+    int64_t number_end;
+    int64_t number;
+    stations = (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
+    index = INT64_C(0);
+    for (j = INT64_C(0); j < stations; j += INT64_C(1))
+    {
+        station = (*cspan_at(&work, side + layout__SIDE_SEARCH_OUTLINE + layout__OUTLINE_NUMBERS + j));
+        index = wear_places__nearest_patch(work, side, index, station);
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index;
+        wear_places__profile_places(&rail, &wheel, tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * wear_places__first_region(work, patch), station);
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = wheel;
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (stations + j))) = rail;
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + j))) = (double)((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))));
+    }
+    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
+    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    {
+        wear_places__place_strips_of_wear(tables, work, pair, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number);
+    }
+    return INT64_C(0);
+}
+
+/* The places of the strips of a patch. */
+static OUT_OF_LINE int64_t wear_places__place_strips_of_wear(array_double_1d tables, array_double_1d work, int64_t pair, int64_t patch, int64_t worn)
+{
+    int64_t region;
+    int64_t i;
+    double rail;
+    double wheel;
+    region = layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SIZE * wear_places__first_region(work, patch);
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        wear_places__profile_places(&rail, &wheel, tables, work, pair, region, (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_STATION)));
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_RAIL_PLACE + i)) = rail;
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_WHEEL_PLACE + i)) = wheel;
+    }
+    return INT64_C(0);
+}
+
+/* Rail and wheel abscissa [m] at a ``station`` [m] of the outputs, sought from a ``region``. */
+static OUT_OF_LINE int64_t wear_places__profile_places(double* rail, double* wheel, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double station)
+{
+    (*rail) = patch_places__abscissa_at(tables, work, pair, region, station - (*cspan_at(&work, region + layout__REGION_OFFSET)) - (*cspan_at(&work, region + layout__REGION_STATION)));
+    (*wheel) = (*cspan_at(&work, region + layout__REGION_WHEEL)) + (*rail) - (*cspan_at(&work, region + layout__REGION_RAIL));
+    if (pressed__meet_wheel(tables, work, pair, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))), (*rail), (*wheel), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_HEIGHT)), pressed__NODE_SHARP))
+    {
+        (*wheel) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PLACE))) + layout__PLACE_MEETING + layout__MEETING_WHEEL));
+    }
+    return 0;
+}
+
+/* The first region that carries some of a patch's load. */
+static OUT_OF_LINE int64_t wear_places__first_region(array_double_1d work, int64_t patch)
+{
+    int64_t number;
+    number = INT64_C(0);
+    while((number < layout__REGION_LIMIT - INT64_C(1)) && ((*cspan_at(&work, patch + layout__PATCH_LOADS + number)) == 0.0))
+    {
+        number += INT64_C(1);
+    }
+    return number;
+}
+
+/* The patch, from ``index`` on, that a ``station`` [m] lies in or is nearest to. */
+static OUT_OF_LINE int64_t wear_places__nearest_patch(array_double_1d work, int64_t side, int64_t index, double station)
+{
+    while((index < (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) - INT64_C(1)) && (station - (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * index + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) > (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * (index + INT64_C(1)) + layout__PATCH_TOTALS + layout__PATCH_TOTALS_START)) - station))
+    {
+        index += INT64_C(1);
+    }
+    return index;
 }

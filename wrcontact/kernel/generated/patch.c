@@ -18,6 +18,7 @@ static inline int64_t filling__finish_patches(array_double_1d work, int64_t side
 static inline int64_t outline__between_strips(double* half_length, double* pressure, array_double_1d work, int64_t region, double own);
 static inline int64_t outline__curved_at(double* half_length, double* pressure, array_double_1d work, int64_t count, double station);
 static inline int64_t outline__straight_at(double* half_length, double* pressure, array_double_1d work, int64_t patch, int64_t after, double station);
+static inline int64_t outline__wear_place(array_double_1d tables);
 static inline int64_t outline__row_size(array_double_1d tables);
 static inline int64_t outline__write_ellipse(array_double_1d work, int64_t outline, int64_t stations, int64_t totals);
 static inline int64_t outline__write_quadratic(array_double_1d work, int64_t outline, int64_t stations, int64_t totals, int64_t count);
@@ -121,6 +122,7 @@ static inline int64_t filling__forget(array_double_1d work, int64_t patch)
     {
         (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + i_4)) = 0.0;
     }
+    (*cspan_at(&work, patch + layout__PATCH_DAMPING_POWER)) = 0.0;
     (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_X)) = 0.0;
     (*cspan_at(&work, patch + layout__PATCH_CREEPAGE_Y)) = 0.0;
     (*cspan_at(&work, patch + layout__PATCH_SPIN)) = 0.0;
@@ -315,6 +317,7 @@ static inline int64_t filling__heaviest_patch(array_double_1d work, int64_t side
  *
  * With STATION_COUNT stations it is part of the outputs of its side.  With another number the outlines of both
  * sides, left then right, follow all outputs, and the places for it among the outputs of the side stay zero.
+ * With wear_outputs the runs of wear of both sides follow, and the strips of their patches.
  *
  * Half-length and pressure between the strips of a patch follow by the rule of the model that filled it.
  */
@@ -431,6 +434,18 @@ static inline int64_t outline__straight_at(double* half_length, double* pressure
 
 /* How many numbers an evaluation gives: the outputs, and the outlines where they follow behind them. */
 static inline int64_t outline__row_size(array_double_1d tables)
+{
+    int64_t size;
+    size = outline__wear_place(tables);
+    if ((*cspan_at(&tables, layout__TABLES_WEAR)) == 1.0)
+    {
+        size += INT64_C(2) * layout__WEAR_RUN_COUNT * (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))) + layout__WEAR_END;
+    }
+    return size;
+}
+
+/* How many numbers come before the outputs of wear. */
+static inline int64_t outline__wear_place(array_double_1d tables)
 {
     int64_t stations;
     int64_t size;

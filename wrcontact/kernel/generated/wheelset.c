@@ -17,6 +17,7 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
 static OUT_OF_LINE bool compliant__is_damped(array_double_1d tables);
 static OUT_OF_LINE bool compliant__search_near(array_double_1d tables, array_double_1d work, int64_t index, int64_t row);
 static OUT_OF_LINE bool compliant__search_requested(array_double_1d tables, array_double_1d work);
+static OUT_OF_LINE double compliant__pressing_power(array_double_1d work, int64_t motion, int64_t patch);
 static OUT_OF_LINE int64_t compliant__damp_patch(array_double_1d work, int64_t patch, double factor);
 static OUT_OF_LINE int64_t compliant__damp_patches(array_double_1d work, array_double_1d tables, int64_t side);
 static OUT_OF_LINE int64_t compliant__load_at_height(array_double_1d tables, array_double_1d work, int64_t index, double height);
@@ -57,6 +58,8 @@ static inline int64_t report__report_patch(array_double_1d work, int64_t patch, 
 static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror);
 static inline int64_t report__outline_place(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t report__report_outline(array_double_1d work, int64_t side, int64_t outline, int64_t stations, bool rubbing);
+static OUT_OF_LINE int64_t report__complete_strips(array_double_1d work, int64_t patch, int64_t worn, bool rubbing);
+static OUT_OF_LINE int64_t report__report_wear(array_double_1d tables, array_double_1d work, int64_t index, bool requested);
 static inline int64_t report__report_side(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t report__report(array_double_1d tables, array_double_1d work);
 
@@ -68,6 +71,7 @@ static inline bool requested__is_requested(array_double_1d tables, int64_t index
 static inline int64_t requested__requested_outcome(array_double_1d tables, array_double_1d work, int64_t status);
 static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables);
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work);
+static inline bool requested__has_wear(array_double_1d tables);
 static inline int64_t requested__release_friction(array_double_1d work);
 static inline bool requested__carries_friction(array_double_1d tables, array_double_1d work);
 static inline double requested__carried_share(array_double_1d work, int64_t index);
@@ -86,6 +90,7 @@ static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_d
 static inline int64_t rubbing__constrain_side(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t rubbing__move_patches(array_double_1d tables, array_double_1d work);
 static inline double rubbing__strip_shear(array_double_1d work, int64_t strip);
+static inline double rubbing__strip_power(array_double_1d work, int64_t patch, int64_t strip);
 static inline double rubbing__strip_slip(array_double_1d work, int64_t patch, int64_t strip);
 static inline int64_t rubbing__write_patch_wear(array_double_1d work, int64_t outline, int64_t stations, int64_t patch);
 static inline int64_t rubbing__write_wear(array_double_1d work, int64_t side, int64_t stations);
@@ -93,6 +98,13 @@ static inline double rubbing__open_rolling(array_double_1d work, array_double_1d
 static inline int64_t rubbing__close_rolling(array_double_1d work, int64_t patch, double factor);
 static inline int64_t rubbing__rub_side(array_double_1d tables, array_double_1d work, int64_t index, double friction);
 static inline int64_t rubbing__rub_patches(array_double_1d tables, array_double_1d work);
+
+/* wheelset/shared_power.py */
+static OUT_OF_LINE int64_t shared_power__share_among_strips(array_double_1d work, int64_t patch, int64_t worn);
+static OUT_OF_LINE double shared_power__cell_width(array_double_1d work, int64_t outline, int64_t stations);
+static OUT_OF_LINE double shared_power__own_share(array_double_1d work, int64_t wear, int64_t stations, int64_t cell, double owner, double share);
+static OUT_OF_LINE int64_t shared_power__add_power(array_double_1d work, int64_t wear, int64_t outline, int64_t stations, double owner, int64_t strip, double power);
+static OUT_OF_LINE int64_t shared_power__share_power(array_double_1d work, int64_t side, int64_t stations);
 
 /* wheelset/side.py */
 static inline bool side__is_end(array_double_1d tables, int64_t profile, double y);
@@ -498,7 +510,8 @@ static OUT_OF_LINE int64_t brackets__bracket_roll(double* result_0, int64_t* sta
  *
  * With contact damping the force of a patch is multiplied by 1 + d a, with the damping d [s/m] and the speed a
  * [m/s] at which wheel and rail approach each other along the patch's normal at its centre of load; it is never
- * below zero.  Areas and pressures stay those of the elastic contact.
+ * below zero.  Areas and pressures stay those of the elastic contact.  What the forces of the pressures take
+ * more from the motion than without damping is the power of damping.
  */
 
 /* The requested sides of the wheelset at the height and roll of the inputs; the outcome. */
@@ -637,10 +650,31 @@ static OUT_OF_LINE int64_t compliant__damp_patches(array_double_1d work, array_d
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         factor = double_max(2, 1.0 + (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_CONTACT_DAMPING)) * creepage__approach_rate(work, side + layout__SIDE_SEARCH_MOTION, patch), 0.0);
+        (*cspan_at(&work, patch + layout__PATCH_DAMPING_POWER)) = (factor - 1.0) * compliant__pressing_power(work, side + layout__SIDE_SEARCH_MOTION, patch);
         compliant__damp_patch(work, patch, factor);
     }
     filling__total_patches(work, side);
     return INT64_C(0);
+}
+
+/* Power [W] that the pressures of a patch take from the motion of wheel and rail towards each other, all
+ * its regions along their own normals; the rotation of a round wheel about its axle has no part of it.
+ */
+static OUT_OF_LINE double compliant__pressing_power(array_double_1d work, int64_t motion, int64_t patch)
+{
+    int64_t rail;
+    double force_y;
+    double force_z;
+    double moment_x;
+    double rail_moment;
+    double result;
+    rail = motion + layout__MOTION_RAIL;
+    force_y = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y));
+    force_z = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
+    moment_x = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) - ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) * force_z - (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) * force_y);
+    rail_moment = (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(0))) - ((*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) * force_z - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) * force_y);
+    result = rail_moment * (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) - force_y * ((*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL))) - force_z * ((*cspan_at(&work, motion + layout__MOTION_VERTICAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL))) - moment_x * (*cspan_at(&work, motion + layout__MOTION_TURN_X)) - (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(1))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) - (*cspan_at(&work, patch + layout__PATCH_NORMAL_MOMENT + INT64_C(2))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Z));
+    return result;
 }
 
 /* Multiply load, force and moments of a patch by ``factor``. */
@@ -1021,6 +1055,7 @@ static inline int64_t forces__press_patch(array_double_1d work, int64_t motion, 
     {
         (*cspan_at(&work, forces + i_1)) = 0.0;
     }
+    (*cspan_at(&work, forces + layout__FORCES_DAMPING_POWER)) = (*cspan_at(&work, patch + layout__PATCH_DAMPING_POWER));
     (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(1))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Y));
     (*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) = (*cspan_at(&work, patch + layout__PATCH_NORMAL_Z));
     for (i_2 = INT64_C(0); i_2 < INT64_C(3); i_2 += INT64_C(1))
@@ -1148,6 +1183,7 @@ static inline int64_t forces__add_forces(array_double_1d work, int64_t total, in
     forces__add_vector(work, total + layout__FORCES_NORMAL_MOMENT, part + layout__FORCES_NORMAL_MOMENT, mirror, 1.0);
     (*cspan_at(&work, total + layout__FORCES_DRIVING_TORQUE)) += (*cspan_at(&work, part + layout__FORCES_DRIVING_TORQUE));
     (*cspan_at(&work, total + layout__FORCES_FRICTION_POWER)) += (*cspan_at(&work, part + layout__FORCES_FRICTION_POWER));
+    (*cspan_at(&work, total + layout__FORCES_DAMPING_POWER)) += (*cspan_at(&work, part + layout__FORCES_DAMPING_POWER));
     (*cspan_at(&work, total + layout__FORCES_WEAR_NUMBER)) += (*cspan_at(&work, part + layout__FORCES_WEAR_NUMBER));
     return INT64_C(0);
 }
@@ -1365,6 +1401,10 @@ static inline int64_t report__report_side(array_double_1d tables, array_double_1
             (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
         }
     }
+    if ((*cspan_at(&tables, layout__TABLES_WEAR)) == 1.0)
+    {
+        report__report_wear(tables, work, index, first > layout__SIDE_STATION);
+    }
     return INT64_C(0);
 }
 
@@ -1428,6 +1468,13 @@ static inline int64_t report__report_load(array_double_1d work, int64_t side, in
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_FRICTION_POWER)) = (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE));
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DAMPING_POWER)) = (*cspan_at(&work, forces + layout__FORCES_DAMPING_POWER));
+    /* Y over Q, outwards over downwards, both on the rail */
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT)) = 0.0;
+    if ((*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2))) < 0.0)
+    {
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT)) = (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(1))) / (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
+    }
     return INT64_C(0);
 }
 
@@ -1540,6 +1587,93 @@ static inline int64_t report__report_outline(array_double_1d work, int64_t side,
     for (i = known; i < layout__RUN_COUNT * stations; i += INT64_C(1))
     {
         (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + i)) = 0.0;
+    }
+    return INT64_C(0);
+}
+
+/* The outputs of wear of side ``index``, if they are ``requested``. */
+static OUT_OF_LINE int64_t report__report_wear(array_double_1d tables, array_double_1d work, int64_t index, bool requested)
+{
+    int64_t side;
+    int64_t runs;
+    int64_t first;
+    int64_t found;
+    int64_t strips;
+    int64_t i;
+    int64_t rank;
+    int64_t i_1;
+    int64_t number_end;
+    int64_t number;
+    int64_t patch;
+    int64_t i_2;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    runs = layout__WEAR_RUN_COUNT * (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS)));
+    first = layout__WORK_OUTPUTS + outline__wear_place(tables);
+    found = first + runs * index;
+    strips = first + INT64_C(2) * runs + layout__WEAR_STRIPS * index;
+    if (!requested)
+    {
+        for (i = INT64_C(0); i < runs; i += INT64_C(1))
+        {
+            (*cspan_at(&work, found + layout__WEAR_RUNS_NUMBERS + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+        }
+        for (i = INT64_C(0); i < layout__WEAR_STRIPS; i += INT64_C(1))
+        {
+            (*cspan_at(&work, strips + i)) = (*cspan_at(&tables, layout__TABLES_ABSENT));
+        }
+        return INT64_C(0);
+    }
+    for (i = INT64_C(0); i < runs; i += INT64_C(1))
+    {
+        (*cspan_at(&work, found + layout__WEAR_RUNS_NUMBERS + i)) = 0.0;
+    }
+    for (rank = INT64_C(0); rank < layout__PATCH_LIMIT; rank += INT64_C(1))
+    {
+        for (i_1 = INT64_C(0); i_1 < layout__STRIP_OUTPUTS_SIZE; i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work, strips + layout__STRIP_OUTPUTS_SIZE * rank + i_1)) = 0.0;
+        }
+    }
+    if ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0))
+    {
+        shared_power__share_power(work, side, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))));
+        for (i = INT64_C(0); i < runs; i += INT64_C(1))
+        {
+            (*cspan_at(&work, found + layout__WEAR_RUNS_NUMBERS + i)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + i));
+        }
+        number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
+        for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+        {
+            patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+            if (((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) > INT64_C(0)) && ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) <= layout__PATCH_LIMIT))
+            {
+                report__complete_strips(work, patch, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number, requested__has_creep_forces(tables, work));
+                for (i_2 = INT64_C(0); i_2 < layout__STRIP_OUTPUTS_SIZE; i_2 += INT64_C(1))
+                {
+                    (*cspan_at(&work, strips + layout__STRIP_OUTPUTS_SIZE * ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) - INT64_C(1)) + i_2)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number + i_2));
+                }
+            }
+        }
+    }
+    return INT64_C(0);
+}
+
+/* What the strips of a patch have beside places and power, with slip if it is ``rubbing``. */
+static OUT_OF_LINE int64_t report__complete_strips(array_double_1d work, int64_t patch, int64_t worn, bool rubbing)
+{
+    int64_t i;
+    int64_t strip;
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_WIDTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_LINE_LOAD + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_LINE_LOAD));
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_HALF_LENGTH + i)) = (*cspan_at(&work, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_SLIP + i)) = 0.0;
+        if (rubbing)
+        {
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_SLIP + i)) = rubbing__strip_slip(work, patch, strip);
+        }
     }
     return INT64_C(0);
 }
@@ -1675,6 +1809,14 @@ static inline bool requested__has_creep_forces(array_double_1d tables, array_dou
 {
     bool result;
     result = ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && requested__is_rolling(work, tables);
+    return result;
+}
+
+/* Whether the outputs of wear are requested. */
+static inline bool requested__has_wear(array_double_1d tables)
+{
+    bool result;
+    result = ((*cspan_at(&tables, layout__TABLES_WEAR)) == 1.0) && ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL);
     return result;
 }
 
@@ -2094,13 +2236,23 @@ static inline double rubbing__strip_slip(array_double_1d work, int64_t patch, in
     slip = 0.0;
     if (force > 0.0)
     {
-        power = -((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + ((*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)));
+        power = rubbing__strip_power(work, patch, strip);
         if (power > 0.0)
         {
-            slip = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * power / force;
+            slip = power / force;
         }
     }
     return slip;
+}
+
+/* Friction power of a strip per width [W/m]; zero for one that would gain power. */
+static inline double rubbing__strip_power(array_double_1d work, int64_t patch, int64_t strip)
+{
+    double power;
+    double result;
+    power = -((*cspan_at(&work, strip + layout__ROLLING_STRIP_SLIP)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_X)) + ((*cspan_at(&work, strip + layout__ROLLING_STRIP_LATERAL)) - (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_X))) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_FORCE_Y)) + (*cspan_at(&work, strip + layout__ROLLING_STRIP_SPIN)) * (*cspan_at(&work, strip + layout__ROLLING_STRIP_MOMENT)));
+    result = (*cspan_at(&work, patch + layout__PATCH_SPEED)) * double_max(2, power, 0.0);
+    return result;
 }
 
 /* Creep forces of all patches, if there are any. */
@@ -2174,6 +2326,192 @@ static inline int64_t rubbing__close_rolling(array_double_1d work, int64_t patch
         (*cspan_at(&work, patch + layout__PATCH_SATURATION)) = sqrt((*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y))) / limit;
     }
     return INT64_C(0);
+}
+
+
+/* ---- From wheelset/shared_power.py; change that one.
+ *
+ * Where in a patch friction takes its power: the power of the patch, shared among its strips and then among
+ * the stations of the outline, for models of wear.
+ *
+ * A strip's share is its own power (rubbing.py); what the models add to the sum over the strips counts in
+ * proportion.  Polach's formula has no strips: there the share is the load of the strip, as if tractions were
+ * spread like the pressure.  So the strips of a patch have its friction power, no more and no less.
+ *
+ * Stations share the power between them as hat functions do, with the value 1 at a station and 0 at its
+ * neighbours:
+ *
+ *     power_j = int P(s) h_j(s) ds / int h_j(s) ds
+ *
+ * so that the trapezoidal sum over the stations is the integral of P, and its mean place that of P.  Next to a
+ * station that belongs to another patch the station of its own patch gets all.
+ */
+
+/* Friction power per width [W/m] of all strips of a wheel, and at the ``stations`` of its outline. */
+static OUT_OF_LINE int64_t shared_power__share_power(array_double_1d work, int64_t side, int64_t stations)
+{
+    int64_t j;
+    int64_t number_end;
+    int64_t number;
+    int64_t patch;
+    int64_t worn;
+    int64_t i;
+    double width;
+    double own;
+    for (j = INT64_C(2) * stations; j < INT64_C(3) * stations; j += INT64_C(1))
+    {
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) = 0.0;
+    }
+    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
+    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    {
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+        worn = side + layout__SIDE_SEARCH_WORN + layout__STRIP_OUTPUTS_SIZE * number;
+        shared_power__share_among_strips(work, patch, worn);
+        for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+        {
+            shared_power__add_power(work, side + layout__SIDE_SEARCH_WEAR, side + layout__SIDE_SEARCH_OUTLINE, stations, (double)((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK)))), patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i, (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)));
+        }
+    }
+    width = shared_power__cell_width(work, side + layout__SIDE_SEARCH_OUTLINE, stations);
+    for (j = INT64_C(2) * stations; j < INT64_C(3) * stations; j += INT64_C(1))
+    {
+        own = width;
+        if ((j == INT64_C(2) * stations) || (j == INT64_C(3) * stations - INT64_C(1)))
+        {
+            own = 0.5 * width;
+        }
+        if (own > 0.0)
+        {
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_WEAR + layout__WEAR_RUNS_NUMBERS + j)) /= own;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Share the friction power of a patch among its strips. */
+static OUT_OF_LINE int64_t shared_power__share_among_strips(array_double_1d work, int64_t patch, int64_t worn)
+{
+    double power;
+    double total;
+    int64_t i;
+    double scale;
+    power = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
+    total = 0.0;
+    if (power != 0.0)
+    {
+        for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+        {
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = rubbing__strip_power(work, patch, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i);
+            total += (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
+        }
+        if (!(total > 0.0))
+        {
+            for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+            {
+                (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_LINE_LOAD));
+                total += (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) * (*cspan_at(&work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH));
+            }
+        }
+    }
+    scale = 0.0;
+    if (total > 0.0)
+    {
+        scale = power / total;
+    }
+    for (i = INT64_C(0); i < layout__ROLLING_STRIP_LIMIT; i += INT64_C(1))
+    {
+        if (scale == 0.0)
+        {
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) = 0.0;
+        }
+        else
+        {
+            (*cspan_at(&work, worn + layout__STRIP_OUTPUTS_POWER + i)) *= scale;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Distance of neighbouring stations [m]. */
+static OUT_OF_LINE double shared_power__cell_width(array_double_1d work, int64_t outline, int64_t stations)
+{
+    double result;
+    result = ((*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + (stations - INT64_C(1)))) - (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + INT64_C(0)))) / (double)(stations - INT64_C(1));
+    return result;
+}
+
+/* Add the ``power`` per width [W/m] of a strip of the patch with the number ``owner`` to the stations
+ * around it.
+ */
+static OUT_OF_LINE int64_t shared_power__add_power(array_double_1d work, int64_t wear, int64_t outline, int64_t stations, double owner, int64_t strip, double power)
+{
+    double width;
+    double last;
+    double start;
+    double stop;
+    double density;
+    double at;
+    int64_t cell;
+    double after;
+    double share;
+    double part;
+    width = shared_power__cell_width(work, outline, stations);
+    last = (double)(stations - INT64_C(1));
+    if ((width > 0.0) && ((*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) > 0.0))
+    {
+        /* counted in stations */
+        start = double_min(2, double_max(2, ((*cspan_at(&work, strip + layout__ROLLING_STRIP_START)) - (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + INT64_C(0)))) / width, 0.0), last);
+        stop = double_min(2, double_max(2, ((*cspan_at(&work, strip + layout__ROLLING_STRIP_STOP)) - (*cspan_at(&work, outline + layout__OUTLINE_NUMBERS + INT64_C(0)))) / width, 0.0), last);
+        if (stop > start)
+        {
+            density = power * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH)) / (stop - start);
+            at = start;
+            while(at < stop)
+            {
+                cell = int64_t_min(2, (int64_t)(at), stations - INT64_C(2));
+                after = stop;
+                if (cell < stations - INT64_C(2))
+                {
+                    after = double_min(2, (double)(cell + INT64_C(1)), stop);
+                }
+                share = shared_power__own_share(work, wear, stations, cell, owner, 0.5 * (at + after) - (double)(cell));
+                part = density * (after - at);
+                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) += (1.0 - share) * part;
+                (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell + INT64_C(1)))) += share * part;
+                at = after;
+            }
+        }
+        else
+        {
+            /* beside the outline but for rounding */
+            cell = int64_t_min(2, (int64_t)(start + 0.5), stations - INT64_C(1));
+            (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(2) * stations + cell))) += power * (*cspan_at(&work, strip + layout__ROLLING_STRIP_WIDTH));
+        }
+    }
+    return INT64_C(0);
+}
+
+/* The share of a power in a cell that goes to its second station, where ``share`` is how far it lies from
+ * the first one [cells].
+ */
+static OUT_OF_LINE double shared_power__own_share(array_double_1d work, int64_t wear, int64_t stations, int64_t cell, double owner, double share)
+{
+    double first;
+    double second;
+    double found;
+    first = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + cell)));
+    second = (*cspan_at(&work, wear + layout__WEAR_RUNS_NUMBERS + (INT64_C(3) * stations + cell + INT64_C(1))));
+    found = share;
+    if ((first == owner) && (second != owner))
+    {
+        found = 0.0;
+    }
+    else if ((second == owner) && (first != owner))
+    {
+        found = 1.0;
+    }
+    return found;
 }
 
 
@@ -2307,7 +2645,7 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
     {
         patch_places__place_patches(tables, work, pair, side);
-        if ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE)
+        if (((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) || requested__has_wear(tables))
         {
             number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
             for (number = INT64_C(0); number < number_end; number += INT64_C(1))
@@ -2319,6 +2657,10 @@ static inline int64_t side__load_side(int64_t* count, int64_t* result_1, array_d
         if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL)
         {
             outline__write_outline(work, side + layout__SIDE_SEARCH_OUTLINE, (int64_t)((*cspan_at(&tables, layout__TABLES_STATIONS))), side, (*count));
+            if (requested__has_wear(tables) && ((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))) > INT64_C(0)))
+            {
+                wear_places__place_wear(tables, work, pair, side);
+            }
         }
     }
     (*result_1) = layout__VALID;

@@ -13,9 +13,9 @@ from typing import Final
 from .contact import (CubicTable, CurvatureTable, DeepPoints, FirstWidths, Frame, KeptFrames, Origin, Overlap,
                       Profile, Regions)
 from .creep import Rolling, RollingTable
-from .interface import Inputs, Outputs, Parameters, PatchOutputs, Resolution, SideOutputs
+from .interface import PATCH_LIMIT, Inputs, Outputs, Parameters, PatchOutputs, Resolution, SideOutputs
 from .patch import (Equations, Forces, HertzTable, InfluenceTable, NodesOfRegions, Outline, Patch,
-                    SolvedStrips, StripProblem, Waves)
+                    SolvedStrips, StripOutputs, StripProblem, Waves, WearRuns)
 from .record import WIDTH, Float, To, record, size
 from .search import RollTrials, Scan, Sides, Starts
 
@@ -151,6 +151,7 @@ class Tables:
     mode: int                       # one of MODE_...
     load: int                       # one of LOAD_...
     tangential: int                 # one of TANGENTIAL_...
+    wear: bool                      # whether outputs of wear follow the others
     shear_modulus: float            # G of wheel and rail [Pa]
     rolling: To(RollingTable)       # what the models of creep forces read; 0 where none is chosen
     parameters: Parameters          # all of the setup's
@@ -176,6 +177,12 @@ class Contact:
     deep_points: DeepPoints * 2     # of the left and right wheel, as the last search has left them
 
 
+#: What follows the runs of wear in a row: strips of the patches of both sides, and a number that makes rows
+#: with outputs of wear as long as no other ones.
+WEAR_STRIPS: Final[int] = PATCH_LIMIT * size(StripOutputs)
+WEAR_END: Final[int] = 2 * WEAR_STRIPS + 1
+
+
 @record
 class Work:
     array = "work"
@@ -184,6 +191,9 @@ class Work:
     status: int
     outputs: Outputs
     outlines: Outline * 2           # with another number of stations than STATION_COUNT
+    wear_runs: WearRuns * 2         # room for what follows with wear_outputs, where stations leave off
+    wear_strips: StripOutputs * (2 * PATCH_LIMIT)
+    wear_end: float
     sides: Sides
     contact: Contact
     supports: Supports
@@ -205,6 +215,7 @@ SETTING_COUNT: Final[int] = size(Tables)
 SETUP_SIZE: Final[int] = size(Setup)
 ROLLING_TABLE_SIZE: Final[int] = size(RollingTable)
 WAVES_SIZE: Final[int] = size(Waves)
+STRIP_OUTPUTS_SIZE: Final[int] = size(StripOutputs)
 SIDE_SIZE, PATCH_OUTPUTS_SIZE = size(SideOutputs), size(PatchOutputs)
 OUT_RIGHT = Outputs.left.offset // WIDTH + SIDE_SIZE
 

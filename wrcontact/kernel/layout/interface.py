@@ -59,10 +59,12 @@ Resolution = _record_of("Resolution", {name: float for name in _Resolution._fiel
 
 #: Runs of an outline.
 RUN_COUNT = sum(isinstance(row, _rows.Run) for row in _outputs.SIDE)
+#: Runs of an outline that are there with wear_outputs only.
+WEAR_RUN_COUNT = len(_outputs.WEAR)
 
-if size(Outputs) != _variables.STATUS - _variables.FIRST_OUTPUT:
+if size(Outputs) != _variables.FIRST_WEAR - _variables.FIRST_OUTPUT:
     raise TypeError(f"the record of outputs has {size(Outputs)} numbers, the table of variables "
-                    f"{_variables.STATUS - _variables.FIRST_OUTPUT}")
+                    f"{_variables.FIRST_WEAR - _variables.FIRST_OUTPUT}")
 
 # numbers of the methods: MODE_RIGID, SEPARATION_NORMAL, ...
 globals().update({f"{family.constant}_{method.name.upper()}": method.kernel_number

@@ -8,7 +8,7 @@ its forces are added to those of the right one, and in the report.
 from typing import Final
 
 from .contact import REGION_LIMIT, Cubic
-from .interface import RUN_COUNT, STATION_LIMIT, Vector
+from .interface import RUN_COUNT, STATION_LIMIT, WEAR_RUN_COUNT, Vector
 from .record import OPEN, Float, centred, record, run, size
 
 SOLVED_PATCH_LIMIT: Final[int] = 8       # contact patches of one wheel
@@ -93,7 +93,8 @@ class Forces:
     normal_force: Vector            # of the pressures alone
     normal_moment: Vector
     driving_torque: float           # of the creep forces about the axle [N m], positive where it drives
-    friction_power: float           # that friction takes [W]
+    friction_power: float           # that friction takes [W],
+    damping_power: float            # and that contact damping takes
     wear_number: float              # creep forces times creepages [N]
 
 
@@ -126,6 +127,7 @@ class Patch:
     normal_y: float                 # force of its pressures [N]; x has no part of it
     normal_z: float
     normal_moment: Vector           # and its moment about the track's origin [N m]
+    damping_power: float            # that contact damping takes [W]
     half_length: float              # semi-axes of the ellipse with its area, length over width [m]
     half_width: float
     friction: float                 # coefficient of friction [-]
@@ -154,6 +156,35 @@ class Outline:
     after the other."""
 
     numbers: Float * (RUN_COUNT * STATION_LIMIT)
+
+
+@record
+class WearRuns:
+    """Places on wheel and rail, friction power per width and numbers of patches at the stations of one wheel,
+    one run after the other: the rows WEAR of outputs.py."""
+
+    numbers: Float * (WEAR_RUN_COUNT * STATION_LIMIT)
+
+
+#: A number for each strip along the rolling direction.
+StripNumbers = run(ROLLING_STRIP_LIMIT)
+
+
+@record
+class StripOutputs:
+    """Outputs of the strips of one patch: the rows STRIPS of outputs.py."""
+
+    wheel_place: StripNumbers       # [m]
+    rail_place: StripNumbers
+    width: StripNumbers
+    line_load: StripNumbers         # [N/m]
+    half_length: StripNumbers       # [m]
+    power: StripNumbers             # [W/m]
+    slip: StripNumbers              # [m/s]
+
+
+#: Those of the patches of one wheel, in the order of the patches.
+StripsOfPatches = StripOutputs * SOLVED_PATCH_LIMIT
 
 
 @record

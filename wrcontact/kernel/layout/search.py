@@ -4,7 +4,7 @@ were tried, and starts."""
 from typing import Final
 
 from .creep import Motion
-from .patch import Forces, Outline, Patches, PatchTotals
+from .patch import Forces, Outline, Patches, PatchTotals, StripsOfPatches, WearRuns
 from .record import OPEN, Float, To, record, run, size
 from .contact import Place
 
@@ -124,6 +124,8 @@ class SideSearch:
     patches: Patches                 # by rising station
     totals: PatchTotals              # of all of them
     outline: Outline
+    wear: WearRuns
+    worn: StripsOfPatches
     motion: Motion
     forces: Forces
 

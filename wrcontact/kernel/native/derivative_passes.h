@@ -19,7 +19,7 @@
 static int64_t derivative_room(void)
 {
     return layout__STATE_SIZE + (1 + WRCONTACT_LANES) * layout__WORK_SIZE + layout__INPUT_COUNT + layout__OUTPUT_COUNT
-        + 2 * layout__RUN_COUNT * layout__STATION_LIMIT;
+        + 2 * (layout__RUN_COUNT + layout__WEAR_RUN_COUNT) * layout__STATION_LIMIT + layout__WEAR_END;
 }
 
 /* Over which share of its usual size (as in the table of variables) an input moves for a difference. */

@@ -57,6 +57,7 @@ def forget(patch: Patch):
     patch.normal_y = 0.0
     patch.normal_z = 0.0
     clear(patch.normal_moment)
+    patch.damping_power = 0.0
     patch.creepage_x = 0.0
     patch.creepage_y = 0.0
     patch.spin = 0.0

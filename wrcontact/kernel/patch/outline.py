@@ -3,14 +3,16 @@ to the last.
 
 With STATION_COUNT stations it is part of the outputs of its side.  With another number the outlines of both
 sides, left then right, follow all outputs, and the places for it among the outputs of the side stay zero.
+With wear_outputs the runs of wear of both sides follow, and the strips of their patches.
 
 Half-length and pressure between the strips of a patch follow by the rule of the model that filled it.
 """
 
 from math import sqrt
 
-from ..layout import (OUTPUT_COUNT, RULE_ELLIPSE, RULE_QUADRATIC, RUN_COUNT, STATION_COUNT, Outline, Patch,
-                      PatchTotals, Region, Regions, SideSearch, SolvedStrips, Tables)
+from ..layout import (OUTPUT_COUNT, RULE_ELLIPSE, RULE_QUADRATIC, RUN_COUNT, STATION_COUNT, WEAR_END,
+                      WEAR_RUN_COUNT, Outline, Patch, PatchTotals, Region, Regions, SideSearch, SolvedStrips,
+                      Tables)
 from .quadrature import quadratic_value
 
 
@@ -85,6 +87,14 @@ def straight_at(patch: Patch, strips: SolvedStrips, after: int, station: float):
 
 def row_size(tables: Tables):
     """How many numbers an evaluation gives: the outputs, and the outlines where they follow behind them."""
+    size = wear_place(tables)
+    if tables.wear:
+        size += 2 * WEAR_RUN_COUNT * tables.stations + WEAR_END
+    return size
+
+
+def wear_place(tables: Tables):
+    """How many numbers come before the outputs of wear."""
     stations = tables.stations
     size = OUTPUT_COUNT
     if stations != STATION_COUNT:

@@ -3,12 +3,13 @@ it is in its rail.
 
 With contact damping the force of a patch is multiplied by 1 + d a, with the damping d [s/m] and the speed a
 [m/s] at which wheel and rail approach each other along the patch's normal at its centre of load; it is never
-below zero.  Areas and pressures stay those of the elastic contact.
+below zero.  Areas and pressures stay those of the elastic contact.  What the forces of the pressures take
+more from the motion than without damping is the power of damping.
 """
 
 from typing import Final
 
-from ..layout import (DEPTH_GEOMETRY, MODE_COMPLIANT, OFF_PROFILE, ROLLING_STRIP_LIMIT, VALID, Patch,
+from ..layout import (DEPTH_GEOMETRY, MODE_COMPLIANT, OFF_PROFILE, ROLLING_STRIP_LIMIT, VALID, Motion, Patch,
                       SideSearch, Tables, Work, seldom)
 from ..creep.creepage import approach_rate
 from ..patch.filling import total_patches
@@ -111,8 +112,23 @@ def damp_patches(tables: Tables, side: SideSearch):
     for number in range(side.patch_count):
         patch = side.patches[number]
         factor = max(1.0 + tables.parameters.contact_damping * approach_rate(side.motion, patch), 0.0)
+        patch.damping_power = (factor - 1.0) * pressing_power(side.motion, patch)
         damp_patch(patch, factor)
     total_patches(side)
+
+
+@seldom
+def pressing_power(motion: Motion, patch: Patch):
+    """Power [W] that the pressures of a patch take from the motion of wheel and rail towards each other, all
+    its regions along their own normals; the rotation of a round wheel about its axle has no part of it."""
+    rail = motion.rail
+    force_y = patch.normal_y
+    force_z = patch.normal_z
+    moment_x = patch.normal_moment[0] - (motion.centre_y * force_z - motion.centre_z * force_y)
+    rail_moment = patch.normal_moment[0] - (rail.y * force_z - rail.z * force_y)
+    return (rail_moment * rail.roll - force_y * (motion.lateral - rail.lateral)
+            - force_z * (motion.vertical - rail.vertical) - moment_x * motion.turn_x
+            - patch.normal_moment[1] * motion.turn_y - patch.normal_moment[2] * motion.turn_z)
 
 
 @seldom

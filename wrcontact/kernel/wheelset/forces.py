@@ -47,6 +47,7 @@ def press_patch(motion: Motion, patch: Patch):
     """Let the forces of a patch be those of its pressures."""
     forces = patch.forces
     clear(forces)
+    forces.damping_power = patch.damping_power
     forces.normal_force[1] = patch.normal_y
     forces.normal_force[2] = patch.normal_z
     copy(patch.normal_moment, forces.normal_moment)
@@ -130,6 +131,7 @@ def add_forces(total: Forces, part: Forces, mirror: float):
     add_vector(total.normal_moment, part.normal_moment, mirror, 1.0)
     total.driving_torque += part.driving_torque
     total.friction_power += part.friction_power
+    total.damping_power += part.damping_power
     total.wear_number += part.wear_number
 
 

@@ -7,10 +7,14 @@ normal from the rail to the wheel on both sides.
 
 from typing import Final
 
-from ..layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, PATCH_LIMIT, RUN_COUNT, SIDES_BOTH,
-                      SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, STATION_COUNT, ContactPoint, Outline, Patch,
-                      PatchOutputs, SideOutputs, SideSearch, Tables, Vector, Work, clear, offset)
+from ..layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, PATCH_LIMIT, ROLLING_STRIP_LIMIT, RUN_COUNT, SIDES_BOTH,
+                      SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, STATION_COUNT, STRIP_OUTPUTS_SIZE,
+                      WEAR_RUN_COUNT, WEAR_STRIPS, ContactPoint, Outline, Patch, PatchOutputs, SideOutputs,
+                      SideSearch, StripOutputs, Tables, Vector, WearRuns, Work, clear, copy, offset, seldom)
+from ..patch.outline import wear_place
+from .shared_power import share_power
 from .requested import has_creep_forces, is_requested
+from .rubbing import strip_slip
 
 #: Runs of an outline that are there without friction: stations, half-lengths and pressures.
 OUTLINE_RUNS: Final[int] = 3
@@ -63,6 +67,8 @@ def report_side(tables: Tables, work: Work, index: int):
     else:
         for i in range(RUN_COUNT * tables.stations):
             outline.numbers[i] = tables.absent
+    if tables.wear:
+        report_wear(tables, work, index, first > SIDE_STATION)
 
 
 def first_omitted(tables: Tables, index: int):
@@ -112,6 +118,11 @@ def report_load(side: SideSearch, out: SideOutputs, mirror: float):
     out.friction_power = forces.friction_power
     out.wear_number = forces.wear_number
     out.driving_torque = forces.driving_torque
+    out.damping_power = forces.damping_power
+    # Y over Q, outwards over downwards, both on the rail
+    out.derailment_quotient = 0.0
+    if forces.force[2] < 0.0:
+        out.derailment_quotient = forces.force[1] / forces.force[2]
 
 
 def report_patches(side: SideSearch, out: SideOutputs, mirror: float):
@@ -181,3 +192,45 @@ def report_outline(side: SideSearch, outline: Outline, stations: int, rubbing: b
         outline.numbers[i] = side.outline.numbers[i]
     for i in range(known, RUN_COUNT * stations):
         outline.numbers[i] = 0.0
+
+
+@seldom
+def report_wear(tables: Tables, work: Work, index: int, requested: bool):
+    """The outputs of wear of side ``index``, if they are ``requested``."""
+    side = work.sides[index]
+    runs = WEAR_RUN_COUNT * tables.stations
+    first = offset(work.outputs, work) + wear_place(tables)
+    found = WearRuns.at(work, first + runs * index)
+    strips = first + 2 * runs + WEAR_STRIPS * index
+    if not requested:
+        for i in range(runs):
+            found.numbers[i] = tables.absent
+        for i in range(WEAR_STRIPS):
+            work[strips + i] = tables.absent
+        return
+    for i in range(runs):
+        found.numbers[i] = 0.0
+    for rank in range(PATCH_LIMIT):
+        clear(StripOutputs.at(work, strips + STRIP_OUTPUTS_SIZE * rank))
+    if side.patch_count > 0:
+        share_power(side, tables.stations)
+        for i in range(runs):
+            found.numbers[i] = side.wear.numbers[i]
+        for number in range(side.patch_count):
+            patch = side.patches[number]
+            if patch.rank > 0 and patch.rank <= PATCH_LIMIT:
+                complete_strips(patch, side.worn[number], has_creep_forces(tables, work))
+                copy(side.worn[number], StripOutputs.at(work, strips + STRIP_OUTPUTS_SIZE * (patch.rank - 1)))
+
+
+@seldom
+def complete_strips(patch: Patch, worn: StripOutputs, rubbing: bool):
+    """What the strips of a patch have beside places and power, with slip if it is ``rubbing``."""
+    for i in range(ROLLING_STRIP_LIMIT):
+        strip = patch.strips[i]
+        worn.width[i] = strip.width
+        worn.line_load[i] = strip.line_load
+        worn.half_length[i] = strip.half_length
+        worn.slip[i] = 0.0
+        if rubbing:
+            worn.slip[i] = strip_slip(patch, strip)

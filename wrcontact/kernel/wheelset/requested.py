@@ -15,9 +15,9 @@ from typing import Final
 
 from ..creep.friction import is_frictional
 from ..creep.motion import are_independent, is_moderate
-from ..layout import (FRICTION_LIMIT, INPUT_COUNT, INVALID_INPUT, LOAD_VERTICAL, MODE_COMPLIANT, OFF_PROFILE,
-                      RAIL_LIMIT, RAIL_ROLL_LIMIT, ROLL_LIMIT, SIDES_BOTH, SIDES_LEFT, TANGENTIAL_NONE,
-                      UNLOADED, VALID, Inputs, Support, Tables, Work)
+from ..layout import (DEPTH_ALL, FRICTION_LIMIT, INPUT_COUNT, INVALID_INPUT, LOAD_VERTICAL, MODE_COMPLIANT,
+                      OFF_PROFILE, RAIL_LIMIT, RAIL_ROLL_LIMIT, ROLL_LIMIT, SIDES_BOTH, SIDES_LEFT,
+                      TANGENTIAL_NONE, UNLOADED, VALID, Inputs, Support, Tables, Work)
 
 #: The load is met when no wheel misses it by more than this share [-].
 LOAD_MET: Final[float] = 1e-9
@@ -104,6 +104,11 @@ def is_rolling(tables: Tables, inputs: Inputs) -> bool:
 def has_creep_forces(tables: Tables, work: Work) -> bool:
     """Whether there are creep forces: a model is chosen, and the wheelset rolls."""
     return tables.tangential != TANGENTIAL_NONE and is_rolling(tables, work.inputs)
+
+
+def has_wear(tables: Tables) -> bool:
+    """Whether the outputs of wear are requested."""
+    return tables.wear and tables.depth == DEPTH_ALL
 
 
 def release_friction(work: Work):

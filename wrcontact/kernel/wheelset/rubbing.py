@@ -130,11 +130,17 @@ def strip_slip(patch: Patch, strip: RollingStrip):
     force = sqrt(strip.force_x * strip.force_x + strip.force_y * strip.force_y)
     slip = 0.0
     if force > 0.0:
-        power = -(strip.slip * strip.force_x + (strip.lateral - strip.spin * strip.x) * strip.force_y
-                  + strip.spin * strip.moment)
+        power = strip_power(patch, strip)
         if power > 0.0:
-            slip = patch.speed * power / force
+            slip = power / force
     return slip
+
+
+def strip_power(patch: Patch, strip: RollingStrip):
+    """Friction power of a strip per width [W/m]; zero for one that would gain power."""
+    power = -(strip.slip * strip.force_x + (strip.lateral - strip.spin * strip.x) * strip.force_y
+              + strip.spin * strip.moment)
+    return patch.speed * max(power, 0.0)
 
 
 def rub_patches(tables: Tables, work: Work):

@@ -16,12 +16,14 @@ from ..layout import (DEPTH_ALL, DEPTH_GEOMETRY, LATERAL_ADAPTIVE, NOT_CONVERGED
                       TANGENTIAL_NONE, UNLOADED, VALID, Contact, Profile, SideSearch, Tables, Work)
 from ..normal.normal_contact import solve_normal
 from ..normal.patch_places import place_patches, place_strips
+from ..normal.wear_places import place_wear
 from ..patch.filling import clear_patches
 from ..patch.outline import write_outline
 from ..surface.curvature import relative_curvature
 from ..surface.gap import gap_per_roll
 from ..surface.locus import around_wheel
 from ..surface.rails import on_track, pitch_of_frame
+from .requested import has_wear
 
 #: At the end of a profile the slopes of wheel and rail agree to this at a contact [-]; more means that it is
 #: none.  Within a profile they may differ by CORNER, as at the last digits of printed joints.
@@ -105,13 +107,15 @@ def load_side(tables: Tables, work: Work, index: int, force: float, prescribed: 
         return count, NOT_CONVERGED
     if work.contact.filling:
         place_patches(pair, work.contact, side)
-        if tables.tangential != TANGENTIAL_NONE:
+        if tables.tangential != TANGENTIAL_NONE or has_wear(tables):
             for number in range(side.patch_count):
                 cut_patch(side.patches[number], work.contact.strips)
                 place_strips(pair, work.contact, side.patches[number])
         if tables.depth == DEPTH_ALL:
             write_outline(side.outline, tables.stations, side, work.contact.strips, work.contact.regions,
                           count)
+            if has_wear(tables) and side.patch_count > 0:
+                place_wear(pair, work.contact, side)
     return count, VALID
 
 
