@@ -49,8 +49,8 @@ pytestmark = pytest.mark.skipif(not default_kernel().compiled,
 
 RAILS = range(layout.IN_LEFT_RAIL_LATERAL, layout.IN_RIGHT_RAIL_ROLL + 1)
 #: Parameters, and the share of clear differences that may be off: some lie across a kink that neither their
-#: steps nor the shortest ones notice; the source's curvatures have one at each of their nodes. Of rigid strips
-#: 0.7e-3 ... 2.8e-3 are, from seed to seed (11 ... 18).
+#: steps nor the shortest ones notice; the source's curvatures have one at each of their nodes. Of rigid
+#: strips 0.7e-3 ... 2.8e-3 are, from seed to seed (11 ... 18).
 CASES = {
     "hertz": ({"normal_model": "hertz"}, 0.0),
     "analyn": ({}, 1e-3),
