@@ -49,12 +49,13 @@ pytestmark = pytest.mark.skipif(not default_kernel().compiled,
 
 RAILS = range(layout.IN_LEFT_RAIL_LATERAL, layout.IN_RIGHT_RAIL_ROLL + 1)
 #: Parameters, and the share of clear differences that may be off: some lie across a kink that neither their
-#: steps nor the shortest ones notice; the source's curvatures have one at each of their nodes.
+#: steps nor the shortest ones notice; the source's curvatures have one at each of their nodes. Of rigid
+#: strips 0.7e-3 ... 2.8e-3 are, from seed to seed (11 ... 18).
 CASES = {
     "hertz": ({"normal_model": "hertz"}, 0.0),
     "analyn": ({}, 1e-3),
     "vertical load": ({"load": "vertical"}, 1e-3),
-    "strip": ({"normal_model": "analyn_strip"}, 2e-3),
+    "strip": ({"normal_model": "analyn_strip"}, 3e-3),
     "elastic hertz": ({"contact_mode": "elastic", "normal_model": "hertz"}, 1e-3),
     "elastic": ({"contact_mode": "elastic"}, 1.5e-3),
     "elastic strip": ({"contact_mode": "elastic", "normal_model": "analyn_strip"}, 1e-2),
