@@ -95,6 +95,10 @@ SIDE = (
            "over the patches", 0.0),
     Output("driving_torque", "N.m", 1e3, "torque of the creep forces about the axle, positive where they "
            "turn the wheel forward"),
+    Output("rail_deflection_lateral", "m", 1e-3, "displacement of the rail from the foot of its springs, to "
+           "the right; zero where it is rigid"),
+    Output("rail_deflection_vertical", "m", 1e-3, "displacement of the rail from the foot of its springs, "
+           "down; zero where it is rigid"),
     Blocks("patch", PATCH_LIMIT, PATCH, "patch"),
     Run("station", "m", 1e-3, "lateral position of an outline station in the contact plane, from the contact "
         "point to the field side"),

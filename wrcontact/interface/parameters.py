@@ -55,13 +55,32 @@ GEOMETRY = (*Track.keywords(), *Wheelset.keywords())
 #: Keywords whose value may differ on the left side, where a keyword of its own, with this before its name,
 #: says so; without a value it is as on the right.
 LEFT = "left_"
-SIDED = ("wheel", "rail", "nominal_radius", "rail_inclination")
+#: Springs and dampers below a rail; of a spring and its damper, the one that has to be there for the other.
+RAIL_SPRINGS = ("rail_lateral_stiffness", "rail_vertical_stiffness", "rail_lateral_damping",
+                "rail_vertical_damping")
+SIDED = ("wheel", "rail", "nominal_radius", "rail_inclination", *RAIL_SPRINGS)
+
+
+def _spring(words):
+    """The row of a spring below the rails."""
+    return Number(0.0, 0.0, 1e12, "N/m", f"{words} in the contact_mode compliant; 0: rigid", nominal=1e7)
+
+
+def _damper(direction):
+    """The row of a damper beside a spring."""
+    return Number(0.0, 0.0, 1e9, "N.s/m", f"Damping beside the {direction} spring of each rail, over the "
+                  "input rail_time_step", nominal=1e4)
+
 
 #: Numbers that belong to none of the records.
 OTHERS = {
     "contact_damping": Number(0.0, 0.0, 100.0, "s/m", "Contact damping in the contact_mode compliant: forces "
                               "are multiplied by 1 + damping times the speed of the approach, and are never "
                               "below zero", nominal=0.1),
+    "rail_lateral_stiffness": _spring("Stiffness of the spring that holds each rail laterally"),
+    "rail_vertical_stiffness": _spring("Stiffness of the spring that holds each rail vertically"),
+    "rail_lateral_damping": _damper("lateral"),
+    "rail_vertical_damping": _damper("vertical"),
     "independent_wheels": Number(False, 0, 1, "1", "Whether each wheel turns by itself, with left.wheel_rate "
                                  "and right.wheel_rate instead of wheel_rate", switch=True),
     "stations": Number(STATION_COUNT, STATION_LEAST, STATION_LIMIT, "1", "Stations of a patch's outline",

@@ -112,6 +112,8 @@ def report_load(side: SideSearch, out: SideOutputs, mirror: float):
     out.friction_power = forces.friction_power
     out.wear_number = forces.wear_number
     out.driving_torque = forces.driving_torque
+    out.rail_deflection_lateral = mirror * side.deflection.lateral + 0.0
+    out.rail_deflection_vertical = side.deflection.vertical + 0.0
 
 
 def report_patches(side: SideSearch, out: SideOutputs, mirror: float):
