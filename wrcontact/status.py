@@ -117,7 +117,8 @@ SENTENCES = (
     _beyond(Status.OFF_PROFILE, "lateral_shift", LATERAL_LIMIT, ", beyond the profiles"),
     _beyond(Status.OFF_PROFILE, "yaw", YAW_LIMIT, ", beyond the profiles"),
     *(_beyond(Status.OFF_PROFILE, row.name,
-              RAIL_ROLL_LIMIT if row.name.endswith("rail_roll") else RAIL_LIMIT) for row in (*RAILS, *DEFLECTIONS)),
+              RAIL_ROLL_LIMIT if row.name.endswith("rail_roll") else RAIL_LIMIT)
+      for row in (*RAILS, *DEFLECTIONS)),
     _beyond(Status.OFF_PROFILE, "roll_input", ROLL_LIMIT, compliant=True),
     Sentence(Status.OFF_PROFILE, "always", "vertical_shift_input", math.nan,
              "<vertical_shift_input> is [vertical_shift_input] and <roll_input> [roll_input] at "

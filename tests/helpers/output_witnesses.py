@@ -266,6 +266,11 @@ def normal_moment(index):
     return witness
 
 
+def rigid_rail(wheel):
+    """No scene has springs below its rails."""
+    yield 0.0, 0.0
+
+
 # --- one patch ----------------------------------------------------------------------------------------
 
 
@@ -399,6 +404,8 @@ LOAD = {
     "friction_power": ("W", creep.side_power),
     "wear_number": ("N", creep.wear_number),
     "driving_torque": ("N.m", creep.side_torque),
+    "rail_deflection_lateral": ("m", rigid_rail),
+    "rail_deflection_vertical": ("m", rigid_rail),
 }
 PATCH = {
     "normal_force": ("N", of_patch("load", OF_LOAD)),

@@ -97,7 +97,7 @@ ERRORS = [
           "the moment of spin turns the other way about the vertical axis", "creep"),
     Error("wear_share", "fabs(patch.creep_y * patch.creepage_y)", "fabs(patch.creep_y * patch.creepage_x)",
           "the wear number takes the wrong creepage", "creep"),
-    Error("friction_side", "work, 1, work.inputs.right_friction)", "work, 1, work.inputs.left_friction)",
+    Error("friction_side", "friction = work.inputs.right_friction", "friction = work.inputs.left_friction",
           "the right wheel has the left one's friction", "creep"),
     Error("friction_fall", "exp(-parameters.friction_fall_rate * sliding) + fall",
           "exp(-parameters.friction_fall_rate * sliding)", "friction falls to zero", "creep"),

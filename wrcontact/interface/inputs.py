@@ -67,8 +67,8 @@ RATES = tuple(
     for side in ("left", "right"))
 
 #: Read where rails stand on springs.
-TIME_STEP = Input("rail_time_step", "s", 1e-3, "Time in which rails on springs have come from the deflections "
-                  "before; 0: they are at rest, and dampers carry nothing", 0.0, TIME_LIMIT)
+TIME_STEP = Input("rail_time_step", "s", 1e-3, "Time in which rails on springs have come from the "
+                  "deflections before; 0: they are at rest, and dampers carry nothing", 0.0, TIME_LIMIT)
 DEFLECTIONS = tuple(_rail(side, f"deflection_{part}_before", "m", 1e-3, f"its rail_deflection_{part} one "
                           "rail_time_step ago", RAIL_LIMIT)
                     for side in ("left", "right") for part in ("lateral", "vertical"))

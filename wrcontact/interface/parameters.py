@@ -55,9 +55,12 @@ GEOMETRY = (*Track.keywords(), *Wheelset.keywords())
 #: Keywords whose value may differ on the left side, where a keyword of its own, with this before its name,
 #: says so; without a value it is as on the right.
 LEFT = "left_"
-#: Springs and dampers below a rail; of a spring and its damper, the one that has to be there for the other.
+#: Springs below a rail, and the dampers beside them.
 RAIL_SPRINGS = ("rail_lateral_stiffness", "rail_vertical_stiffness", "rail_lateral_damping",
                 "rail_vertical_damping")
+#: Methods beside which rails may stand on springs.
+WITH_SPRINGS = {"contact_mode": ("compliant",), "normal_model": ("hertz", "analyn", "analyn_strip"),
+                "tangential_model": ("none", "strips", "fastsim", "fastrip", "polach")}
 SIDED = ("wheel", "rail", "nominal_radius", "rail_inclination", *RAIL_SPRINGS)
 
 
@@ -233,7 +236,24 @@ def checked_parameters(given, groups):
             given[family.parameter] = method.name
             _take(method, given, family.parameter)
     parameters = {name: row.checked(given.get(name, row.default)) for name, row in PARAMETERS.items()}
+    _check_springs(parameters)
     return parameters, {family.parameter: _method_of(family, parameters) for family in FAMILIES}
+
+
+def _check_springs(parameters):
+    """ValueError, in a sentence, where rails cannot stand on their springs, or have dampers without them."""
+    for name in (*RAIL_SPRINGS, *(LEFT + name for name in RAIL_SPRINGS)):
+        if parameters[name]:
+            shown = f"{name} is {parameters[name]!r}{unit_behind(PARAMETERS[name].number.unit)}"
+            for method, permitted in WITH_SPRINGS.items():
+                if parameters[method] not in permitted:
+                    raise ValueError(f"{shown}; permitted with the {method} {parameters[method]!r} is 0: "
+                                     f"rails stand on springs with the {method} "
+                                     f"{' or '.join(map(repr, permitted))}")
+            stiffness = name.replace("damping", "stiffness")
+            own = on_the_left(parameters) if name.startswith(LEFT) else parameters
+            if not own[stiffness.removeprefix(LEFT)]:
+                raise ValueError(f"{shown} without {stiffness}; permitted is 0, or a stiffness beside it")
 
 
 def _split(given):
@@ -255,6 +275,12 @@ def on_the_left(parameters):
     """``parameters`` as the left side has them: of each keyword in :data:`SIDED` the value on the left."""
     own = {name: parameters[LEFT + name] for name in SIDED}
     return parameters | {name: value for name, value in own.items() if value is not None}
+
+
+def on_rigid_rails(parameters):
+    """``parameters`` without the springs below the rails."""
+    return parameters | {name: PARAMETERS[name].default for name in PARAMETERS
+                         if name.removeprefix(LEFT) in RAIL_SPRINGS}
 
 
 def warn_of_parameters(parameters):

@@ -22,7 +22,8 @@ from ..surface.rails import is_sprung
 from ..wheelset.at_height import is_damped, load_at_height
 from ..wheelset.elastic import UNBALANCED
 from ..wheelset.forces import sum_forces
-from ..wheelset.requested import LOAD_RATES, carried_share, carries_friction, is_requested, is_rolling, side_force
+from ..wheelset.requested import (LOAD_RATES, carried_share, carries_friction, is_requested, is_rolling,
+                                  side_force)
 from ..wheelset.leaning import set_reference
 from ..wheelset.rubbing import move_patches, open_given_motion, rub_patches
 from ..wheelset.report import report

@@ -158,8 +158,8 @@ static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t st
 
 /* ---- From wheelset/at_height.py; change that one.
  *
- * One side of a wheelset whose height and roll are given: its smallest gap, and the load that follows from how
- * deep the wheel is in its rail.
+ * One side of a wheelset whose height and roll are given: its smallest gap, and the load that follows from
+ * how deep the wheel is in its rail.
  *
  * With contact damping the force of a patch is multiplied by 1 + d a, with the damping d [s/m] and the speed a
  * [m/s] at which wheel and rail approach each other along the patch's normal at its centre of load; it is never
@@ -2249,8 +2249,8 @@ static inline int64_t rubbing__close_rolling(array_double_1d work, int64_t patch
  * (settling_brackets.py).
  */
 
-/* Let the rail of a side settle under its wheel at ``height`` [m], from the rail at rest on, whose smallest
- * gap is known; the outcome.
+/* Let the rail of a side settle under its wheel at ``height`` [m], from the rail at rest on, whose
+ * smallest gap is known; the outcome.
  */
 static OUT_OF_LINE int64_t settling__settle_rail(array_double_1d tables, array_double_1d work, int64_t index, double height)
 {
@@ -2384,7 +2384,7 @@ static OUT_OF_LINE int64_t settling__iterate_deflection(array_double_1d tables, 
     double before_lateral;
     double before_vertical;
     int64_t status;
-    bool grown;
+    double before;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     lateral = (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL));
     vertical = (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL));
@@ -2397,8 +2397,8 @@ static OUT_OF_LINE int64_t settling__iterate_deflection(array_double_1d tables, 
         {
             return layout__NOT_CONVERGED;
         }
-        grown = fabs((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL))) + fabs((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL))) > fabs(before_lateral) + fabs(before_vertical);
-        if ((trial == INT64_C(0)) || grown)
+        before = fabs(before_lateral) + fabs(before_vertical);
+        if ((trial == INT64_C(0)) || (fabs((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL))) + fabs((*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL))) > before))
         {
             settling__begin_slopes(work, side);
         }

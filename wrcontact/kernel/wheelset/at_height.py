@@ -1,5 +1,5 @@
-"""One side of a wheelset whose height and roll are given: its smallest gap, and the load that follows from how
-deep the wheel is in its rail.
+"""One side of a wheelset whose height and roll are given: its smallest gap, and the load that follows from
+how deep the wheel is in its rail.
 
 With contact damping the force of a patch is multiplied by 1 + d a, with the damping d [s/m] and the speed a
 [m/s] at which wheel and rail approach each other along the patch's normal at its centre of load; it is never

@@ -33,8 +33,8 @@ SINGULAR_SPRINGS: Final[float] = 0.01
 
 @seldom
 def settle_rail(tables: Tables, work: Work, index: int, height: float):
-    """Let the rail of a side settle under its wheel at ``height`` [m], from the rail at rest on, whose smallest
-    gap is known; the outcome."""
+    """Let the rail of a side settle under its wheel at ``height`` [m], from the rail at rest on, whose
+    smallest gap is known; the outcome."""
     open_settling(tables, work, index)
     side = work.sides[index]
     if not height - side.best > GRAZING:
@@ -120,8 +120,8 @@ def iterate_deflection(tables: Tables, work: Work, index: int, height: float):
         status = press_rail(tables, work, index, height, lateral, vertical)
         if status > UNLOADED:
             return NOT_CONVERGED
-        grown = fabs(settling.lateral) + fabs(settling.vertical) > fabs(before_lateral) + fabs(before_vertical)
-        if trial == 0 or grown:
+        before = fabs(before_lateral) + fabs(before_vertical)
+        if trial == 0 or fabs(settling.lateral) + fabs(settling.vertical) > before:
             begin_slopes(settling, side)
         else:
             update_slopes(settling, before_lateral, before_vertical)
