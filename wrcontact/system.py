@@ -26,8 +26,8 @@ from .interface.calls import (
 from .interface.inputs import INPUTS
 from .interface.parameters import (
     PARAMETERS,
+    RIGID_RAILS,
     checked_parameters,
-    on_rigid_rails,
     on_the_left,
     warn_of_parameters,
 )
@@ -344,7 +344,7 @@ class ContactSystem:
         """The same wheelset in elastic contact, on rigid rails."""
         if self._elastic is None:
             kind, parameters, profiles = self.__reduce__()[1]
-            self._elastic = _rebuilt(kind, on_rigid_rails(parameters) | {"contact_mode": "elastic"}, profiles)
+            self._elastic = _rebuilt(kind, {**parameters, **RIGID_RAILS, "contact_mode": "elastic"}, profiles)
         return self._elastic
 
     def _parts(self, stepper, rows, places, processes, threads=1):

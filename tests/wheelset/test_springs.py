@@ -332,4 +332,5 @@ def test_a_rigid_left_rail_beside_a_soft_right_one():
 def test_a_bad_time_step_is_an_invalid_input():
     state = wrcontact.ContactSystem(contact_mode="compliant", **SPRINGS).evaluate(rail_time_step=-1e-3)
     assert state.status == Status.INVALID_INPUT
-    assert "rail_time_step is -0.001 s; permitted is 0 <= rail_time_step <= 1e+06 s" in state.explanation
+    assert "rail_time_step is -0.001 s; permitted is 0 <= rail_time_step <= 1e+06 s" in wrcontact.explain(
+        state.status, state.inputs, compliant=True)

@@ -58,6 +58,8 @@ LEFT = "left_"
 #: Springs below a rail, and the dampers beside them.
 RAIL_SPRINGS = ("rail_lateral_stiffness", "rail_vertical_stiffness", "rail_lateral_damping",
                 "rail_vertical_damping")
+#: What stands for none of them on both sides.
+RIGID_RAILS = {side + name: 0.0 for side in ("", LEFT) for name in RAIL_SPRINGS}
 #: Methods beside which rails may stand on springs.
 WITH_SPRINGS = {"contact_mode": ("compliant",), "normal_model": ("hertz", "analyn", "analyn_strip"),
                 "tangential_model": ("none", "strips", "fastsim", "fastrip", "polach")}
@@ -242,7 +244,7 @@ def checked_parameters(given, groups):
 
 def _check_springs(parameters):
     """ValueError, in a sentence, where rails cannot stand on their springs, or have dampers without them."""
-    for name in (*RAIL_SPRINGS, *(LEFT + name for name in RAIL_SPRINGS)):
+    for name in RIGID_RAILS:
         if parameters[name]:
             shown = f"{name} is {parameters[name]!r}{unit_behind(PARAMETERS[name].number.unit)}"
             for method, permitted in WITH_SPRINGS.items():
@@ -275,12 +277,6 @@ def on_the_left(parameters):
     """``parameters`` as the left side has them: of each keyword in :data:`SIDED` the value on the left."""
     own = {name: parameters[LEFT + name] for name in SIDED}
     return parameters | {name: value for name, value in own.items() if value is not None}
-
-
-def on_rigid_rails(parameters):
-    """``parameters`` without the springs below the rails."""
-    return parameters | {name: PARAMETERS[name].default for name in PARAMETERS
-                         if name.removeprefix(LEFT) in RAIL_SPRINGS}
 
 
 def warn_of_parameters(parameters):

@@ -31,8 +31,8 @@ def kernel_rates(start, stations, row, names, inputs):
     stepped(made, row)
     stepper.inputs[:] = made._values[:len(stepper.inputs)]
     stepper.step()
-    places = [REFERENCE[name] - variables.FIRST_OUTPUT for name in names]
-    rates = [stepper._bound.derivative(np.eye(len(stepper.inputs))[REFERENCE[name]])[1] for name in inputs]
+    places = [PLACE[name] - variables.FIRST_OUTPUT for name in names]
+    rates = [stepper._bound.derivative(np.eye(len(stepper.inputs))[PLACE[name]])[1] for name in inputs]
     return [[*along[places], *outline_of_both(along)["right.station"]] for along in rates]
 
 

@@ -12,8 +12,7 @@ from wrcontact.fmu.description import number_text
 
 SETTINGS = {"contact_mode": "compliant", "tangential_model": "polach", "contact_damping": 0.7, "gauge": 1.433,
             "left_nominal_radius": 0.459, "left_rail_inclination": 0.0,
-            "independent_wheels": True, "rail_vertical_stiffness": 5e7, "left_rail_vertical_stiffness": 2e8,
-            "rail_lateral_stiffness": 3e7}
+            "independent_wheels": True}
 
 
 @needs_compiler
