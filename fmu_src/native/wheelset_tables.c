@@ -85,7 +85,7 @@ static int fill_left(wheelset *self, double *setup)
     return 0;
 }
 
-/* Rails on springs need the compliant mode, and dampers need springs. */
+/* Rails on springs need the compliant mode, and dampers need springs and a step in time. */
 static int check_springs(wheelset *self, const double *setup)
 {
     static const int springs[4][3] = {
@@ -106,6 +106,9 @@ static int check_springs(wheelset *self, const double *setup)
             return wheelset_refuse(self, "%s is %s%s; permitted with the contact_mode '%s' is 0: rails stand on springs with the "
                                    "contact_mode 'compliant'", variable->name, sentence_shortest(number, value, sizeof value),
                                    variable->unit, self->core.text[MODEL_MODE_SLOT]);
+        if (self->core.exchange && i % 4 >= 2)
+            return wheelset_refuse(self, "%s is %s%s; permitted in model exchange is 0: a damper needs the steps of co-simulation",
+                                   variable->name, sentence_shortest(number, value, sizeof value), variable->unit);
         if (beside == 0.0)
             return wheelset_refuse(self, "%s is %s%s without %s; permitted is 0, or a stiffness beside it", variable->name,
                                    sentence_shortest(number, value, sizeof value), variable->unit, stiffness->name);

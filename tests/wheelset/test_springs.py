@@ -160,6 +160,18 @@ def test_a_displaced_foot_moves_the_rail_and_a_rolled_one_too():
     assert missed(rolled) < BALANCED and rolled.force.z != soft.evaluate(**pose).force.z
 
 
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_the_reaction_is_about_the_rail_where_it_stands(side):
+    """That on a rigid rail which was moved by hand to the same place."""
+    soft, rigid = (wrcontact.ContactSystem(contact_mode="compliant", **springs) for springs in (SPRINGS, {}))
+    pose = {"lateral_shift": 4e-3, "yaw": 3e-3, "vertical_shift_input": 1.4e-3, "roll_input": -1e-4}
+    state = soft.evaluate(**pose)
+    moved = rigid.evaluate(**pose, **{f"{side}_rail_{part}": state[f"{side}.rail_deflection_{part}"]
+                                      for part in ("lateral", "vertical")}, side=side)
+    for found, wanted in zip(soft.rail_reaction(state, side), rigid.rail_reaction(moved, side), strict=True):
+        assert found == pytest.approx(wanted, rel=SAME, abs=1e-6 * state[f"{side}.normal_force"])
+
+
 def test_only_what_is_wanted_changes_nothing():
     system = wrcontact.ContactSystem(contact_mode="compliant", **SPRINGS)
     pose = {"lateral_shift": 5e-3, "vertical_shift_input": 1.5e-3}

@@ -8,7 +8,7 @@ from tests.helpers.cases import LEFT_SIDE, moving_track, poses, system
 from tests.helpers.fmus import needs_compiler, outline_of_both, session, stepped
 from wrcontact import ContactSystem
 from wrcontact.interface import variables
-from wrcontact.interface.variables import PLACE, REFERENCE, VARIABLES
+from wrcontact.interface.variables import PLACE, VARIABLES
 from wrcontact.kernel.binding.library import default_kernel
 
 pytestmark = needs_compiler
