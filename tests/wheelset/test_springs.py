@@ -71,6 +71,35 @@ def test_springs_carry_what_the_wheel_presses_as_over_rails_moved_by_hand(model,
     assert settled >= (15 if model == "hertz" else 20)
 
 
+@pytest.mark.full
+@pytest.mark.parametrize("model", MODELS)
+def test_random_wheels_settle(model):
+    """On springs of 1 MN/m to 1 GN/m, one direction or both: 20 wheels of 400 poses each.  Measured: no wheel
+    without an answer; ANALYN and strips miss the springs' force in 3 of 1000 poses, by 10 % at most, Hertz in 3
+    of 100 by up to two thirds."""
+    rng, missing, count = np.random.default_rng(40), [], 0
+    for k in range(20):
+        lateral, vertical = 10 ** rng.uniform(6, 9, 2) * ((1, 1), (1, 1), (0, 1), (1, 0))[k % 4]
+        wheel = one_wheel(model, tangential_model=("none", "polach")[k % 2], rail_lateral_stiffness=lateral,
+                          rail_vertical_stiffness=vertical)
+        load = 10 ** rng.uniform(3.5, 5.3, 400)
+        table = wheel.evaluate_many(
+            lateral_shift=rng.uniform(-8e-3, 8e-3, 400), yaw=rng.normal(0, 5e-3, 400), speed=20.0,
+            vertical_shift_input=1e-4 * (load / 8e4) ** (2 / 3) + (load / vertical if vertical else 0.0),
+            lateral_velocity=0.01, rail_roll=rng.normal(0, 5e-3) * (k % 3 == 0))
+        assert set(table.status) <= {Status.VALID, Status.UNLOADED, Status.OFF_PROFILE}
+        sound = table[table.status == Status.VALID]
+        left = [stiffness and stiffness * deflected + force for stiffness, deflected, force in (
+            (lateral, sound.rail_deflection_lateral, sound.force.y),
+            (vertical, sound.rail_deflection_vertical, sound.force.z))]
+        share = np.maximum(*map(np.abs, left)) / np.hypot(sound.force.y, sound.force.z)
+        missing.extend(share[share > 1e-7])
+        count += len(share)
+    assert count > 4000
+    assert len(missing) < (0.06 if model == "hertz" else 0.006) * count
+    assert max(missing, default=0.0) < (0.8 if model == "hertz" else 0.15)
+
+
 def test_scipy_finds_the_same_deflections_over_rigid_rails():
     """From a start 0.1 mm beside, by scipy's root of the springs' law over rails that the inputs displace."""
     soft, rigid = one_wheel(**SPRINGS), one_wheel()
