@@ -75,8 +75,8 @@ def test_springs_carry_what_the_wheel_presses_as_over_rails_moved_by_hand(model,
 @pytest.mark.parametrize("model", MODELS)
 def test_random_wheels_settle(model):
     """On springs of 1 MN/m to 1 GN/m, one direction or both: 20 wheels of 400 poses each.  Measured: no wheel
-    without an answer; ANALYN and strips miss the springs' force in 3 of 1000 poses, by 10 % at most, Hertz in 3
-    of 100 by up to two thirds."""
+    without an answer; ANALYN and strips miss the springs' force in 3 of 1000 poses, by 10 % at most, Hertz in
+    3 of 100 by up to two thirds."""
     rng, missing, count = np.random.default_rng(40), [], 0
     for k in range(20):
         lateral, vertical = 10 ** rng.uniform(6, 9, 2) * ((1, 1), (1, 1), (0, 1), (1, 0))[k % 4]
