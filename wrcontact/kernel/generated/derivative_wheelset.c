@@ -500,6 +500,7 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
     if (first > layout__SIDE_PENETRATION)
     {
         derivative_report__report_load_t(work, work_t, side, out, mirror, all_lanes(0.0));
+        derivative_report__report_deflection_t(work, work_t, tables, side, out, mirror, all_lanes(0.0));
         derivative_report__report_patches_t(work, work_t, side, out, mirror, all_lanes(0.0));
     }
     for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
@@ -600,10 +601,23 @@ static inline int64_t derivative_report__report_load_t(array_double_1d work, arr
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER));
     EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE))) = each((*lanes_at(&work_t, forces + layout__FORCES_DRIVING_TORQUE)));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL))) = each(mirror_t) * (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)) + mirror * each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = mirror * (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)) + 0.0;
-    EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)) + 0.0;
+    return INT64_C(0);
+}
+
+/* Derivative of ``report_deflection``. */
+static inline int64_t derivative_report__report_deflection_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t out, double mirror, lanes mirror_t)
+{
+    (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = all_lanes(0.0);
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = 0.0;
+    (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = all_lanes(0.0);
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = 0.0;
+    if (rails__on_springs(tables))
+    {
+        EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL))) = each(mirror_t) * (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)) + mirror * each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)));
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = mirror * (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)) + 0.0;
+        EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)));
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)) + 0.0;
+    }
     return INT64_C(0);
 }
 
@@ -841,7 +855,7 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d ta
     }
     derivative_motion__open_left_rail_t(tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
     derivative_motion__open_right_rail_t(tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL);
-    if ((*cspan_at(&tables, layout__TABLES_SPRUNG)) == 1.0)
+    if (rails__on_springs(tables))
     {
         derivative_motion__carry_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_DEFLECTION);
         derivative_motion__carry_rail_t(work, work_t, right + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_DEFLECTION);

@@ -338,6 +338,7 @@ static inline int64_t derivative_rails__on_track_t(double* result_0, lanes* resu
 static inline int64_t derivative_report__write_vector_t(array_double_1d work, array_lanes_1d work_t, int64_t out, int64_t vector, double plane, lanes plane_t, double across, lanes across_t);
 static inline int64_t derivative_report__report_point_t(array_double_1d work, array_lanes_1d work_t, int64_t point, int64_t out, double mirror, lanes mirror_t);
 static inline int64_t derivative_report__report_load_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t);
+static inline int64_t derivative_report__report_deflection_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t out, double mirror, lanes mirror_t);
 static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t);
 static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t);
 static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t outline, int64_t stations, bool rubbing);

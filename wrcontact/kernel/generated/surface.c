@@ -26,6 +26,7 @@ static inline double locus__outline_x(array_double_1d tables, array_double_1d wo
 /* surface/rails.py */
 static inline int64_t rails__move_rail(array_double_1d work, int64_t place, double lateral, double vertical);
 static inline bool rails__is_sprung(array_double_1d tables, int64_t index);
+static inline bool rails__on_springs(array_double_1d tables);
 static inline int64_t rails__deflect_rail(array_double_1d work, int64_t place, int64_t deflection);
 static inline int64_t rails__lean_rail(array_double_1d work, int64_t place, double rail_y, double angle);
 static inline int64_t rails__turn_leaning(array_double_1d work, int64_t place);
@@ -526,6 +527,14 @@ static inline bool rails__is_sprung(array_double_1d tables, int64_t index)
     bool result;
     spring = layout__TABLES_SPRINGS + layout__SPRING_SIZE * index;
     result = ((*cspan_at(&tables, spring + layout__SPRING_LATERAL_STIFFNESS)) > 0.0) || ((*cspan_at(&tables, spring + layout__SPRING_VERTICAL_STIFFNESS)) > 0.0);
+    return result;
+}
+
+/* Whether a rail stands on springs in this contact mode; only then deflections are known. */
+static inline bool rails__on_springs(array_double_1d tables)
+{
+    bool result;
+    result = ((*cspan_at(&tables, layout__TABLES_SPRUNG)) == 1.0) && ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_COMPLIANT);
     return result;
 }
 

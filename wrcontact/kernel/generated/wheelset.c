@@ -55,6 +55,7 @@ static inline int64_t report__write_vector(array_double_1d work, int64_t out, in
 static inline int64_t report__first_omitted(array_double_1d tables, int64_t index);
 static inline int64_t report__report_point(array_double_1d work, int64_t point, int64_t out, double mirror);
 static inline int64_t report__report_load(array_double_1d work, int64_t side, int64_t out, double mirror);
+static inline int64_t report__report_deflection(array_double_1d work, array_double_1d tables, int64_t side, int64_t out, double mirror);
 static inline int64_t report__report_patch(array_double_1d work, int64_t patch, int64_t out, double mirror);
 static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror);
 static inline int64_t report__outline_place(array_double_1d tables, array_double_1d work, int64_t index);
@@ -1372,6 +1373,7 @@ static inline int64_t report__report_side(array_double_1d tables, array_double_1
     if (first > layout__SIDE_PENETRATION)
     {
         report__report_load(work, side, out, mirror);
+        report__report_deflection(work, tables, side, out, mirror);
         report__report_patches(work, side, out, mirror);
     }
     for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
@@ -1465,8 +1467,19 @@ static inline int64_t report__report_load(array_double_1d work, int64_t side, in
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_FRICTION_POWER)) = (*cspan_at(&work, forces + layout__FORCES_FRICTION_POWER));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, forces + layout__FORCES_WEAR_NUMBER));
     (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE)) = (*cspan_at(&work, forces + layout__FORCES_DRIVING_TORQUE));
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = mirror * (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)) + 0.0;
-    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)) + 0.0;
+    return INT64_C(0);
+}
+
+/* How far the rail stands from the foot of its springs. */
+static inline int64_t report__report_deflection(array_double_1d work, array_double_1d tables, int64_t side, int64_t out, double mirror)
+{
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = 0.0;
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = 0.0;
+    if (rails__on_springs(tables))
+    {
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = mirror * (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)) + 0.0;
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)) + 0.0;
+    }
     return INT64_C(0);
 }
 
@@ -1974,7 +1987,7 @@ static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_d
     }
     motion__open_left_rail(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
     motion__open_right_rail(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL);
-    if ((*cspan_at(&tables, layout__TABLES_SPRUNG)) == 1.0)
+    if (rails__on_springs(tables))
     {
         motion__carry_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_DEFLECTION);
         motion__carry_rail(work, right + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_DEFLECTION);

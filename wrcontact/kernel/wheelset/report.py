@@ -10,6 +10,7 @@ from typing import Final
 from ..layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, PATCH_LIMIT, RUN_COUNT, SIDES_BOTH,
                       SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, STATION_COUNT, ContactPoint, Outline, Patch,
                       PatchOutputs, SideOutputs, SideSearch, Tables, Vector, Work, clear, offset)
+from ..surface.rails import on_springs
 from .requested import has_creep_forces, is_requested
 
 #: Runs of an outline that are there without friction: stations, half-lengths and pressures.
@@ -49,6 +50,7 @@ def report_side(tables: Tables, work: Work, index: int):
         report_point(side.point, out, mirror)
     if first > SIDE_PENETRATION:
         report_load(side, out, mirror)
+        report_deflection(tables, side, out, mirror)
         report_patches(side, out, mirror)
     for i in range(first, SIDE_SIZE):
         out[i] = tables.absent
@@ -112,8 +114,15 @@ def report_load(side: SideSearch, out: SideOutputs, mirror: float):
     out.friction_power = forces.friction_power
     out.wear_number = forces.wear_number
     out.driving_torque = forces.driving_torque
-    out.rail_deflection_lateral = mirror * side.deflection.lateral + 0.0
-    out.rail_deflection_vertical = side.deflection.vertical + 0.0
+
+
+def report_deflection(tables: Tables, side: SideSearch, out: SideOutputs, mirror: float):
+    """How far the rail stands from the foot of its springs."""
+    out.rail_deflection_lateral = 0.0
+    out.rail_deflection_vertical = 0.0
+    if on_springs(tables):
+        out.rail_deflection_lateral = mirror * side.deflection.lateral + 0.0
+        out.rail_deflection_vertical = side.deflection.vertical + 0.0
 
 
 def report_patches(side: SideSearch, out: SideOutputs, mirror: float):

@@ -22,6 +22,7 @@ from ..creep.motion import (are_independent, carry_rail, constrain_loaded, const
                             turn_wheels)
 from ..layout import (DEPTH_ALL, MODE_COMPLIANT, MODE_ELASTIC, ROLLING_STRIP_LIMIT, TANGENTIAL_NONE, Outline,
                       Patch, Rolling, RollingStrip, SideSearch, Tables, Work)
+from ..surface.rails import on_springs
 from .forces import sum_side
 from .requested import has_creep_forces, is_requested, is_rolling
 from .side import touch_side
@@ -37,7 +38,7 @@ def open_given_motion(tables: Tables, work: Work):
         turn_wheels(tables, left, right, work.inputs)
     open_left_rail(tables.pairs[0], left.rail, work.inputs)
     open_right_rail(tables.pairs[1], right.rail, work.inputs)
-    if tables.sprung:
+    if on_springs(tables):
         carry_rail(left.rail, work.sides[0].deflection)
         carry_rail(right.rail, work.sides[1].deflection)
     set_rates(left, right, work.inputs.vertical_velocity, work.inputs.roll_rate)
