@@ -222,6 +222,12 @@ class Side(View[_N], Generic[_N, _K]):
     def penetration(self) -> _N:
         """Penetration: approach of the two bodies [m]."""
     @property
+    def rail_deflection_lateral(self) -> _N:
+        """Displacement of the rail from the foot of its springs, to the right; zero where it is rigid [m]."""
+    @property
+    def rail_deflection_vertical(self) -> _N:
+        """Displacement of the rail from the foot of its springs, down; zero where it is rigid [m]."""
+    @property
     def rolling_radius(self) -> _N:
         """Rolling radius at the contact point: nominal radius plus height of the wheel profile [m]."""
     @property

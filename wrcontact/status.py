@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from .interface.friction import FRICTION, FRICTION_LIMIT
 from .interface.inputs import (
+    DEFLECTIONS,
     INPUT_NAMES,
     INPUT_UNITS,
     INPUTS,
@@ -16,6 +17,7 @@ from .interface.inputs import (
     RAIL_ROLL_LIMIT,
     RAILS,
     ROLL_LIMIT,
+    TIME_LIMIT,
     USUAL_LOAD,
     YAW_LIMIT,
 )
@@ -98,6 +100,9 @@ SENTENCES = (
     *(Sentence(Status.INVALID_INPUT, "outside", row.name, FRICTION_LIMIT,
                f"<{row.name}> is [{row.name}]; permitted is 0 <= <{row.name}> <= "
                f"[{row.name}:{FRICTION_LIMIT!r}]") for row in FRICTION),
+    Sentence(Status.INVALID_INPUT, "outside", "rail_time_step", TIME_LIMIT,
+             "<rail_time_step> is [rail_time_step]; permitted is 0 <= <rail_time_step> <= "
+             f"[rail_time_step:{TIME_LIMIT!r}]"),
     Sentence(Status.INVALID_INPUT, "negative", "normal_force", 0.0,
              "<normal_force> is [normal_force]; permitted is <normal_force> >= [normal_force:0.0]"),
     Sentence(Status.INVALID_INPUT, "always", "load_transfer", 1.0,
@@ -113,7 +118,8 @@ SENTENCES = (
     _beyond(Status.OFF_PROFILE, "lateral_shift", LATERAL_LIMIT, ", beyond the profiles"),
     _beyond(Status.OFF_PROFILE, "yaw", YAW_LIMIT, ", beyond the profiles"),
     *(_beyond(Status.OFF_PROFILE, row.name,
-              RAIL_ROLL_LIMIT if row.name.endswith("rail_roll") else RAIL_LIMIT) for row in RAILS),
+              RAIL_ROLL_LIMIT if row.name.endswith("rail_roll") else RAIL_LIMIT)
+      for row in (*RAILS, *DEFLECTIONS)),
     _beyond(Status.OFF_PROFILE, "roll_input", ROLL_LIMIT, compliant=True),
     Sentence(Status.OFF_PROFILE, "always", "vertical_shift_input", math.nan,
              "<vertical_shift_input> is [vertical_shift_input] and <roll_input> [roll_input] at "

@@ -24,7 +24,13 @@ from .interface.calls import (
     wrong_input,
 )
 from .interface.inputs import INPUTS
-from .interface.parameters import PARAMETERS, checked_parameters, on_the_left, warn_of_parameters
+from .interface.parameters import (
+    PARAMETERS,
+    RIGID_RAILS,
+    checked_parameters,
+    on_the_left,
+    warn_of_parameters,
+)
 from .kernel import layout
 from .kernel.binding.setup import prepare_sides, profile_tables
 from .kernel.prepare.tables import equal_sides
@@ -32,7 +38,7 @@ from .methods import Halfspace, HalfspaceRolling
 from .motion.names import listed
 from .motion.reaction import rail_reaction
 from .motion.standing import stand_at
-from .profiles.catalogue import find_profile
+from .profiles.catalogue import find_profiles
 from .profiles.plausible import remark_wheels
 from .results.columns import selected
 from .state import Equilibrium, WheelsetState
@@ -335,10 +341,10 @@ class ContactSystem:
         return Equilibrium(float(found.vertical_shift[0]), float(found.roll[0]), Status(int(found.status[0])))
 
     def _elastic_twin(self):
-        """The same wheelset in elastic contact."""
+        """The same wheelset in elastic contact, on rigid rails."""
         if self._elastic is None:
             kind, parameters, profiles = self.__reduce__()[1]
-            self._elastic = _rebuilt(kind, {**parameters, "contact_mode": "elastic"}, profiles)
+            self._elastic = _rebuilt(kind, {**parameters, **RIGID_RAILS, "contact_mode": "elastic"}, profiles)
         return self._elastic
 
     def _parts(self, stepper, rows, places, processes, threads=1):
@@ -373,16 +379,6 @@ class ContactSystem:
         stepper.want(wanted.side, wanted.depth)
         stepper.prescribe(penetration)
         return np.ascontiguousarray(np.stack(columns, axis=1)), wanted, stepper
-
-
-def find_profiles(parameters):
-    """Wheel and rail of the right side, wheel and rail of the left side."""
-    smoothing = parameters["smoothing"]
-    right = [find_profile(parameters[kind], kind, smoothing) for kind in ("wheel", "rail")]
-    left = [profile if parameters[f"left_{kind}"] is None
-            else find_profile(parameters[f"left_{kind}"], kind, smoothing, f"left_{kind}")
-            for kind, profile in zip(("wheel", "rail"), right)]
-    return *right, *left
 
 
 def _rebuilt(kind, parameters, profiles):

@@ -84,6 +84,10 @@ class WheelContact:
         tangential_model: Literal["none", "strips", "fastsim", "fastrip", "polach", "halfspace"] | TangentialModel = "none",
         published_spin: int = 0,
         contact_damping: float = 0.0,
+        rail_lateral_stiffness: float = 0.0,
+        rail_vertical_stiffness: float = 0.0,
+        rail_lateral_damping: float = 0.0,
+        rail_vertical_damping: float = 0.0,
         wear_outputs: bool = False,
         stations: int = 31,
         smoothing: float | None = None,
@@ -110,6 +114,9 @@ class WheelContact:
         rail_vertical_velocity: float = 0.0,
         rail_roll_velocity: float = 0.0,
         friction: float = 0.3,
+        rail_time_step: float = 0.0,
+        rail_deflection_lateral_before: float = 0.0,
+        rail_deflection_vertical_before: float = 0.0,
         outputs: _Wanted = "all",
     ) -> WheelState: ...
     def evaluate_many(

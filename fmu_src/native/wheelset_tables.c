@@ -15,6 +15,7 @@
 
 enum { TABLE_ROOM = 100000, MOST_ROOM = 10000000 };
 enum { NO_MEMORY = -100 };      /* beside the outcomes of the kernel's preparation */
+enum { DIFFERING = 6 };         /* numbers that may differ on the left side */
 
 /* The kernel's setup from the parameters. */
 static int fill_setup(wheelset *self, double *setup)
@@ -63,10 +64,15 @@ static int fill_setup(wheelset *self, double *setup)
 /* What differs on the left side; 0 means as on the right. */
 static int fill_left(wheelset *self, double *setup)
 {
-    static const int differing[2][3] = {{MODEL_LEFT_NOMINAL_RADIUS, MODEL_NOMINAL_RADIUS, layout__SETUP_LEFT_RADIUS},
-                                        {MODEL_LEFT_RAIL_INCLINATION, MODEL_RAIL_INCLINATION, layout__SETUP_LEFT_INCLINATION}};
+    static const int differing[DIFFERING][3] = {
+        {MODEL_LEFT_NOMINAL_RADIUS, MODEL_NOMINAL_RADIUS, layout__SETUP_LEFT_RADIUS},
+        {MODEL_LEFT_RAIL_INCLINATION, MODEL_RAIL_INCLINATION, layout__SETUP_LEFT_INCLINATION},
+        {MODEL_LEFT_RAIL_LATERAL_STIFFNESS, MODEL_RAIL_LATERAL_STIFFNESS, layout__SETUP_LEFT_SPRING},
+        {MODEL_LEFT_RAIL_VERTICAL_STIFFNESS, MODEL_RAIL_VERTICAL_STIFFNESS, layout__SETUP_LEFT_SPRING + 1},
+        {MODEL_LEFT_RAIL_LATERAL_DAMPING, MODEL_RAIL_LATERAL_DAMPING, layout__SETUP_LEFT_SPRING + 2},
+        {MODEL_LEFT_RAIL_VERTICAL_DAMPING, MODEL_RAIL_VERTICAL_DAMPING, layout__SETUP_LEFT_SPRING + 3}};
     char value[2 * MODEL_TEXT];
-    for (int i = 0; i < 2; i += 1)
+    for (int i = 0; i < DIFFERING; i += 1)
     {
         const model_variable *own = model_variables + differing[i][0], *other = model_variables + differing[i][1];
         const double number = self->core.values[differing[i][0]];
@@ -75,6 +81,37 @@ static int fill_left(wheelset *self, double *setup)
             return wheelset_refuse(self, "%s is %s; permitted is %s ... %s%s", own->name,
                                    sentence_shortest(number, value, sizeof value), SIX_DIGITS(other->low), SIX_DIGITS(other->high),
                                    own->unit);
+    }
+    return 0;
+}
+
+/* Rails on springs need the compliant mode, and dampers need springs and a step in time. */
+static int check_springs(wheelset *self, const double *setup)
+{
+    static const int springs[4][3] = {
+        {MODEL_RAIL_LATERAL_STIFFNESS, MODEL_LEFT_RAIL_LATERAL_STIFFNESS, 0},
+        {MODEL_RAIL_VERTICAL_STIFFNESS, MODEL_LEFT_RAIL_VERTICAL_STIFFNESS, 1},
+        {MODEL_RAIL_LATERAL_DAMPING, MODEL_LEFT_RAIL_LATERAL_DAMPING, 0},
+        {MODEL_RAIL_VERTICAL_DAMPING, MODEL_LEFT_RAIL_VERTICAL_DAMPING, 1}};
+    char value[2 * MODEL_TEXT];
+    for (int i = 0; i < 8; i += 1)
+    {
+        const int *row = springs[i % 4];
+        const model_variable *variable = model_variables + row[i / 4], *stiffness = model_variables + springs[row[2]][i / 4];
+        const double number = self->core.values[row[i / 4]];
+        const double beside = i < 4 ? setup[stiffness->setup] : setup[layout__SETUP_LEFT_SPRING + row[2]];
+        if (number == 0.0)
+            continue;
+        if (!wheelset_is_compliant(self))
+            return wheelset_refuse(self, "%s is %s%s; permitted with the contact_mode '%s' is 0: rails stand on springs with the "
+                                   "contact_mode 'compliant'", variable->name, sentence_shortest(number, value, sizeof value),
+                                   variable->unit, self->core.text[MODEL_MODE_SLOT]);
+        if (self->core.exchange && i % 4 >= 2)
+            return wheelset_refuse(self, "%s is %s%s; permitted in model exchange is 0: a damper needs the steps of co-simulation",
+                                   variable->name, sentence_shortest(number, value, sizeof value), variable->unit);
+        if (beside == 0.0)
+            return wheelset_refuse(self, "%s is %s%s without %s; permitted is 0, or a stiffness beside it", variable->name,
+                                   sentence_shortest(number, value, sizeof value), variable->unit, stiffness->name);
     }
     return 0;
 }
@@ -229,7 +266,8 @@ static int prepare(wheelset *self)
     wrcontact_preparation preparation = {0};
     preparation.setup = span_of(setup, MODEL_SETUP);
     preparation.fixed = span_of((double *)model_fixed, MODEL_FIXED_SIZE);
-    if (fill_setup(self, setup) || fill_resolution(self, setup) || fill_left(self, setup) || find_profiles(self, &preparation, slots))
+    if (fill_setup(self, setup) || fill_resolution(self, setup) || fill_left(self, setup) || check_springs(self, setup)
+        || find_profiles(self, &preparation, slots))
         return 1;
     int outcome = prepare_pieces__FULL;
     for (int64_t room = TABLE_ROOM; outcome == prepare_pieces__FULL && room <= MOST_ROOM; room *= 4)

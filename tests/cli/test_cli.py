@@ -154,7 +154,10 @@ def test_every_input_and_parameter_has_an_option(run):
                                             "--lateral-velocity", "--vertical-velocity", "--yaw-rate",
                                             "--roll-rate", "--wheel-rate", "--track-curvature",
                                             "--left-friction", "--right-friction", "--left-wheel-rate",
-                                            "--right-wheel-rate",
+                                            "--right-wheel-rate", "--rail-time-step",
+                                            *(f"--{side}-rail-deflection-{direction}-before-mm"
+                                              for side in ("left", "right")
+                                              for direction in ("lateral", "vertical")),
                                             *(f"--{side}-rail-{part}" for side in ("left", "right")
                                               for part in ("lateral-mm", "vertical-mm", "roll-deg",
                                                            "lateral-velocity", "vertical-velocity",

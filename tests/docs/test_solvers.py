@@ -16,7 +16,7 @@ PAGE = (ROOT / "docs" / "solvers.md").read_text(encoding="utf-8")
 
 def test_the_examples_run():
     names = {}
-    first, second = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
+    first, second, third = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
     exec(first, names)
     # the wheelset stands on its load
     assert names["force"][2] == pytest.approx(-109e3, rel=0.01) and names["moment"].shape == (3,)
@@ -27,6 +27,10 @@ def test_the_examples_run():
     assert names["state"].status == 0 and not names["table"].status.all()
     # a wheel and its rail that sink together stay as they are
     assert names["slopes"].sum() == pytest.approx(0.0, abs=1e-6 * abs(names["slopes"][0, 0]))
+    exec(third, names)
+    # springs still at work: the vertical one alone carries less than the wheel
+    stepper, sunk = names["stepper"], names["stepper"].outputs[names["now"]][3]
+    assert 0.0 < 5e7 * sunk < -stepper.outputs[stepper.place("right.force.z")]
 
 
 @pytest.mark.full

@@ -85,6 +85,9 @@ WRONG_PARAMETERS = {
     "gauge": ({"gauge": 14.35}, ["gauge", "14.35", "m"]),
     "nominal_radius": ({"nominal_radius": math.nan}, ["nominal_radius", "nan", "m"]),
     "poisson_ratio": ({"poisson_ratio": 0.7}, ["poisson_ratio", "0.7"]),
+    "spring": ({"rail_lateral_stiffness": 2.5e7}, ["rail_lateral_stiffness", "N/m", "contact_mode", "rigid"]),
+    "damper": ({"contact_mode": "compliant", "left_rail_lateral_damping": 3.5},
+               ["left_rail_lateral_damping", "3.5", "without left_rail_lateral_stiffness"]),
 }
 
 

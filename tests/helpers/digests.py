@@ -51,6 +51,7 @@ OTHERS = [
     {"lateral_curvature": "smooth", "separation": "equidistant_chord", "rail": "54E1"},
     {"load": "vertical", "tangential_model": "strips", "contact_mode": "elastic"},
     {"contact_mode": "compliant", "contact_damping": 0.5, "tangential_model": "strips"},
+    {"contact_mode": "compliant", "rail_lateral_stiffness": 3e7, "rail_vertical_stiffness": (2e8, 1e8)},
     {"tangential_model": "strips", "poisson_ratio": 0.3, **FRICTION},
     {"wheel": ("cone20", "cone40"), "rail": "60E1", "rail_inclination": (0.025, 0.05)},
     {"normal_model": "hertz", "longitudinal_curvature": "basic"},
@@ -76,8 +77,9 @@ def poses(count=POSES):
     draw = random.Random(26)
     rows = np.zeros((count, layout.INPUT_COUNT))
     for row in rows:
-        # rates of independent wheels are not read, and came later
-        values = {name: draw.uniform(-1.0, 1.0) for name in INPUT_NAMES if not name.endswith(".wheel_rate")}
+        # not drawn is what came later: rates of independent wheels, which are not read, and rails on springs
+        values = {name: draw.uniform(-1.0, 1.0) for name in INPUT_NAMES
+                  if not name.endswith((".wheel_rate", "_before", "_time_step"))}
         yawed, moved = draw.random() < 0.5, draw.random() < 1.0 / 3.0
         for place, entry in enumerate(INPUTS):
             row[place] = start_of(entry) + values.get(entry.name, 0.0) * size_of(entry.name, yawed, moved)

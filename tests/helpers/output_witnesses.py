@@ -271,6 +271,11 @@ def normal_moment(index):
     return witness
 
 
+def rigid_rail(wheel):
+    """No scene has springs below its rails."""
+    yield 0.0, 0.0
+
+
 # --- one patch ----------------------------------------------------------------------------------------
 
 
@@ -406,6 +411,8 @@ LOAD = {
     "driving_torque": ("N.m", creep.side_torque),
     "damping_power": ("W", wear.damping_power),
     "derailment_quotient": ("1", wear.derailment_quotient),
+    "rail_deflection_lateral": ("m", rigid_rail),
+    "rail_deflection_vertical": ("m", rigid_rail),
 }
 PATCH = {
     "normal_force": ("N", of_patch("load", OF_LOAD)),

@@ -3,7 +3,7 @@ meaning, the file that sees it, module) for planted.py.  The file alone sees it,
 
 KERNEL, CREEP = "wrcontact/kernel", "wrcontact/kernel/creep"
 FRICTION, STRIPS, MARCH = (f"{CREEP}/{name}.py" for name in ("friction", "coupled_strips", "march"))
-RUBBING, COMPLIANT = (f"{KERNEL}/wheelset/{name}.py" for name in ("rubbing", "compliant"))
+RUBBING, AT_HEIGHT = (f"{KERNEL}/wheelset/{name}.py" for name in ("rubbing", "at_height"))
 CREEPAGE, MOTION, STIFFNESS = (f"{CREEP}/{name}.py" for name in ("creepage", "motion", "stiffness"))
 ROLLING_STEP, ORIENTATION = "wrcontact/halfspace/rolling_step.py", "wrcontact/profiles/orientation.py"
 LAW, SLIP, THEORY, OF_STRIPS = (f"creep/test_{name}.py" for name in (
@@ -88,11 +88,11 @@ LAWS = [
     ("rates_right", "right.constraint.moment_x + y * right", "right.constraint.moment_x - y * right",
      "the right wheel's constraint yaws the other way", RAILS, MOTION),
     ("damped_moment", "patch.totals.moment *= factor", "patch.totals.moment *= 1.0",
-     "damping leaves a patch's moment of load as it is", DAMPING, COMPLIANT),
+     "damping leaves a patch's moment of load as it is", DAMPING, AT_HEIGHT),
     ("damped_moments", "patch.normal_moment[i] *= factor", "patch.normal_moment[i] *= 1.0",
-     "damping leaves the moments of the pressures as they are", DAMPING, COMPLIANT),
+     "damping leaves the moments of the pressures as they are", DAMPING, AT_HEIGHT),
     ("damped_strips", "strip.line_load *= factor", "strip.line_load *= 1.0",
-     "friction does not carry what damping adds", DAMPING, COMPLIANT),
+     "friction does not carry what damping adds", DAMPING, AT_HEIGHT),
     # --- the strips' laws, which were seen by stored errors alone
     ("spread", "over_width * over_width / 6.0", "over_width * over_width / 3.0",
      "creepage spreads twice as much over a strip's width", OF_STRIPS, STRIPS),

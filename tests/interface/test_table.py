@@ -83,7 +83,9 @@ def test_every_parameter_reaches_the_kernel():
     assert {name: getattr(found, name) for name in expected} == expected
     assert set(PARAMETERS) - set(KERNEL_PARAMETERS) == {
         "wheel", "rail", "nodes", "strips", "sweeps", "smoothing",
-        "left_wheel", "left_rail", "left_nominal_radius", "left_rail_inclination"}
+        "left_wheel", "left_rail", "left_nominal_radius", "left_rail_inclination",
+        "left_rail_lateral_stiffness", "left_rail_vertical_stiffness", "left_rail_lateral_damping",
+        "left_rail_vertical_damping"}
 
 
 def test_a_row_without_a_known_unit_is_an_error():

@@ -252,4 +252,6 @@ def test_an_upright_left_rail_is_not_that_of_the_right():
 def test_every_parameter_of_the_left_side_stands_beside_one_of_the_right():
     names = [one.name for one in VARIABLES if one.causality == "parameter"]
     assert [name for name in names if name.startswith("left_")] == [
-        "left_wheel_profile", "left_rail_profile", "left_rail_inclination", "left_nominal_radius"]
+        "left_wheel_profile", "left_rail_profile", "left_rail_inclination", "left_nominal_radius",
+        *(f"left_rail_{direction}_{kind}" for kind in ("stiffness", "damping")
+          for direction in ("lateral", "vertical"))]

@@ -54,6 +54,17 @@ WORDS = {
                              "--slope-reduction-rate is above 0 (alpha)",
     "contact_damping": "Contact damping with --contact-mode compliant: forces are multiplied by 1 + "
                        "damping times the speed of the approach, and are never below zero",
+    **{f"{side}rail_{direction}_stiffness": f"{words}tiffness of the spring that holds each rail {adverb}, "
+       "read with --contact-mode compliant; 0: " + zero
+       for side, words, zero in (("", "S", "rigid"), (LEFT, "Left side: s", "as on the right"))
+       for direction, adverb in (("lateral", "laterally"), ("vertical", "vertically"))},
+    **{f"{side}rail_{direction}_damping": f"{words}amping beside the {direction} spring of each rail, over "
+       "the --rail-time-step" + zero
+       for side, words, zero in (("", "D", ""), (LEFT, "Left side: d", "; 0: as on the right"))
+       for direction in ("lateral", "vertical")},
+    **{f"{side}_rail_deflection_{direction}_before": f"{side.capitalize()} rail: {direction} deflection of "
+       "its springs one --rail-time-step ago" for side in ("left", "right")
+       for direction in ("lateral", "vertical")},
     "contact_mode": "How wheel and rail meet. rigid: the undeformed surfaces touch; elastic: the wheels "
                     "approach the rails until each carries its load, which gives height and roll; "
                     "compliant: --vertical-shift-mm and --roll-deg give height and roll, and the loads "
@@ -79,7 +90,7 @@ def group_of(name):
         return POSE
     if name.removeprefix(LEFT) in OF_PROFILES:
         return PROFILES if name in OF_PROFILES else OTHER_SIDE
-    if "_rail_" in name:
+    if "_rail_" in name or name.startswith("rail_"):
         return MOVING
     return MOTION if MOVES.search(name) and name not in METHODS_OF_CURVATURE else METHODS
 

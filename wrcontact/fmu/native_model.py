@@ -6,7 +6,7 @@ import math
 import numpy as np
 
 from ..interface.inputs import INPUT_NAMES, INPUTS, USUAL_LOAD
-from ..interface.parameters import checked_parameters
+from ..interface.parameters import RAIL_SPRINGS, checked_parameters
 from ..interface.variables import (
     BOOLEAN,
     EQUILIBRIUM,
@@ -50,7 +50,7 @@ def sizes_header(blocks, variant):
         "WHEEL_SLOT": STRINGS.index("wheel_profile"), "RAIL_SLOT": STRINGS.index("rail_profile"),
         "LEFT_WHEEL_SLOT": STRINGS.index("left_wheel_profile"),
         "LEFT_RAIL_SLOT": STRINGS.index("left_rail_profile"),
-        **{name.upper(): PLACE[name] for sided in ("nominal_radius", "rail_inclination")
+        **{name.upper(): PLACE[name] for sided in ("nominal_radius", "rail_inclination", *RAIL_SPRINGS)
            for name in (sided, f"left_{sided}")},
         "MODE_SLOT": STRINGS.index("contact_mode"), "NORMAL_MODEL_SLOT": STRINGS.index("normal_model"),
         "LADDERS": len(ladders()), "BLOCKS": len(blocks) - 1, "SENTENCES": len(SENTENCES),

@@ -8,6 +8,8 @@ RAIL_LIMIT, RAIL_ROLL_LIMIT = 0.05, 0.05
 #: Permitted size of the speed [m/s], other velocities [m/s], rotations [rad/s], the wheels' rotation [rad/s]
 #: and the curvature of the track [1/m]; beyond them a value has lost its unit.
 SPEED_LIMIT, VELOCITY_LIMIT, RATE_LIMIT, WHEEL_LIMIT, CURVATURE_LIMIT = 200.0, 20.0, 100.0, 2000.0, 0.1
+#: Longest time of a step of rails on springs [s].
+TIME_LIMIT = 1e6
 #: Where the contact determines it, an input of this kind is not read.
 DERIVED = "in other contact modes it follows from contact with both rails, and this input is not read"
 #: Permitted |lateral shift| [m] and |yaw| [rad]; beyond it the contact leaves the profiles' running surfaces.
@@ -64,6 +66,13 @@ RATES = tuple(
           place=f"{side.capitalize()} wheel", limited=True)
     for side in ("left", "right"))
 
+#: Read where rails stand on springs.
+TIME_STEP = Input("rail_time_step", "s", 1e-3, "Time in which rails on springs have come from the "
+                  "deflections before; 0: they are at rest, and dampers carry nothing", 0.0, TIME_LIMIT)
+DEFLECTIONS = tuple(_rail(side, f"deflection_{part}_before", "m", 1e-3, f"its rail_deflection_{part} one "
+                          "rail_time_step ago", RAIL_LIMIT)
+                    for side in ("left", "right") for part in ("lateral", "vertical"))
+
 #: Usual loads of a wheel that is not lifted [N]: those of a hand trolley, and of an axle of 200 t. One in kN
 #: that is taken for N lies below, and one in N that is taken for kN above.
 USUAL_LOAD = (500.0, 1e6)
@@ -91,6 +100,8 @@ INPUTS = (
     *MOTION,
     *FRICTION,
     *RATES,
+    TIME_STEP,
+    *DEFLECTIONS,
 )
 
 INPUT_NAMES = tuple(row.name for row in INPUTS)

@@ -99,6 +99,10 @@ SIDE = (
            "patches"),
     Output("derailment_quotient", "1", 0.1, "Y/Q of EN 14363: force of the wheel on its rail, outwards over "
            "downwards; zero where it does not press its rail down"),
+    Output("rail_deflection_lateral", "m", 1e-3, "displacement of the rail from the foot of its springs, to "
+           "the right; zero where it is rigid"),
+    Output("rail_deflection_vertical", "m", 1e-3, "displacement of the rail from the foot of its springs, "
+           "down; zero where it is rigid"),
     Blocks("patch", PATCH_LIMIT, PATCH, "patch"),
     Run("station", "m", 1e-3, "lateral position of an outline station in the contact plane, from the contact "
         "point to the field side"),

@@ -55,13 +55,37 @@ GEOMETRY = (*Track.keywords(), *Wheelset.keywords())
 #: Keywords whose value may differ on the left side, where a keyword of its own, with this before its name,
 #: says so; without a value it is as on the right.
 LEFT = "left_"
-SIDED = ("wheel", "rail", "nominal_radius", "rail_inclination")
+#: Springs below a rail, and the dampers beside them.
+RAIL_SPRINGS = ("rail_lateral_stiffness", "rail_vertical_stiffness", "rail_lateral_damping",
+                "rail_vertical_damping")
+#: What stands for none of them on both sides.
+RIGID_RAILS = {side + name: 0.0 for side in ("", LEFT) for name in RAIL_SPRINGS}
+#: Methods beside which rails may stand on springs.
+WITH_SPRINGS = {"contact_mode": ("compliant",), "normal_model": ("hertz", "analyn", "analyn_strip"),
+                "tangential_model": ("none", "strips", "fastsim", "fastrip", "polach")}
+SIDED = ("wheel", "rail", "nominal_radius", "rail_inclination", *RAIL_SPRINGS)
+
+
+def _spring(words):
+    """The row of a spring below the rails."""
+    return Number(0.0, 0.0, 1e12, "N/m", f"{words} in the contact_mode compliant; 0: rigid", nominal=1e7)
+
+
+def _damper(direction):
+    """The row of a damper beside a spring."""
+    return Number(0.0, 0.0, 1e9, "N.s/m", f"Damping beside the {direction} spring of each rail, over the "
+                  "input rail_time_step", nominal=1e4)
+
 
 #: Numbers that belong to none of the records.
 OTHERS = {
     "contact_damping": Number(0.0, 0.0, 100.0, "s/m", "Contact damping in the contact_mode compliant: forces "
                               "are multiplied by 1 + damping times the speed of the approach, and are never "
                               "below zero", nominal=0.1),
+    "rail_lateral_stiffness": _spring("Stiffness of the spring that holds each rail laterally"),
+    "rail_vertical_stiffness": _spring("Stiffness of the spring that holds each rail vertically"),
+    "rail_lateral_damping": _damper("lateral"),
+    "rail_vertical_damping": _damper("vertical"),
     "independent_wheels": Number(False, 0, 1, "1", "Whether each wheel turns by itself, with left.wheel_rate "
                                  "and right.wheel_rate instead of wheel_rate", switch=True),
     "wear_outputs": Number(False, 0, 1, "1", "Whether the outputs of wear are computed: wheel_place, "
@@ -217,7 +241,24 @@ def checked_parameters(given, groups):
             given[family.parameter] = method.name
             _take(method, given, family.parameter)
     parameters = {name: row.checked(given.get(name, row.default)) for name, row in PARAMETERS.items()}
+    _check_springs(parameters)
     return parameters, {family.parameter: _method_of(family, parameters) for family in FAMILIES}
+
+
+def _check_springs(parameters):
+    """ValueError, in a sentence, where rails cannot stand on their springs, or have dampers without them."""
+    for name in RIGID_RAILS:
+        if parameters[name]:
+            shown = f"{name} is {parameters[name]!r}{unit_behind(PARAMETERS[name].number.unit)}"
+            for method, permitted in WITH_SPRINGS.items():
+                if parameters[method] not in permitted:
+                    raise ValueError(f"{shown}; permitted with the {method} {parameters[method]!r} is 0: "
+                                     f"rails stand on springs with the {method} "
+                                     f"{' or '.join(map(repr, permitted))}")
+            stiffness = name.replace("damping", "stiffness")
+            own = on_the_left(parameters) if name.startswith(LEFT) else parameters
+            if not own[stiffness.removeprefix(LEFT)]:
+                raise ValueError(f"{shown} without {stiffness}; permitted is 0, or a stiffness beside it")
 
 
 def _split(given):

@@ -10,7 +10,7 @@ SIDES = {"left": 0, "right": 1}
 
 def rail_reaction(tables, inputs, outputs, side):
     """Force (3,) [N] of a wheel on its rail, and its moment (3,) [N m] about the rail's reference point: the
-    highest point of its head, where its displacement has taken it.
+    highest point of its head, where its displacement and its springs have taken it.
 
     The opposite of the wheel's own, moved from the wheelset's centre C to the point P:
     ``M_P = -(M_C + (C - P) x F)``.  All in the axes of the track.
@@ -25,8 +25,9 @@ def rail_reaction(tables, inputs, outputs, side):
     settings, given = layout.Tables.at(tables), layout.Inputs.at(np.array(inputs))
     found = layout.Outputs.at(np.array(outputs))
     out, sign = found.left[SIDES[side]], 1.0 if side == "right" else -1.0
-    point = np.array([0.0, sign * settings.pairs[SIDES[side]].rail_y + getattr(given, f"{side}_rail_lateral"),
-                      getattr(given, f"{side}_rail_vertical")])
+    across = getattr(given, f"{side}_rail_lateral") + out.rail_deflection_lateral
+    down = getattr(given, f"{side}_rail_vertical") + out.rail_deflection_vertical
+    point = np.array([0.0, sign * settings.pairs[SIDES[side]].rail_y + across, down])
     centre = np.array([0.0, given.lateral_shift, found.vertical_shift - settings.height])
     force = np.array(out.force[:])
     return -force, -(np.array(out.moment[:]) + np.cross(centre - point, force))

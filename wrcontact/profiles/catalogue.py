@@ -119,6 +119,17 @@ def find_profile(source, kind, smoothing=None, argument=None):
                          missing)
 
 
+def find_profiles(parameters):
+    """Wheel and rail of the right side, wheel and rail of the left side, by the keywords of a
+    system."""
+    smoothing = parameters["smoothing"]
+    right = [find_profile(parameters[kind], kind, smoothing) for kind in ("wheel", "rail")]
+    left = [profile if parameters[f"left_{kind}"] is None
+            else find_profile(parameters[f"left_{kind}"], kind, smoothing, f"left_{kind}")
+            for kind, profile in zip(("wheel", "rail"), right)]
+    return *right, *left
+
+
 def named_profile(source, kind, argument, others, missing=""):
     """The standard profile called ``source``, in any case; otherwise a ValueError, which names the
     ``argument``, what is ``missing`` and what is permitted: the names, and ``others``, words that continue

@@ -27,6 +27,12 @@ class Inputs(np.ndarray[Any, np.dtype[np.float64]]):
     def left_friction(self) -> Any:
         """Left wheel: coefficient of friction; read where the tangential_model is not none [1]."""
     @property
+    def left_rail_deflection_lateral_before(self) -> Any:
+        """Left rail: its rail_deflection_lateral one rail_time_step ago [m]."""
+    @property
+    def left_rail_deflection_vertical_before(self) -> Any:
+        """Left rail: its rail_deflection_vertical one rail_time_step ago [m]."""
+    @property
     def left_rail_lateral(self) -> Any:
         """Left rail: displacement from its nominal place, to the right [m]."""
     @property
@@ -54,8 +60,17 @@ class Inputs(np.ndarray[Any, np.dtype[np.float64]]):
     def normal_force(self) -> Any:
         """Load per wheel before load transfer: normal force, total over its patches, or its vertical component (parameter load); in compliant mode used only for the equilibrium outputs [N]."""
     @property
+    def rail_time_step(self) -> Any:
+        """Time in which rails on springs have come from the deflections before; 0: they are at rest, and dampers carry nothing [s]."""
+    @property
     def right_friction(self) -> Any:
         """Right wheel: coefficient of friction; read where the tangential_model is not none [1]."""
+    @property
+    def right_rail_deflection_lateral_before(self) -> Any:
+        """Right rail: its rail_deflection_lateral one rail_time_step ago [m]."""
+    @property
+    def right_rail_deflection_vertical_before(self) -> Any:
+        """Right rail: its rail_deflection_vertical one rail_time_step ago [m]."""
     @property
     def right_rail_lateral(self) -> Any:
         """Right rail: displacement from its nominal place, to the right [m]."""

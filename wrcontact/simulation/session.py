@@ -19,7 +19,7 @@ import numpy as np
 
 from .. import status as outcomes
 from ..interface.inputs import USUAL_LOAD
-from ..interface.parameters import LEFT, SIDED
+from ..interface.parameters import LEFT, RIGID_RAILS, SIDED
 from ..interface.variables import (
     BOOLEAN,
     EQUILIBRIUM,
@@ -295,7 +295,7 @@ class Session:
         values, found, outcome = self._values, self._stepper.outputs, 0
         if self.parameters["contact_mode"] == "compliant":
             if self._balance is None:
-                self._balance = self._build({**self.parameters, "contact_mode": "elastic"})
+                self._balance = self._build({**self.parameters, **RIGID_RAILS, "contact_mode": "elastic"})
             self._balance.state[:] = 0.0
             self._balance.inputs[:] = values[:INPUTS]
             outcome, found = self._balance.step(), self._balance.outputs

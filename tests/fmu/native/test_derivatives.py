@@ -44,7 +44,9 @@ def kernel_rates(start, stations, row, names, inputs):
     pytest.param({"tangential_model": "polach", "load": "vertical"}, 31, id="polach, vertical"),
     pytest.param({"tangential_model": "strips", "contact_mode": "elastic"}, 31, id="strips, elastic"),
     pytest.param({"tangential_model": "fastsim", "contact_mode": "compliant", "contact_damping": 0.3}, 31,
-                 id="fastsim, compliant")])
+                 id="fastsim, compliant"),
+    pytest.param({"tangential_model": "polach", "contact_mode": "compliant", "rail_lateral_stiffness": 3e8,
+                  "rail_vertical_stiffness": 1e9, "left_rail_lateral_stiffness": 1e8}, 31, id="springs")])
 def test_directional_derivatives(run, run3, start, stations):
     rolls = "tangential_model" in start
     rows = moving_track(3, "compliant" in start.values()) if rolls else poses(3)

@@ -11,7 +11,7 @@ from .. import layout
 from ..prepare import tables as prepare_tables
 from .library import default_kernel
 from ..prepare.scan import FINE_STEP, TOO_WIDE
-from ...interface.parameters import KERNEL_PARAMETERS, PARAMETERS, on_the_left
+from ...interface.parameters import KERNEL_PARAMETERS, PARAMETERS, RAIL_SPRINGS, on_the_left
 
 #: Place in the setup of every parameter that the kernel has.
 PLACES = {name: layout.Setup.parameters.offset // 8 + k for k, name in enumerate(KERNEL_PARAMETERS)}
@@ -27,6 +27,7 @@ def setup_of(parameters, methods):
     setup.resolution[:] = methods["normal_model"].resolution
     left = on_the_left(parameters)
     setup.left_radius, setup.left_inclination = left["nominal_radius"], left["rail_inclination"]
+    setup.left_spring[:] = [left[name] for name in RAIL_SPRINGS]
     return array
 
 

@@ -19,7 +19,7 @@ from math import fabs
 
 from ..elementary.circle import sine_cosine
 from ..layout import (CURVATURE_LIMIT, RATE_LIMIT, SPEED_LIMIT, VELOCITY_LIMIT, WHEEL_LIMIT, ContactPoint,
-                      Forces, Inputs, Motion, Pair, RailMotion, Tables, Wheelset)
+                      Deflection, Forces, Inputs, Motion, Pair, RailMotion, Tables, Wheelset)
 
 
 def is_moderate(inputs: Inputs) -> bool:
@@ -118,6 +118,14 @@ def open_right_rail(pair: Pair, rail: RailMotion, inputs: Inputs):
     rail.roll = inputs.right_rail_roll_velocity
     rail.y = pair.rail_y + inputs.right_rail_lateral
     rail.z = inputs.right_rail_vertical
+
+
+def carry_rail(rail: RailMotion, deflection: Deflection):
+    """Let a rail on springs move by their deflection, too."""
+    rail.lateral += deflection.lateral_rate
+    rail.vertical += deflection.vertical_rate
+    rail.y += deflection.lateral
+    rail.z += deflection.vertical
 
 
 def set_rates(left: Motion, right: Motion, vertical: float, roll_rate: float):

@@ -18,14 +18,17 @@ from math import fabs
 from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, Tables, Work
 from ..search.roll import lean_both, place_both, turn_both
 from ..surface.gap import gap_per_roll, vertical_gap
-from ..wheelset.compliant import is_damped, load_at_height
+from ..surface.rails import is_sprung
+from ..wheelset.at_height import is_damped, load_at_height
 from ..wheelset.elastic import UNBALANCED
 from ..wheelset.forces import sum_forces
-from ..wheelset.requested import LOAD_RATES, carried_share, carries_friction, is_requested, side_force
+from ..wheelset.requested import (LOAD_RATES, carried_share, carries_friction, is_requested, is_rolling,
+                                  side_force)
 from ..wheelset.leaning import set_reference
 from ..wheelset.rubbing import move_patches, open_given_motion, rub_patches
 from ..wheelset.report import report
 from ..wheelset.rigid import solve_rigid
+from ..wheelset.springs import UNSETTLED, deflect, has_settled, open_settling, weigh_rail
 from ..wheelset.trial import balance_side
 from .elementary_rules import sine_cosine_rule
 from .intrinsics import held, moving, nonzero, rate_of, seeded
@@ -162,8 +165,50 @@ def follow_elastic(tables: Tables, work: Work) -> bool:
     return False
 
 
-def follow_compliant(tables: Tables, work: Work):
-    """Both sides of a wheelset at the height and roll of the inputs."""
+def follow_deflection(tables: Tables, work: Work, index: int, lateral: float, vertical: float):
+    """A side at the height and roll of the inputs with its rail deflected."""
+    deflect(work, index, lateral, vertical)
+    place_moving(tables, work, work.inputs.roll)
+    if is_damped(tables) or is_rolling(tables, work.inputs):
+        open_given_motion(tables, work)
+    follow_minimum(tables, work, index)
+    weigh_rail(tables, work, index, work.inputs.vertical_shift)
+
+
+def follow_settled(tables: Tables, work: Work, index: int) -> bool:
+    """The rail of a side, settled on its springs: the residuals of both deflections vanish.
+
+    Whether they do not: then a force jumps past what the springs carry (settling_brackets.py), and no
+    equation gives the rate of that place.
+    """
+    settling = work.settling
+    open_settling(tables, work, index)
+    lateral = held(work.sides[index].deflection.lateral)
+    vertical = held(work.sides[index].deflection.vertical)
+    follow_deflection(tables, work, index, lateral, vertical)
+    if not has_settled(settling, work.sides[index], UNSETTLED):
+        return True
+    residual_lateral = rate_of(settling.lateral)
+    residual_vertical = rate_of(settling.vertical)
+    follow_deflection(tables, work, index, seeded(lateral, 1.0), vertical)
+    lateral_lateral = rate_of(settling.lateral) - residual_lateral
+    vertical_lateral = rate_of(settling.vertical) - residual_vertical
+    follow_deflection(tables, work, index, lateral, seeded(vertical, 1.0))
+    lateral_vertical = rate_of(settling.lateral) - residual_lateral
+    vertical_vertical = rate_of(settling.vertical) - residual_vertical
+    determinant = lateral_lateral * vertical_vertical - lateral_vertical * vertical_lateral
+    if not nonzero(determinant):
+        return True
+    lateral_rate = (residual_vertical * lateral_vertical - residual_lateral * vertical_vertical) / determinant
+    vertical_rate = (residual_lateral * vertical_lateral - residual_vertical * lateral_lateral) / determinant
+    follow_deflection(tables, work, index, seeded(lateral, lateral_rate), seeded(vertical, vertical_rate))
+    return False
+
+
+def follow_compliant(tables: Tables, work: Work) -> bool:
+    """Both sides of a wheelset at the height and roll of the inputs; whether their rates are not defined
+    (``follow_settled``)."""
+    outcome = False
     roll = work.inputs.roll
     height = work.inputs.vertical_shift
     set_reference(work.sides, height)
@@ -174,13 +219,18 @@ def follow_compliant(tables: Tables, work: Work):
         open_given_motion(tables, work)
     for index in range(2):
         if is_requested(tables, index):
-            follow_minimum(tables, work, index)
-            load_at_height(tables, work, index, height)
+            if is_sprung(tables, index):
+                undefined = follow_settled(tables, work, index)
+                outcome = outcome or undefined
+            else:
+                follow_minimum(tables, work, index)
+                load_at_height(tables, work, index, height)
+    return outcome
 
 
 def differentiate(tables: Tables, work: Work) -> bool:
     """Let the outputs of a step that was VALID or UNLOADED move with its inputs; the workspace is as the step
-    left it; whether the rates are not defined (``follow_elastic``)."""
+    left it; whether the rates are not defined (``follow_elastic``, ``follow_settled``)."""
     outcome = follow_wheelset(tables, work)
     if carries_friction(tables, work):
         for i in range(LOAD_RATES):
@@ -216,7 +266,7 @@ def follow_wheelset(tables: Tables, work: Work) -> bool:
     if mode == MODE_ELASTIC:
         outcome = follow_elastic(tables, work)
     if mode == MODE_COMPLIANT:
-        follow_compliant(tables, work)
+        outcome = follow_compliant(tables, work)
     move_patches(tables, work)
     rub_patches(tables, work)
     sum_forces(tables, work)

@@ -100,6 +100,7 @@ static inline int64_t motion__open_motion(array_double_1d work, array_double_1d 
 static inline int64_t motion__mirror_motion(array_double_1d work, int64_t motion, int64_t mirrored);
 static inline int64_t motion__open_left_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail);
 static inline int64_t motion__open_right_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail);
+static inline int64_t motion__carry_rail(array_double_1d work, int64_t rail, int64_t deflection);
 static inline int64_t motion__set_rates(array_double_1d work, int64_t left, int64_t right, double vertical, double roll_rate);
 static inline int64_t motion__constrain_touching(array_double_1d work, int64_t motion, int64_t point);
 static inline int64_t motion__constrain_loaded(array_double_1d work, int64_t motion, int64_t forces);
@@ -2278,6 +2279,16 @@ static inline int64_t motion__open_right_rail(array_double_1d tables, array_doub
     (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL));
     (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL));
+    return INT64_C(0);
+}
+
+/* Let a rail on springs move by their deflection, too. */
+static inline int64_t motion__carry_rail(array_double_1d work, int64_t rail, int64_t deflection)
+{
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) += (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL_RATE));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) += (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL_RATE));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) += (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) += (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL));
     return INT64_C(0);
 }
 

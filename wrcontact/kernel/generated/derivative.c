@@ -269,14 +269,73 @@ static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d t
     return 0;
 }
 
+/* Derivative of ``follow_deflection``. */
+static inline int64_t derivative_wheelset_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t)
+{
+    derivative_springs__deflect_t(work, work_t, index, lateral, lateral_t, vertical, vertical_t);
+    derivative_wheelset_rules__place_moving_t(tables, work, work_t, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL)));
+    if (at_height__is_damped(tables) || requested__is_rolling(work, tables))
+    {
+        derivative_rubbing__open_given_motion_t(tables, work, work_t);
+    }
+    derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, index);
+    derivative_springs__weigh_rail_t(tables, work, work_t, index, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT)));
+    return INT64_C(0);
+}
+
+/* Derivative of ``follow_settled``. */
+static inline bool derivative_wheelset_rules__follow_settled_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+{
+    double lateral;
+    double vertical;
+    lanes residual_lateral;
+    lanes residual_vertical;
+    lanes lateral_lateral;
+    lanes vertical_lateral;
+    lanes lateral_vertical;
+    lanes vertical_vertical;
+    lanes determinant;
+    lanes lateral_rate;
+    lanes vertical_rate;
+    derivative_springs__open_settling_t(tables, work, work_t, index);
+    lateral = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL));
+    vertical = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL));
+    derivative_wheelset_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(0.0), vertical, all_lanes(0.0));
+    if (!springs__has_settled(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index, springs__UNSETTLED))
+    {
+        return 1;
+    }
+    EACH_LANE each(residual_lateral) = each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL)));
+    EACH_LANE each(residual_vertical) = each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)));
+    derivative_wheelset_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(1.0), vertical, all_lanes(0.0));
+    EACH_LANE each(lateral_lateral) = each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL))) - each(residual_lateral);
+    EACH_LANE each(vertical_lateral) = each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL))) - each(residual_vertical);
+    derivative_wheelset_rules__follow_deflection_t(tables, work, work_t, index, lateral, all_lanes(0.0), vertical, all_lanes(1.0));
+    EACH_LANE each(lateral_vertical) = each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL))) - each(residual_lateral);
+    EACH_LANE each(vertical_vertical) = each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL))) - each(residual_vertical);
+    EACH_LANE each(determinant) = each(lateral_lateral) * each(vertical_vertical) - each(lateral_vertical) * each(vertical_lateral);
+    if (!derivative_rates__nonzero(determinant))
+    {
+        return 1;
+    }
+    EACH_LANE each(lateral_rate) = (each(residual_vertical) * each(lateral_vertical) - each(residual_lateral) * each(vertical_vertical)) / each(determinant);
+    EACH_LANE each(vertical_rate) = (each(residual_lateral) * each(vertical_lateral) - each(residual_vertical) * each(lateral_lateral)) / each(determinant);
+    derivative_wheelset_rules__follow_deflection_t(tables, work, work_t, index, lateral, lateral_rate, vertical, vertical_rate);
+    return 0;
+}
+
 /* Derivative of ``follow_compliant``. */
-static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+static inline bool derivative_wheelset_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     lanes roll_t;
     double roll;
     lanes height_t;
     double height;
     int64_t index;
+    bool n1;
+    bool undefined;
+    bool outcome;
+    outcome = 0;
     EACH_LANE each(roll_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL)));
     roll = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL));
     EACH_LANE each(height_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT)));
@@ -287,7 +346,7 @@ static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
     EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT))) = each(height_t);
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height;
-    if (compliant__is_damped(tables))
+    if (at_height__is_damped(tables))
     {
         derivative_rubbing__open_given_motion_t(tables, work, work_t);
     }
@@ -295,11 +354,20 @@ static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double
     {
         if (requested__is_requested(tables, index))
         {
-            derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, index);
-            derivative_compliant__load_at_height_t(tables, work, work_t, index, height, height_t);
+            if (rails__is_sprung(tables, index))
+            {
+                n1 = derivative_wheelset_rules__follow_settled_t(tables, work, work_t, index);
+                undefined = n1;
+                outcome = outcome || undefined;
+            }
+            else
+            {
+                derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, index);
+                derivative_at_height__load_at_height_t(tables, work, work_t, index, height, height_t);
+            }
         }
     }
-    return INT64_C(0);
+    return outcome;
 }
 
 /* Derivative of ``differentiate``. */
@@ -355,6 +423,7 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
     double v2;
     lanes v2_t;
     bool n3;
+    bool n4;
     bool outcome;
     mode = (int64_t)((*cspan_at(&tables, layout__TABLES_MODE)));
     outcome = 0;
@@ -381,7 +450,8 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
     }
     if (mode == layout__MODE_COMPLIANT)
     {
-        derivative_wheelset_rules__follow_compliant_t(tables, work, work_t);
+        n4 = derivative_wheelset_rules__follow_compliant_t(tables, work, work_t);
+        outcome = n4;
     }
     derivative_rubbing__move_patches_t(tables, work, work_t);
     derivative_rubbing__rub_patches_t(tables, work, work_t);

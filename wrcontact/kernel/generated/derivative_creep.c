@@ -3806,6 +3806,20 @@ static inline int64_t derivative_motion__open_right_rail_t(array_double_1d table
     return INT64_C(0);
 }
 
+/* Derivative of ``carry_rail``. */
+static inline int64_t derivative_motion__carry_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t rail, int64_t deflection)
+{
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) = each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) + each((*lanes_at(&work_t, deflection + layout__DEFLECTION_LATERAL_RATE)));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) + (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL_RATE));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) = each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) + each((*lanes_at(&work_t, deflection + layout__DEFLECTION_VERTICAL_RATE)));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) + (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL_RATE));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))) = each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))) + each((*lanes_at(&work_t, deflection + layout__DEFLECTION_LATERAL)));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) + (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))) = each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))) + each((*lanes_at(&work_t, deflection + layout__DEFLECTION_VERTICAL)));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) + (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL));
+    return INT64_C(0);
+}
+
 /* Derivative of ``set_rates``. */
 static inline int64_t derivative_motion__set_rates_t(array_double_1d work, array_lanes_1d work_t, int64_t left, int64_t right, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
 {

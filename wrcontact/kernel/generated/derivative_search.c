@@ -16,6 +16,11 @@ static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_
     lanes rates_1;
     EACH_LANE each(rates_1) = -each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL)));
     derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL)), rates_1, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL)));
+    if (rails__on_springs(tables))
+    {
+        derivative_rails__deflect_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_DEFLECTION);
+        derivative_rails__deflect_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_DEFLECTION);
+    }
     if (((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)) != 0.0))
     {
         derivative_roll__lean_both_t(work, work_t, tables, roll, roll_t);

@@ -764,6 +764,20 @@ static inline int64_t derivative_rails__move_rail_t(array_double_1d work, array_
     return INT64_C(0);
 }
 
+/* Derivative of ``deflect_rail``. */
+static inline int64_t derivative_rails__deflect_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, int64_t deflection)
+{
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_SHIFT))) = each((*lanes_at(&work_t, place + layout__PLACE_SHIFT))) - each((*lanes_at(&work_t, deflection + layout__DEFLECTION_LATERAL)));
+    (*cspan_at(&work, place + layout__PLACE_SHIFT)) = (*cspan_at(&work, place + layout__PLACE_SHIFT)) - (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL));
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_HEIGHT))) = each((*lanes_at(&work_t, place + layout__PLACE_HEIGHT))) + each((*lanes_at(&work_t, deflection + layout__DEFLECTION_VERTICAL)));
+    (*cspan_at(&work, place + layout__PLACE_HEIGHT)) = (*cspan_at(&work, place + layout__PLACE_HEIGHT)) + (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL));
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_RAIL_LATERAL))) = each((*lanes_at(&work_t, place + layout__PLACE_RAIL_LATERAL))) + each((*lanes_at(&work_t, deflection + layout__DEFLECTION_LATERAL)));
+    (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) + (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL));
+    EACH_LANE each((*lanes_at(&work_t, place + layout__PLACE_RAIL_VERTICAL))) = each((*lanes_at(&work_t, place + layout__PLACE_RAIL_VERTICAL))) + each((*lanes_at(&work_t, deflection + layout__DEFLECTION_VERTICAL)));
+    (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) + (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL));
+    return INT64_C(0);
+}
+
 /* Derivative of ``lean_rail``. */
 static inline int64_t derivative_rails__lean_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double rail_y, lanes rail_y_t, double angle, lanes angle_t)
 {

@@ -2,13 +2,13 @@
 #include "derivatives.h"
 
 
-/* ---- From derivative_compliant.py; change that one.
+/* ---- From derivative_at_height.py; change that one.
  *
- * Derivatives of compliant.py.
+ * Derivatives of at_height.py.
  */
 
 /* Derivative of ``load_at_height``. */
-static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t)
+static inline int64_t derivative_at_height__load_at_height_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t)
 {
     lanes approach_t;
     double approach;
@@ -18,7 +18,7 @@ static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tab
     int64_t count;
     EACH_LANE each(approach_t) = each(height_t) - each((*lanes_at(&work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST)));
     approach = height - (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_BEST));
-    if (!(approach > compliant__GRAZING))
+    if (!(approach > at_height__GRAZING))
     {
         n1 = derivative_side__touch_side_t(tables, work, work_t, index);
         return n1;
@@ -29,7 +29,7 @@ static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tab
     }
     n2 = derivative_side__press_side_t(tables, work, work_t, index, approach, approach_t);
     status = n2;
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_GEOMETRY)
+    if (((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_GEOMETRY) && (!rails__is_sprung(tables, index)))
     {
         return status;
     }
@@ -37,15 +37,15 @@ static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tab
     {
         derivative_side__load_side_t(&count, &status, tables, work, work_t, index, 0.0, all_lanes(0.0), (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)), (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
     }
-    if ((status == layout__VALID) && compliant__is_damped(tables))
+    if ((status == layout__VALID) && at_height__is_damped(tables))
     {
-        derivative_compliant__damp_patches_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
+        derivative_at_height__damp_patches_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
     }
     return status;
 }
 
 /* Derivative of ``damp_patches``. */
-static inline int64_t derivative_compliant__damp_patches_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
+static inline int64_t derivative_at_height__damp_patches_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
 {
     int64_t number_end;
     int64_t number;
@@ -74,17 +74,17 @@ static inline int64_t derivative_compliant__damp_patches_t(array_double_1d work,
         EACH_LANE each(factor_t) = each(v2_t);
         factor = v2;
         v3 = factor - 1.0;
-        derivative_compliant__pressing_power_t(&v4, &v4_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
+        derivative_at_height__pressing_power_t(&v4, &v4_t, work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
         EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_DAMPING_POWER))) = each(factor_t) * v4 + v3 * each(v4_t);
         (*cspan_at(&work, patch + layout__PATCH_DAMPING_POWER)) = v3 * v4;
-        derivative_compliant__damp_patch_t(work, work_t, patch, factor, factor_t);
+        derivative_at_height__damp_patch_t(work, work_t, patch, factor, factor_t);
     }
     derivative_filling__total_patches_t(work, work_t, side);
     return INT64_C(0);
 }
 
 /* Derivative of ``pressing_power``. */
-static inline int64_t derivative_compliant__pressing_power_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
+static inline int64_t derivative_at_height__pressing_power_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch)
 {
     int64_t rail;
     lanes force_y_t;
@@ -114,7 +114,7 @@ static inline int64_t derivative_compliant__pressing_power_t(double* result_0, l
 }
 
 /* Derivative of ``damp_patch``. */
-static inline int64_t derivative_compliant__damp_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
+static inline int64_t derivative_at_height__damp_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
 {
     int64_t i;
     int64_t strip;
@@ -541,6 +541,7 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
     if (first > layout__SIDE_PENETRATION)
     {
         derivative_report__report_load_t(work, work_t, side, out, mirror, all_lanes(0.0));
+        derivative_report__report_deflection_t(work, work_t, tables, side, out, mirror, all_lanes(0.0));
         derivative_report__report_patches_t(work, work_t, side, out, mirror, all_lanes(0.0));
     }
     for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
@@ -655,6 +656,23 @@ static inline int64_t derivative_report__report_load_t(array_double_1d work, arr
         v1 = (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(1))) / (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
         EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT))) = (each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(1)))) - v1 * each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2))))) / (*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
         (*cspan_at(&work, out + layout__SIDE_OUTPUTS_DERAILMENT_QUOTIENT)) = v1;
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``report_deflection``. */
+static inline int64_t derivative_report__report_deflection_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t out, double mirror, lanes mirror_t)
+{
+    (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = all_lanes(0.0);
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = 0.0;
+    (*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = all_lanes(0.0);
+    (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = 0.0;
+    if (rails__on_springs(tables))
+    {
+        EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL))) = each(mirror_t) * (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)) + mirror * each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)));
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_LATERAL)) = mirror * (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)) + 0.0;
+        EACH_LANE each((*lanes_at(&work_t, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)));
+        (*cspan_at(&work, out + layout__SIDE_OUTPUTS_RAIL_DEFLECTION_VERTICAL)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)) + 0.0;
     }
     return INT64_C(0);
 }
@@ -996,6 +1014,11 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d ta
     }
     derivative_motion__open_left_rail_t(tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
     derivative_motion__open_right_rail_t(tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL);
+    if (rails__on_springs(tables))
+    {
+        derivative_motion__carry_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_DEFLECTION);
+        derivative_motion__carry_rail_t(work, work_t, right + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_DEFLECTION);
+    }
     derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE)));
     return INT64_C(0);
 }
@@ -1004,10 +1027,6 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d ta
 static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     int64_t index;
-    int64_t side;
-    int64_t number_end;
-    int64_t number;
-    int64_t patch;
     if (!requested__is_rolling(work, tables))
     {
         return INT64_C(0);
@@ -1021,16 +1040,25 @@ static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables,
     }
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
-        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-        number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-        for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+        derivative_rubbing__move_side_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``move_side``. */
+static inline int64_t derivative_rubbing__move_side_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
+{
+    int64_t number_end;
+    int64_t number;
+    int64_t patch;
+    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
+    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    {
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+        derivative_creepage__move_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
+        if (((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL))
         {
-            patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-            derivative_creepage__move_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-            if (((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && ((*cspan_at(&work, patch + layout__PATCH_SPEED)) > creepage__STANDSTILL))
-            {
-                derivative_creepage__move_strips_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-            }
+            derivative_creepage__move_strips_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
         }
     }
     return INT64_C(0);
@@ -1280,16 +1308,18 @@ static inline int64_t derivative_rubbing__rub_patches_t(array_double_1d tables, 
 {
     if (requested__has_creep_forces(tables, work))
     {
-        derivative_rubbing__rub_side_t(tables, work, work_t, INT64_C(0), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)));
-        derivative_rubbing__rub_side_t(tables, work, work_t, INT64_C(1), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)));
+        derivative_rubbing__rub_side_t(tables, work, work_t, INT64_C(0));
+        derivative_rubbing__rub_side_t(tables, work, work_t, INT64_C(1));
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``rub_side``. */
-static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double friction, lanes friction_t)
+static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     int64_t side;
+    lanes friction_t;
+    double friction;
     int64_t number_end;
     int64_t number;
     int64_t patch;
@@ -1298,6 +1328,13 @@ static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, arr
     lanes factor_t;
     double factor;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    EACH_LANE each(friction_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)));
+    friction = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION));
+    if (index == INT64_C(1))
+    {
+        EACH_LANE each(friction_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)));
+        friction = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION));
+    }
     number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
     for (number = INT64_C(0); number < number_end; number += INT64_C(1))
     {
@@ -2019,6 +2056,194 @@ static inline int64_t derivative_side__side_lever_t(double* lever, lanes* lever_
         (*lever) = v4;
     }
     return 0;
+}
+
+
+/* ---- From derivative_springs.py; change that one.
+ *
+ * Derivatives of springs.py.
+ */
+
+/* Derivative of ``damper_stiffness``. */
+static inline int64_t derivative_springs__damper_stiffness_t(double* stiffness, lanes* stiffness_t, double damping, lanes damping_t, double time_step, lanes time_step_t)
+{
+    double v1;
+    (*stiffness_t) = all_lanes(0.0);
+    (*stiffness) = 0.0;
+    if (time_step > 0.0)
+    {
+        v1 = damping / time_step;
+        EACH_LANE each((*stiffness_t)) = (each(damping_t) - v1 * each(time_step_t)) / time_step;
+        (*stiffness) = v1;
+    }
+    return 0;
+}
+
+/* Derivative of ``open_settling``. */
+static inline int64_t derivative_springs__open_settling_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+{
+    int64_t spring;
+    lanes time_step_t;
+    double time_step;
+    lanes lateral_t;
+    double lateral;
+    lanes vertical_t;
+    double vertical;
+    double v1;
+    lanes v1_t;
+    lanes damper_t;
+    double damper;
+    double v2;
+    double v3;
+    double v4;
+    lanes v4_t;
+    double v5;
+    double v6;
+    spring = layout__TABLES_SPRINGS + layout__SPRING_SIZE * index;
+    EACH_LANE each(time_step_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP)));
+    time_step = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP));
+    EACH_LANE each(lateral_t) = -each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_LATERAL_BEFORE)));
+    lateral = -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_LATERAL_BEFORE));
+    EACH_LANE each(vertical_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_VERTICAL_BEFORE)));
+    vertical = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_VERTICAL_BEFORE));
+    if (index == INT64_C(1))
+    {
+        EACH_LANE each(lateral_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_LATERAL_BEFORE)));
+        lateral = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_LATERAL_BEFORE));
+        EACH_LANE each(vertical_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE)));
+        vertical = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE));
+    }
+    (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)) = all_lanes(0.0);
+    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)) = all_lanes(0.0);
+    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE)) = all_lanes(0.0);
+    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE)) = 0.0;
+    if ((*cspan_at(&tables, spring + layout__SPRING_LATERAL_STIFFNESS)) > 0.0)
+    {
+        derivative_springs__damper_stiffness_t(&v1, &v1_t, (*cspan_at(&tables, spring + layout__SPRING_LATERAL_DAMPING)), all_lanes(0.0), time_step, time_step_t);
+        EACH_LANE each(damper_t) = each(v1_t);
+        damper = v1;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS))) = each(damper_t);
+        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)) = (*cspan_at(&tables, spring + layout__SPRING_LATERAL_STIFFNESS)) + damper;
+        v2 = damper * lateral;
+        v3 = v2 / (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS));
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST))) = (each(damper_t) * lateral + damper * each(lateral_t) - v3 * each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)))) / (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS));
+        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)) = v3;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE))) = each(lateral_t);
+        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE)) = lateral;
+    }
+    (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)) = all_lanes(0.0);
+    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)) = all_lanes(0.0);
+    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)) = 0.0;
+    (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE)) = all_lanes(0.0);
+    (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE)) = 0.0;
+    if ((*cspan_at(&tables, spring + layout__SPRING_VERTICAL_STIFFNESS)) > 0.0)
+    {
+        derivative_springs__damper_stiffness_t(&v4, &v4_t, (*cspan_at(&tables, spring + layout__SPRING_VERTICAL_DAMPING)), all_lanes(0.0), time_step, time_step_t);
+        EACH_LANE each(damper_t) = each(v4_t);
+        damper = v4;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS))) = each(damper_t);
+        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)) = (*cspan_at(&tables, spring + layout__SPRING_VERTICAL_STIFFNESS)) + damper;
+        v5 = damper * vertical;
+        v6 = v5 / (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS));
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST))) = (each(damper_t) * vertical + damper * each(vertical_t) - v6 * each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)))) / (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS));
+        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)) = v6;
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE))) = each(vertical_t);
+        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE)) = vertical;
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``deflect``. */
+static inline int64_t derivative_springs__deflect_t(array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t)
+{
+    int64_t deflection;
+    lanes time_step_t;
+    double time_step;
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    deflection = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_DEFLECTION;
+    EACH_LANE each((*lanes_at(&work_t, deflection + layout__DEFLECTION_LATERAL))) = each(lateral_t);
+    (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL)) = lateral;
+    EACH_LANE each((*lanes_at(&work_t, deflection + layout__DEFLECTION_VERTICAL))) = each(vertical_t);
+    (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL)) = vertical;
+    (*lanes_at(&work_t, deflection + layout__DEFLECTION_LATERAL_RATE)) = all_lanes(0.0);
+    (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL_RATE)) = 0.0;
+    (*lanes_at(&work_t, deflection + layout__DEFLECTION_VERTICAL_RATE)) = all_lanes(0.0);
+    (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL_RATE)) = 0.0;
+    EACH_LANE each(time_step_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP)));
+    time_step = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP));
+    if (time_step > 0.0)
+    {
+        v1 = lateral - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE));
+        v2 = v1 / time_step;
+        EACH_LANE each((*lanes_at(&work_t, deflection + layout__DEFLECTION_LATERAL_RATE))) = (each(lateral_t) - each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_BEFORE))) - v2 * each(time_step_t)) / time_step;
+        (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL_RATE)) = v2;
+        v3 = vertical - (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE));
+        v4 = v3 / time_step;
+        EACH_LANE each((*lanes_at(&work_t, deflection + layout__DEFLECTION_VERTICAL_RATE))) = (each(vertical_t) - each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_BEFORE))) - v4 * each(time_step_t)) / time_step;
+        (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL_RATE)) = v4;
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``spring_residual``. */
+static inline int64_t derivative_springs__spring_residual_t(double* residual, lanes* residual_t, double stiffness, lanes stiffness_t, double rest, lanes rest_t, double deflection, lanes deflection_t, double force, lanes force_t)
+{
+    double v1;
+    EACH_LANE each((*residual_t)) = each(deflection_t);
+    (*residual) = deflection;
+    if (stiffness > 0.0)
+    {
+        v1 = deflection - rest;
+        EACH_LANE each((*residual_t)) = each(stiffness_t) * v1 + stiffness * (each(deflection_t) - each(rest_t)) - each(force_t);
+        (*residual) = stiffness * v1 - force;
+    }
+    return 0;
+}
+
+/* Derivative of ``weigh_rail``. */
+static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t)
+{
+    int64_t n1;
+    int64_t side;
+    bool rubbing;
+    double v2;
+    lanes v2_t;
+    double v3;
+    lanes v3_t;
+    int64_t status;
+    n1 = derivative_at_height__load_at_height_t(tables, work, work_t, index, height, height_t);
+    status = n1;
+    if (status <= layout__UNLOADED)
+    {
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        rubbing = requested__has_creep_forces(tables, work);
+        if (requested__is_rolling(work, tables))
+        {
+            derivative_rubbing__move_side_t(work, work_t, tables, side);
+        }
+        if (rubbing)
+        {
+            derivative_rubbing__rub_side_t(tables, work, work_t, index);
+        }
+        derivative_forces__sum_side_t(work, work_t, side, rubbing);
+        lanes rates_1;
+        EACH_LANE each(rates_1) = -each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + INT64_C(1))));
+        derivative_springs__spring_residual_t(&v2, &v2_t, (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)), (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_STIFFNESS)), (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)), (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL_REST)), (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)), (*lanes_at(&work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_LATERAL)), -(*cspan_at(&work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + INT64_C(1))), rates_1);
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_LATERAL))) = each(v2_t);
+        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_LATERAL)) = v2;
+        lanes rates_2;
+        EACH_LANE each(rates_2) = -each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + INT64_C(2))));
+        derivative_springs__spring_residual_t(&v3, &v3_t, (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)), (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_STIFFNESS)), (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)), (*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL_REST)), (*cspan_at(&work, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)), (*lanes_at(&work_t, side + layout__SIDE_SEARCH_DEFLECTION + layout__DEFLECTION_VERTICAL)), -(*cspan_at(&work, side + layout__SIDE_SEARCH_FORCES + layout__FORCES_FORCE + INT64_C(2))), rates_2);
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SETTLING + layout__SETTLING_VERTICAL))) = each(v3_t);
+        (*cspan_at(&work, layout__WORK_SETTLING + layout__SETTLING_VERTICAL)) = v3;
+    }
+    return status;
 }
 
 

@@ -21,6 +21,12 @@ static inline int64_t derivative_analyn_contact__solve_estimated_t(double* penet
 static inline int64_t derivative_analyn_contact__solve_analyn_t(double* penetration, lanes* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
 static inline int64_t derivative_analyn_contact__analyn_contact_t(double* penetration, lanes* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
 
+/* derivative_at_height.py */
+static inline int64_t derivative_at_height__pressing_power_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
+static inline int64_t derivative_at_height__damp_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
+static inline int64_t derivative_at_height__damp_patches_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
+static inline int64_t derivative_at_height__load_at_height_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t);
+
 /* derivative_circle.py */
 static inline int64_t derivative_circle__sine_cosine_rule_t(double* sine, lanes* result_1, double* cosine, lanes* result_3, double x, lanes x_t);
 static inline int64_t derivative_circle__atan_rule_t(double* result_0, lanes* result_1, double x, lanes x_t);
@@ -38,12 +44,6 @@ static inline int64_t derivative_coefficients__windowed_curvature_t(double* v6, 
 static inline int64_t derivative_coefficients__adaptive_curvatures_t(double* secant, lanes* secant_t, double* side, lanes* side_t, double* B, lanes* B_t, array_double_1d work, array_lanes_1d work_t, int64_t region, int64_t gaps, int64_t k, int64_t window, double middle, lanes middle_t, double mean, lanes mean_t, double least, lanes least_t);
 static inline int64_t derivative_coefficients__skew_factors_t(double* v4, lanes* result_1, double* v5, lanes* result_3, double* v6, lanes* result_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t);
 static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, int64_t nodes, int64_t window, bool yawed);
-
-/* derivative_compliant.py */
-static inline int64_t derivative_compliant__pressing_power_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
-static inline int64_t derivative_compliant__damp_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
-static inline int64_t derivative_compliant__damp_patches_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
-static inline int64_t derivative_compliant__load_at_height_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t);
 
 /* derivative_correction.py */
 static inline int64_t derivative_correction__scale_at_t(double* result_0, lanes* result_1, array_double_1d tables, int64_t table, int64_t at, double share, lanes share_t);
@@ -226,6 +226,7 @@ static inline int64_t derivative_motion__open_motion_t(array_double_1d work, arr
 static inline int64_t derivative_motion__mirror_motion_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t mirrored);
 static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail);
 static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail);
+static inline int64_t derivative_motion__carry_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t rail, int64_t deflection);
 static inline int64_t derivative_motion__set_rates_t(array_double_1d work, array_lanes_1d work_t, int64_t left, int64_t right, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t);
 static inline int64_t derivative_motion__constrain_touching_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t point);
 static inline int64_t derivative_motion__constrain_loaded_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t forces);
@@ -324,6 +325,7 @@ static inline int64_t derivative_quadrature__root_integral_t(double* v2, lanes* 
 
 /* derivative_rails.py */
 static inline int64_t derivative_rails__move_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double lateral, lanes lateral_t, double vertical, lanes vertical_t);
+static inline int64_t derivative_rails__deflect_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, int64_t deflection);
 static inline int64_t derivative_rails__lean_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t place, double rail_y, lanes rail_y_t, double angle, lanes angle_t);
 static inline int64_t derivative_rails__turn_leaning_t(array_double_1d work, array_lanes_1d work_t, int64_t place);
 static inline int64_t derivative_rails__pitch_of_frame_t(double* sine, lanes* sine_t, double* cosine, lanes* cosine_t, array_double_1d work, array_lanes_1d work_t, int64_t place);
@@ -336,6 +338,7 @@ static inline int64_t derivative_rails__on_track_t(double* result_0, lanes* resu
 static inline int64_t derivative_report__write_vector_t(array_double_1d work, array_lanes_1d work_t, int64_t out, int64_t vector, double plane, lanes plane_t, double across, lanes across_t);
 static inline int64_t derivative_report__report_point_t(array_double_1d work, array_lanes_1d work_t, int64_t point, int64_t out, double mirror, lanes mirror_t);
 static inline int64_t derivative_report__report_load_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t);
+static inline int64_t derivative_report__report_deflection_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t out, double mirror, lanes mirror_t);
 static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t);
 static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t);
 static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t outline, int64_t stations, bool rubbing);
@@ -360,6 +363,7 @@ static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_
 /* derivative_rubbing.py */
 static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline int64_t derivative_rubbing__move_side_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
 static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_rubbing__strip_shear_t(double* shear, lanes* shear_t, array_double_1d work, array_lanes_1d work_t, int64_t strip);
 static inline int64_t derivative_rubbing__strip_power_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip);
@@ -368,7 +372,7 @@ static inline int64_t derivative_rubbing__write_patch_wear_t(array_double_1d wor
 static inline int64_t derivative_rubbing__write_wear_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t stations);
 static inline int64_t derivative_rubbing__open_rolling_t(double* factor, lanes* factor_t, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t);
 static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
-static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double friction, lanes friction_t);
+static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
 static inline int64_t derivative_rubbing__rub_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 
 /* derivative_separation.py */
@@ -394,6 +398,13 @@ static inline int64_t derivative_side__solve_side_t(array_double_1d tables, arra
 static inline int64_t derivative_side__find_points_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t index, double height, lanes height_t);
 static inline int64_t derivative_side__press_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double approach, lanes approach_t);
 static inline int64_t derivative_side__side_lever_t(double* lever, lanes* lever_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, int64_t count);
+
+/* derivative_springs.py */
+static inline int64_t derivative_springs__damper_stiffness_t(double* stiffness, lanes* stiffness_t, double damping, lanes damping_t, double time_step, lanes time_step_t);
+static inline int64_t derivative_springs__open_settling_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline int64_t derivative_springs__deflect_t(array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t);
+static inline int64_t derivative_springs__spring_residual_t(double* residual, lanes* residual_t, double stiffness, lanes stiffness_t, double rest, lanes rest_t, double deflection, lanes deflection_t, double force, lanes force_t);
+static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double height, lanes height_t);
 
 /* derivative_stiffness.py */
 static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
@@ -531,7 +542,9 @@ static inline int64_t derivative_wheelset_rules__follow_gaps_t(double* result_0,
 static inline int64_t derivative_wheelset_rules__follow_leaning_roll_t(double* roll, lanes* roll_rate, array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t);
 static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
+static inline int64_t derivative_wheelset_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t);
+static inline bool derivative_wheelset_rules__follow_settled_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline bool derivative_wheelset_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_wheelset_rules__follow_load_t(array_double_1d work, array_lanes_1d work_t);
 static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);

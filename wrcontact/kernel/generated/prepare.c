@@ -63,6 +63,7 @@ static inline int64_t prepare_tables__write_reaches(array_double_1d tables, int6
 static inline int64_t prepare_tables__write_corrections(array_double_1d tables, int64_t table, array_double_1d fixed, int64_t first, double poisson_ratio);
 static inline int64_t prepare_tables__append_rolling(array_double_1d tables, int64_t at, array_double_1d fixed, double poisson_ratio);
 static inline int64_t prepare_tables__copy_definition(array_double_1d definition, array_double_1d work, int64_t at);
+static inline int64_t prepare_tables__write_springs(array_double_1d setup, array_double_1d tables);
 static inline int64_t prepare_tables__write_settings(array_double_1d setup, array_double_1d tables);
 static inline int64_t prepare_tables__write_methods(array_double_1d setup, array_double_1d tables);
 static inline int64_t prepare_tables__append_starts(array_double_1d tables, int64_t at);
@@ -1699,6 +1700,24 @@ static inline int64_t prepare_tables__copy_definition(array_double_1d definition
     return at + size;
 }
 
+/* The springs below both rails. */
+static inline int64_t prepare_tables__write_springs(array_double_1d setup, array_double_1d tables)
+{
+    int64_t right;
+    int64_t i_1;
+    right = layout__TABLES_SPRINGS + layout__SPRING_SIZE * INT64_C(1);
+    (*cspan_at(&tables, right + layout__SPRING_LATERAL_STIFFNESS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_LATERAL_STIFFNESS));
+    (*cspan_at(&tables, right + layout__SPRING_VERTICAL_STIFFNESS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_VERTICAL_STIFFNESS));
+    (*cspan_at(&tables, right + layout__SPRING_LATERAL_DAMPING)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_LATERAL_DAMPING));
+    (*cspan_at(&tables, right + layout__SPRING_VERTICAL_DAMPING)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RAIL_VERTICAL_DAMPING));
+    for (i_1 = INT64_C(0); i_1 < layout__SPRING_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&tables, layout__TABLES_SPRINGS + i_1)) = (*cspan_at(&setup, layout__SETUP_LEFT_SPRING + i_1));
+    }
+    (*cspan_at(&tables, layout__TABLES_SPRUNG)) = (double)(rails__is_sprung(tables, INT64_C(0)) || rails__is_sprung(tables, INT64_C(1)));
+    return INT64_C(0);
+}
+
 /* The settings that are known from the beginning, with each method's first choice. */
 static inline int64_t prepare_tables__write_settings(array_double_1d setup, array_double_1d tables)
 {
@@ -1708,6 +1727,7 @@ static inline int64_t prepare_tables__write_settings(array_double_1d setup, arra
     (*cspan_at(&tables, layout__TABLES_HEIGHT)) = 0.5 * ((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NOMINAL_RADIUS)) + (*cspan_at(&setup, layout__SETUP_LEFT_RADIUS)));
     (*cspan_at(&tables, layout__TABLES_ARM)) = 0.5 * (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_RUNNING_CIRCLE_DISTANCE));
     nu = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_POISSON_RATIO));
+    prepare_tables__write_springs(setup, tables);
     (*cspan_at(&tables, layout__TABLES_CONTACT_MODULUS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_YOUNGS_MODULUS)) / (2.0 * (1.0 - nu * nu));
     (*cspan_at(&tables, layout__TABLES_SHEAR_MODULUS)) = (*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_YOUNGS_MODULUS)) / (2.0 * (1.0 + nu));
     (*cspan_at(&tables, layout__TABLES_LATERAL_LIMIT)) = layout__LATERAL_LIMIT;

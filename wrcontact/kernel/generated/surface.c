@@ -25,6 +25,9 @@ static inline double locus__outline_x(array_double_1d tables, array_double_1d wo
 
 /* surface/rails.py */
 static inline int64_t rails__move_rail(array_double_1d work, int64_t place, double lateral, double vertical);
+static inline bool rails__is_sprung(array_double_1d tables, int64_t index);
+static inline bool rails__on_springs(array_double_1d tables);
+static inline int64_t rails__deflect_rail(array_double_1d work, int64_t place, int64_t deflection);
 static inline int64_t rails__lean_rail(array_double_1d work, int64_t place, double rail_y, double angle);
 static inline int64_t rails__turn_leaning(array_double_1d work, int64_t place);
 static inline int64_t rails__pitch_of_frame(double* sine, double* cosine, array_double_1d work, int64_t place);
@@ -518,6 +521,34 @@ static inline int64_t rails__move_rail(array_double_1d work, int64_t place, doub
     (*cspan_at(&work, place + layout__PLACE_HEIGHT)) += vertical;
     (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) = lateral;
     (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) = vertical;
+    return INT64_C(0);
+}
+
+/* Whether the rail of side ``index`` stands on springs. */
+static inline bool rails__is_sprung(array_double_1d tables, int64_t index)
+{
+    int64_t spring;
+    bool result;
+    spring = layout__TABLES_SPRINGS + layout__SPRING_SIZE * index;
+    result = ((*cspan_at(&tables, spring + layout__SPRING_LATERAL_STIFFNESS)) > 0.0) || ((*cspan_at(&tables, spring + layout__SPRING_VERTICAL_STIFFNESS)) > 0.0);
+    return result;
+}
+
+/* Whether a rail stands on springs in this contact mode; only then deflections are known. */
+static inline bool rails__on_springs(array_double_1d tables)
+{
+    bool result;
+    result = ((*cspan_at(&tables, layout__TABLES_SPRUNG)) == 1.0) && ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_COMPLIANT);
+    return result;
+}
+
+/* Let the springs of a rail below a placed wheel have this deflection, on top of its displacement. */
+static inline int64_t rails__deflect_rail(array_double_1d work, int64_t place, int64_t deflection)
+{
+    (*cspan_at(&work, place + layout__PLACE_SHIFT)) -= (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL));
+    (*cspan_at(&work, place + layout__PLACE_HEIGHT)) += (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL));
+    (*cspan_at(&work, place + layout__PLACE_RAIL_LATERAL)) += (*cspan_at(&work, deflection + layout__DEFLECTION_LATERAL));
+    (*cspan_at(&work, place + layout__PLACE_RAIL_VERTICAL)) += (*cspan_at(&work, deflection + layout__DEFLECTION_VERTICAL));
     return INT64_C(0);
 }
 

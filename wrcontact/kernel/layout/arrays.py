@@ -71,6 +71,39 @@ class Bracket:
 
 
 @record
+class Spring:
+    """The springs and dampers of a rail: [N/m], [N s/m].  Without a stiffness it is rigid."""
+
+    lateral_stiffness: float
+    vertical_stiffness: float
+    lateral_damping: float
+    vertical_damping: float
+
+
+@record
+class Settling:
+    """A rail on springs that settles under the forces of its wheel.
+
+    Over a step in time a damper is a spring, too, from another place.
+    """
+
+    lateral_stiffness: float        # of both together [N/m]; 0: rigid
+    vertical_stiffness: float
+    lateral_rest: float             # where the rail stands without forces [m]
+    vertical_rest: float
+    lateral_before: float           # and where it stood before the step in time [m]
+    vertical_before: float
+    lateral: float                  # residuals: what the springs carry more than the wheel presses [N]
+    vertical: float
+    lateral_lateral: float          # their derivatives with respect to both deflections [N/m]
+    lateral_vertical: float
+    vertical_lateral: float
+    vertical_vertical: float
+    move_lateral: float             # the last move [m]
+    move_vertical: float
+
+
+@record
 class Reference:
     """The vertical shift for which wheels are placed over rolled rails, while it is sought."""
 
@@ -100,6 +133,7 @@ class Setup:
     resolution: Resolution
     left_radius: float              # nominal radius of the left wheel [m]
     left_inclination: float         # of the left rail [1]
+    left_spring: Spring             # below it
     absent: float                   # not a number
     side: int                       # whose profiles cannot be used: 0 left, 1 right; the rest says why
     reached: float                  # where the inner side of the rail ends [m]
@@ -129,6 +163,8 @@ class Tables:
     pairs: Pair * 2                 # left and right side
     height: float                   # of the wheelset's centre, the mean of both nominal radii [m]
     arm: float                      # half the distance of the running circles [m]
+    springs: Spring * 2             # below both rails
+    sprung: bool                    # whether there are any
     contact_modulus: float          # E* [Pa]
     lateral_limit: float            # largest |lateral shift| [m]
     yaw_limit: float                # largest |yaw| [rad]
@@ -202,6 +238,7 @@ class Work:
     roll_bracket: Bracket
     trials: RollTrials
     reference: Reference
+    settling: Settling
     wheelset: Wheelset
     rolling: Rolling
     patch: Patch                    # a patch by itself, apart from a step

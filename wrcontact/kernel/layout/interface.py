@@ -9,7 +9,8 @@ from typing import Final
 from ...interface import inputs as _inputs, outputs as _outputs, rows as _rows, variables as _variables
 from ...interface.friction import FRICTION_LIMIT
 from ...interface.inputs import (CURVATURE_LIMIT, INPUT_NOMINALS, LATERAL_LIMIT, RAIL_LIMIT, RAIL_ROLL_LIMIT,
-                                 RATE_LIMIT, ROLL_LIMIT, SPEED_LIMIT, VELOCITY_LIMIT, WHEEL_LIMIT, YAW_LIMIT)
+                                 RATE_LIMIT, ROLL_LIMIT, SPEED_LIMIT, TIME_LIMIT, VELOCITY_LIMIT, WHEEL_LIMIT,
+                                 YAW_LIMIT)
 from ...interface.outputs import PATCH_LIMIT, STATION_COUNT, STATION_LEAST, STATION_LIMIT
 from ...interface.parameters import KERNEL_PARAMETERS
 from ...methods import FAMILIES as _FAMILIES

@@ -108,10 +108,21 @@ class ContactPoint:
 
 
 @record
+class Deflection:
+    """How far a rail on springs stands from their foot, and how fast it moves."""
+
+    lateral: float                   # to the field side [m]
+    vertical: float                  # down [m]
+    lateral_rate: float              # [m/s]
+    vertical_rate: float
+
+
+@record
 class SideSearch:
     """One wheel on its rail: what the search has found, its patches, and the forces on it."""
 
     place: Place
+    deflection: Deflection           # of its rail
     best: float                      # smallest gap found [m]
     best_y: float                    # its wheel abscissa [m]
     best_rail: float                 # and its abscissa on the rail [m], while the roll is sought

@@ -21,6 +21,7 @@ from ..layout import (CORRECTION_RADII, CORRECTION_SCALES, CORRECTION_SIZE, DEPT
                       TANGENTIAL_NONE, UNLOADED, WAVES_SIZE, YAW_LIMIT, CubicTable, CurvatureTable,
                       Outputs, Pair,
                       Profile, RollingTable, Setup, Tables, clear, copy, offset)
+from ..surface.rails import is_sprung
 from .curvatures import write_abscissae, write_arcs, write_curvatures
 from .pieces import FULL, MM, write_profile
 from .scan import write_scan
@@ -145,11 +146,23 @@ def copy_definition(definition: 'float[:]', work: 'float[:]', at: int):
     return at + size
 
 
+def write_springs(setup: Setup, tables: Tables):
+    """The springs below both rails."""
+    right = tables.springs[1]
+    right.lateral_stiffness = setup.parameters.rail_lateral_stiffness
+    right.vertical_stiffness = setup.parameters.rail_vertical_stiffness
+    right.lateral_damping = setup.parameters.rail_lateral_damping
+    right.vertical_damping = setup.parameters.rail_vertical_damping
+    copy(setup.left_spring, tables.springs[0])
+    tables.sprung = is_sprung(tables, 0) or is_sprung(tables, 1)
+
+
 def write_settings(setup: Setup, tables: Tables):
     """The settings that are known from the beginning, with each method's first choice."""
     tables.height = 0.5 * (setup.parameters.nominal_radius + setup.left_radius)
     tables.arm = 0.5 * setup.parameters.running_circle_distance
     nu = setup.parameters.poisson_ratio
+    write_springs(setup, tables)
     tables.contact_modulus = setup.parameters.youngs_modulus / (2.0 * (1.0 - nu * nu))
     tables.shear_modulus = setup.parameters.youngs_modulus / (2.0 * (1.0 + nu))
     tables.lateral_limit = LATERAL_LIMIT

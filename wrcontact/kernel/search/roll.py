@@ -19,7 +19,7 @@ from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, VALID, Inputs, Pai
                       Starts, Tables)
 from ..surface.gap import above_rail, gap_jet, gap_per_roll, vertical_gap
 from ..surface.locus import mirror_place, mirror_roll, place_wheelset, turn_wheelset
-from ..surface.rails import lean_rail, move_rail, turn_leaning
+from ..surface.rails import deflect_rail, lean_rail, move_rail, on_springs, turn_leaning
 from .bounds import rail_below
 from .smallest_gap import SHARP, search_side
 
@@ -57,6 +57,9 @@ def place_both(tables: Tables, inputs: Inputs, sides: Sides, roll: float):
     mirror_place(sides[1].place, sides[0].place, tables.pairs[0].radius)
     move_rail(sides[1].place, inputs.right_rail_lateral, inputs.right_rail_vertical)
     move_rail(sides[0].place, -inputs.left_rail_lateral, inputs.left_rail_vertical)
+    if on_springs(tables):
+        deflect_rail(sides[1].place, sides[1].deflection)
+        deflect_rail(sides[0].place, sides[0].deflection)
     if inputs.left_rail_roll != 0.0 or inputs.right_rail_roll != 0.0:
         lean_both(tables, inputs, sides, roll)
 

@@ -13,7 +13,7 @@ sought, the reference follows it (wheelset/leaning.py).
 from math import sqrt
 
 from ..elementary.circle import sine_cosine
-from ..layout import Place
+from ..layout import MODE_COMPLIANT, Deflection, Place, Tables
 from .locus import set_roll
 
 
@@ -24,6 +24,25 @@ def move_rail(place: Place, lateral: float, vertical: float):
     place.height += vertical
     place.rail_lateral = lateral
     place.rail_vertical = vertical
+
+
+def is_sprung(tables: Tables, index: int) -> bool:
+    """Whether the rail of side ``index`` stands on springs."""
+    spring = tables.springs[index]
+    return spring.lateral_stiffness > 0.0 or spring.vertical_stiffness > 0.0
+
+
+def on_springs(tables: Tables) -> bool:
+    """Whether a rail stands on springs in this contact mode; only then deflections are known."""
+    return tables.sprung and tables.mode == MODE_COMPLIANT
+
+
+def deflect_rail(place: Place, deflection: Deflection):
+    """Let the springs of a rail below a placed wheel have this deflection, on top of its displacement."""
+    place.shift -= deflection.lateral
+    place.height += deflection.vertical
+    place.rail_lateral += deflection.lateral
+    place.rail_vertical += deflection.vertical
 
 
 def lean_rail(place: Place, rail_y: float, angle: float):

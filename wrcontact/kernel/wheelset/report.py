@@ -12,6 +12,7 @@ from ..layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, PATCH_LIMIT, ROLLING_STRIP_
                       WEAR_RUN_COUNT, WEAR_STRIPS, ContactPoint, Outline, Patch, PatchOutputs, SideOutputs,
                       SideSearch, StripOutputs, Tables, Vector, WearRuns, Work, clear, copy, offset, seldom)
 from ..patch.outline import wear_place
+from ..surface.rails import on_springs
 from .shared_power import share_power
 from .requested import has_creep_forces, is_requested
 from .rubbing import strip_slip
@@ -53,6 +54,7 @@ def report_side(tables: Tables, work: Work, index: int):
         report_point(side.point, out, mirror)
     if first > SIDE_PENETRATION:
         report_load(side, out, mirror)
+        report_deflection(tables, side, out, mirror)
         report_patches(side, out, mirror)
     for i in range(first, SIDE_SIZE):
         out[i] = tables.absent
@@ -123,6 +125,15 @@ def report_load(side: SideSearch, out: SideOutputs, mirror: float):
     out.derailment_quotient = 0.0
     if forces.force[2] < 0.0:
         out.derailment_quotient = forces.force[1] / forces.force[2]
+
+
+def report_deflection(tables: Tables, side: SideSearch, out: SideOutputs, mirror: float):
+    """How far the rail stands from the foot of its springs."""
+    out.rail_deflection_lateral = 0.0
+    out.rail_deflection_vertical = 0.0
+    if on_springs(tables):
+        out.rail_deflection_lateral = mirror * side.deflection.lateral + 0.0
+        out.rail_deflection_vertical = side.deflection.vertical + 0.0
 
 
 def report_patches(side: SideSearch, out: SideOutputs, mirror: float):

@@ -17,7 +17,7 @@ from ..creep.friction import is_frictional
 from ..creep.motion import are_independent, is_moderate
 from ..layout import (DEPTH_ALL, FRICTION_LIMIT, INPUT_COUNT, INVALID_INPUT, LOAD_VERTICAL, MODE_COMPLIANT,
                       OFF_PROFILE, RAIL_LIMIT, RAIL_ROLL_LIMIT, ROLL_LIMIT, SIDES_BOTH, SIDES_LEFT,
-                      TANGENTIAL_NONE, UNLOADED, VALID, Inputs, Support, Tables, Work)
+                      TANGENTIAL_NONE, TIME_LIMIT, UNLOADED, VALID, Inputs, Support, Tables, Work)
 
 #: The load is met when no wheel misses it by more than this share [-].
 LOAD_MET: Final[float] = 1e-9
@@ -48,6 +48,8 @@ def check_inputs(tables: Tables, inputs: Inputs):
         status = OFF_PROFILE
     if inputs.normal_force < 0.0 or fabs(inputs.load_transfer) > 1.0:
         status = INVALID_INPUT
+    if not (inputs.rail_time_step >= 0.0 and inputs.rail_time_step <= TIME_LIMIT):
+        status = INVALID_INPUT
     if not is_moderate(inputs):
         status = INVALID_INPUT
     if not is_frictional(inputs.left_friction, FRICTION_LIMIT):
@@ -66,6 +68,12 @@ def is_rail_far(inputs: Inputs) -> bool:
     if fabs(inputs.left_rail_roll) > RAIL_ROLL_LIMIT or fabs(inputs.right_rail_roll) > RAIL_ROLL_LIMIT:
         far = True
     if fabs(inputs.left_rail_vertical) > RAIL_LIMIT or fabs(inputs.right_rail_vertical) > RAIL_LIMIT:
+        far = True
+    if (fabs(inputs.left_rail_deflection_lateral_before) > RAIL_LIMIT
+            or fabs(inputs.left_rail_deflection_vertical_before) > RAIL_LIMIT):
+        far = True
+    if (fabs(inputs.right_rail_deflection_lateral_before) > RAIL_LIMIT
+            or fabs(inputs.right_rail_deflection_vertical_before) > RAIL_LIMIT):
         far = True
     return far
 

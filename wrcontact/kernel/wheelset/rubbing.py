@@ -17,11 +17,12 @@ from math import sqrt
 from ..creep.creep_force import solve_creep_force
 from ..creep.creepage import STANDSTILL, move_patch, move_strips
 from ..creep.friction import multiply_creepages, patch_friction, slope_factor
-from ..creep.motion import (are_independent, constrain_loaded, constrain_touching, mirror_motion,
+from ..creep.motion import (are_independent, carry_rail, constrain_loaded, constrain_touching, mirror_motion,
                             open_left_rail, open_motion, open_right_rail, set_contact_rates, set_rates,
                             turn_wheels)
 from ..layout import (DEPTH_ALL, MODE_COMPLIANT, MODE_ELASTIC, ROLLING_STRIP_LIMIT, TANGENTIAL_NONE, Outline,
                       Patch, Rolling, RollingStrip, SideSearch, Tables, Work)
+from ..surface.rails import on_springs
 from .forces import sum_side
 from .requested import has_creep_forces, is_requested, is_rolling
 from .side import touch_side
@@ -37,6 +38,9 @@ def open_given_motion(tables: Tables, work: Work):
         turn_wheels(tables, left, right, work.inputs)
     open_left_rail(tables.pairs[0], left.rail, work.inputs)
     open_right_rail(tables.pairs[1], right.rail, work.inputs)
+    if on_springs(tables):
+        carry_rail(left.rail, work.sides[0].deflection)
+        carry_rail(right.rail, work.sides[1].deflection)
     set_rates(left, right, work.inputs.vertical_velocity, work.inputs.roll_rate)
 
 
@@ -51,12 +55,16 @@ def move_patches(tables: Tables, work: Work):
         constrain_side(tables, work, 1)
         set_contact_rates(work.sides[0].motion, work.sides[1].motion)
     for index in range(2):
-        side = work.sides[index]
-        for number in range(side.patch_count):
-            patch = side.patches[number]
-            move_patch(side.motion, patch)
-            if tables.tangential != TANGENTIAL_NONE and patch.speed > STANDSTILL:
-                move_strips(side.motion, patch)
+        move_side(tables, work.sides[index])
+
+
+def move_side(tables: Tables, side: SideSearch):
+    """Creepages of the patches of a side whose motion is known, and of their strips."""
+    for number in range(side.patch_count):
+        patch = side.patches[number]
+        move_patch(side.motion, patch)
+        if tables.tangential != TANGENTIAL_NONE and patch.speed > STANDSTILL:
+            move_strips(side.motion, patch)
 
 
 def constrain_side(tables: Tables, work: Work, index: int):
@@ -146,14 +154,16 @@ def strip_power(patch: Patch, strip: RollingStrip):
 def rub_patches(tables: Tables, work: Work):
     """Creep forces of all patches, if there are any."""
     if has_creep_forces(tables, work):
-        rub_side(tables, work, 0, work.inputs.left_friction)
-        rub_side(tables, work, 1, work.inputs.right_friction)
+        rub_side(tables, work, 0)
+        rub_side(tables, work, 1)
 
 
-def rub_side(tables: Tables, work: Work, index: int, friction: float):
-    """Creep forces of the patches of side ``index``, whose coefficient of friction is ``friction``, and shear
-    and slip over its outline."""
+def rub_side(tables: Tables, work: Work, index: int):
+    """Creep forces of the patches of side ``index``, and shear and slip over its outline."""
     side = work.sides[index]
+    friction = work.inputs.left_friction
+    if index == 1:
+        friction = work.inputs.right_friction
     for number in range(side.patch_count):
         patch = side.patches[number]
         if patch.speed > STANDSTILL:

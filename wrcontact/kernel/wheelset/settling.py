@@ -1,0 +1,211 @@
+"""Rails that settle on their springs until these carry what the wheel presses: both deflections of a side by
+Broyden's method (Broyden 1965), from an estimate for one contact place; where it finds nothing, by brackets
+(settling_brackets.py)."""
+
+from math import fabs
+from typing import Final
+
+from ..elementary.circle import sine_cosine
+from ..elementary.powers import cube_root
+from ..layout import NOT_CONVERGED, UNLOADED, Settling, SideSearch, Tables, Work, seldom
+from ..normal.estimate import first_penetration
+from .at_height import GRAZING
+from .settling_brackets import bracket_rail, press_rail, stand_on
+from .side import touch_side
+from .springs import UNSETTLED, has_settled, open_settling
+
+#: Places at which one contact is estimated, and how near two of them are [m].
+ESTIMATES: Final[int] = 5
+SAME_PLACE: Final[float] = 1e-5
+#: Newton's steps for the force of the estimate, from above.
+FORCE_STEPS: Final[int] = 12
+#: Broyden's method needs seven trials; what it has not found after so many, it will not.
+SETTLING_TRIALS: Final[int] = 25
+#: A rail has settled when it moves by less [m].
+SETTLED: Final[float] = 2e-14
+#: Longest move of a rail in one trial [m].
+LONGEST_SETTLING: Final[float] = 5e-4
+#: How the load of a patch grows: d ln(load) / d ln(penetration), by Hertz.
+GROWTH: Final[float] = 1.5
+#: Smallest determinant of the residuals' derivatives over that of the springs [-].
+SINGULAR_SPRINGS: Final[float] = 0.01
+
+
+@seldom
+def settle_rail(tables: Tables, work: Work, index: int, height: float):
+    """Let the rail of a side settle under its wheel at ``height`` [m], from the rail at rest on, whose
+    smallest gap is known; the outcome."""
+    open_settling(tables, work, index)
+    side = work.sides[index]
+    if not height - side.best > GRAZING:
+        return touch_side(tables, work, index)
+    status = NOT_CONVERGED
+    if estimate_deflection(tables, work, index, height):
+        status = iterate_deflection(tables, work, index, height)
+    if status > UNLOADED:
+        status = bracket_rail(tables, work, index, height)
+    return status
+
+
+@seldom
+def estimate_deflection(tables: Tables, work: Work, index: int, height: float) -> bool:
+    """Deflect the rail as one contact would, at the place of the smallest gap; whether there is one.
+
+    The place moves with the rail: between two places that take turns, as on flange and tread, lateral
+    deflections are halved, and at last the vertical one is found for that.
+    """
+    side = work.sides[index]
+    for i in range(ESTIMATES):
+        if touch_side(tables, work, index) != UNLOADED:
+            return False
+        before = side.deflection.lateral
+        lateral, vertical = one_contact(tables, work, index, height - side.best, True)
+        if i > 0:
+            lateral = 0.5 * (lateral + before)
+        if not stand_on(tables, work, index, lateral, vertical):
+            return False
+        if fabs(lateral - before) < SAME_PLACE:
+            break
+    if touch_side(tables, work, index) != UNLOADED:
+        return False
+    lateral = side.deflection.lateral
+    across, vertical = one_contact(tables, work, index, height - side.best, False)
+    return stand_on(tables, work, index, lateral, vertical)
+
+
+@seldom
+def one_contact(tables: Tables, work: Work, index: int, approach: float, sideways: bool):
+    """Deflections [m] under the force of one contact at the described place, whose wheel is ``approach`` [m]
+    below its smallest gap; if not ``sideways`` the lateral one is as it is.
+
+    With the flexibility s of the springs along the normal, and the penetration D F^(2/3), both together are
+    the way A that the rail at rest would be penetrated: s x^3 + D x^2 = A for the force F = x^3.
+    """
+    settling = work.settling
+    side = work.sides[index]
+    sine, cosine = sine_cosine(side.point.contact_angle)
+    across = 0.0
+    down = 0.0
+    if sideways and settling.lateral_stiffness > 0.0:
+        across = sine / settling.lateral_stiffness
+    if settling.vertical_stiffness > 0.0:
+        down = cosine / settling.vertical_stiffness
+    flexibility = across * sine + down * cosine
+    way = (approach + side.deflection.vertical - settling.vertical_rest) * cosine
+    if sideways:
+        way += (side.deflection.lateral - settling.lateral_rest) * sine
+    force = 0.0
+    if way > 0.0 and flexibility > 0.0:
+        x = cube_root(way / flexibility)
+        soft = first_penetration(tables.pairs[index], work.contact, way / flexibility) / (x * x)
+        for i in range(FORCE_STEPS):
+            x -= (x * x * (flexibility * x + soft) - way) / (x * (3.0 * flexibility * x + 2.0 * soft))
+        force = x * x * x
+    return settling.lateral_rest + across * force, settling.vertical_rest + down * force
+
+
+# --- Broyden's method -------------------------------------------------------------------------------------
+
+
+@seldom
+def iterate_deflection(tables: Tables, work: Work, index: int, height: float):
+    """Settle the rail of a side by Broyden's method; the outcome, NOT_CONVERGED where it finds nothing."""
+    settling = work.settling
+    side = work.sides[index]
+    lateral = side.deflection.lateral
+    vertical = side.deflection.vertical
+    for trial in range(SETTLING_TRIALS):
+        before_lateral = settling.lateral
+        before_vertical = settling.vertical
+        status = press_rail(tables, work, index, height, lateral, vertical)
+        if status > UNLOADED:
+            return NOT_CONVERGED
+        before = fabs(before_lateral) + fabs(before_vertical)
+        if trial == 0 or fabs(settling.lateral) + fabs(settling.vertical) > before:
+            begin_slopes(settling, side)
+        else:
+            update_slopes(settling, before_lateral, before_vertical)
+        if not find_settling(settling, side):
+            return NOT_CONVERGED
+        if fabs(settling.move_lateral) < SETTLED and fabs(settling.move_vertical) < SETTLED:
+            if not has_settled(settling, side, UNSETTLED):
+                status = NOT_CONVERGED
+            return status
+        shorten_settling(settling)
+        lateral += settling.move_lateral
+        vertical += settling.move_vertical
+    return NOT_CONVERGED
+
+
+@seldom
+def shorten_settling(settling: Settling):
+    """Let the move be no longer than is permitted, in its direction."""
+    longest = max(fabs(settling.move_lateral), fabs(settling.move_vertical))
+    if longest > LONGEST_SETTLING:
+        settling.move_lateral *= LONGEST_SETTLING / longest
+        settling.move_vertical *= LONGEST_SETTLING / longest
+
+
+@seldom
+def begin_slopes(settling: Settling, side: SideSearch):
+    """The residuals' derivatives from the springs, and from patches whose forces grow as Hertz's along their
+    normals, friction in proportion."""
+    settling.lateral_lateral = settling.lateral_stiffness
+    settling.lateral_vertical = 0.0
+    settling.vertical_lateral = 0.0
+    settling.vertical_vertical = settling.vertical_stiffness
+    for number in range(side.patch_count):
+        patch = side.patches[number]
+        if patch.totals.load > 0.0 and patch.penetration > 0.0:
+            stiffness = GROWTH / (patch.totals.load * patch.penetration)
+            force = patch.forces.force
+            settling.lateral_lateral += stiffness * force[1] * patch.normal_y
+            settling.lateral_vertical += stiffness * force[1] * patch.normal_z
+            settling.vertical_lateral += stiffness * force[2] * patch.normal_y
+            settling.vertical_vertical += stiffness * force[2] * patch.normal_z
+    if not settling.lateral_stiffness > 0.0:
+        settling.lateral_lateral = 1.0
+        settling.lateral_vertical = 0.0
+    if not settling.vertical_stiffness > 0.0:
+        settling.vertical_lateral = 0.0
+        settling.vertical_vertical = 1.0
+
+
+@seldom
+def update_slopes(settling: Settling, before_lateral: float, before_vertical: float):
+    """The derivatives that the last move has shown (Broyden 1965)."""
+    lateral = settling.move_lateral
+    vertical = settling.move_vertical
+    size = lateral * lateral + vertical * vertical
+    if size > 0.0:
+        off_lateral = (settling.lateral - before_lateral - settling.lateral_lateral * lateral
+                       - settling.lateral_vertical * vertical) / size
+        off_vertical = (settling.vertical - before_vertical - settling.vertical_lateral * lateral
+                        - settling.vertical_vertical * vertical) / size
+        settling.lateral_lateral += off_lateral * lateral
+        settling.lateral_vertical += off_lateral * vertical
+        settling.vertical_lateral += off_vertical * lateral
+        settling.vertical_vertical += off_vertical * vertical
+
+
+@seldom
+def find_settling(settling: Settling, side: SideSearch) -> bool:
+    """The move that lets both residuals vanish; whether there is one."""
+    least = SINGULAR_SPRINGS
+    if settling.lateral_stiffness > 0.0:
+        least *= settling.lateral_stiffness
+    if settling.vertical_stiffness > 0.0:
+        least *= settling.vertical_stiffness
+    determinant = (settling.lateral_lateral * settling.vertical_vertical
+                   - settling.lateral_vertical * settling.vertical_lateral)
+    if not determinant > least:
+        begin_slopes(settling, side)
+        determinant = (settling.lateral_lateral * settling.vertical_vertical
+                       - settling.lateral_vertical * settling.vertical_lateral)
+        if not determinant > least:
+            return False
+    settling.move_lateral = (settling.vertical * settling.lateral_vertical
+                             - settling.lateral * settling.vertical_vertical) / determinant
+    settling.move_vertical = (settling.lateral * settling.vertical_lateral
+                              - settling.vertical * settling.lateral_lateral) / determinant
+    return True
