@@ -171,6 +171,14 @@ def known_part(motion: Motion):
             - constraint.z * rail.vertical - rail_moment * rail.roll)
 
 
+def constraint_residual(motion: Motion):
+    """How much faster than the wheelset the wheel of a side comes down [m/s], if it stays on its rail."""
+    constraint = motion.constraint
+    power = (known_part(motion) + constraint.z * motion.vertical + constraint.moment_x * motion.turn_x
+             + constraint.moment_y * motion.turn_y)
+    return -power / constraint.z
+
+
 def set_contact_rates(left: Motion, right: Motion):
     """Vertical velocity [m/s] and roll rate [rad/s] with which both constraints hold; zero where they cannot
     tell."""

@@ -12,13 +12,14 @@ from ..layout import (INPUT_COUNT, MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, NOT
 from ..patch.outline import row_size
 from ..search.roll import place_both
 from .compliant import solve_compliant
+from .depth_rates import follow_depths
 from .elastic import solve_elastic
 from .forces import sum_forces
 from .requested import (LOAD_MET, LOAD_MISSED, LOAD_PASSES, carries_friction, check_inputs, is_load_met,
                         release_friction, requested_outcome, share_load, side_force)
 from .leaning import (ELASTIC_MET, MEETINGS, is_leaning, next_reference, note_reference, open_reference,
                       set_reference)
-from .rubbing import move_patches, rub_patches
+from .rubbing import move_patches, move_wheelset, rub_patches
 from .report import report
 from .rigid import find_roll, keep_roll, solve_rigid
 from .trial import turn_to
@@ -56,6 +57,8 @@ def solve_wheelset(tables: Tables, work: Work, state: State):
     """Contact of both wheels, their patches' creepages and creep forces, and all forces; the status."""
     status = stand(tables, work, state)
     if status <= UNLOADED:
+        move_wheelset(tables, work)
+        follow_depths(tables, work)
         move_patches(tables, work)
         rub_patches(tables, work)
         sum_forces(tables, work)
