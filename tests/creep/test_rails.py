@@ -96,8 +96,8 @@ def test_an_elastic_wheelset_follows_its_rails(model):
 # --- creepages --------------------------------------------------------------------------------------
 
 POSE = dict(lateral_shift=5.4e-3, yaw=0.012)
-#: Creepages of a rigid wheelset are exact; velocities of an elastic one are differences over 2e-6 m of heights
-#: that are known to 1e-15 m, and creepages are those over the speed.
+#: Creepages of a rigid wheelset are exact; velocities of an elastic one are differences over 2e-6 m of
+#: heights that are known to 1e-15 m, and creepages are those over the speed.
 NEAR = {"rigid": 1e-13, "elastic": 1e-9}
 
 

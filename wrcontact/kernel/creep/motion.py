@@ -151,7 +151,7 @@ def constrain_touching(motion: Motion, point: ContactPoint):
 
 def constrain_loaded(motion: Motion, forces: Forces):
     """The force of an elastic wheel [N] and its moment about the wheelset's centre [N m] keep it on its rail:
-    what its patches approach is zero in the mean over the load, which stays."""
+    what its patches approach is zero in the mean over the load, if its depth stays."""
     constraint = motion.constraint
     constraint.y = forces.normal_force[1]
     constraint.z = forces.normal_force[2]

@@ -23,12 +23,13 @@ from ..wheelset.compliant import is_damped, load_at_height
 from ..wheelset.depth_rates import DISPLACED, displace_inputs, keep_sides, motion_size, restore_sides
 from ..wheelset.elastic import UNBALANCED
 from ..wheelset.forces import sum_forces
-from ..wheelset.requested import LOAD_RATES, carried_share, carries_friction, is_requested, is_rolling, side_force
+from ..wheelset.requested import is_requested, is_rolling, side_force
 from ..wheelset.leaning import set_reference
 from ..wheelset.rubbing import move_patches, move_wheelset, open_given_motion, rub_patches
 from ..wheelset.report import report
 from ..wheelset.rigid import solve_rigid
 from ..wheelset.trial import balance_side
+from ..wheelset.vertical_load import carried_share, carries_friction
 from .elementary_rules import sine_cosine_rule
 from .intrinsics import common_rate, held, moving, nonzero, rate_of, seeded
 
@@ -250,21 +251,38 @@ def differentiate(tables: Tables, work: Work) -> bool:
     left it; whether the rates are not defined (``follow_elastic``)."""
     outcome = follow_wheelset(tables, work)
     if carries_friction(tables, work):
-        for i in range(LOAD_RATES):
-            follow_load(work)
-            outcome = follow_wheelset(tables, work)
+        outcome = follow_load(tables, work)
     report(tables, work)
     return outcome
 
 
-def follow_load(work: Work):
-    """What friction leaves of the load: the vertical force of each wheel stays what is wanted.  It is taken
-    to grow as the load, and what is left of its rate after one turn is corrected in the next."""
-    for index in range(2):
-        support = work.supports[index]
-        share = carried_share(work, index)
-        support.friction_load = seeded(support.friction_load, rate_of(support.friction_load)
-                                       - held(support.friction_load) * rate_of(share) / held(share))
+def follow_load(tables: Tables, work: Work) -> bool:
+    """What friction leaves of the load: the vertical force of each wheel stays what is wanted, over the loads
+    of both sides; whether the rates are not defined."""
+    left = work.supports[0]
+    right = work.supports[1]
+    missing_left = rate_of(carried_share(work, 0))
+    missing_right = rate_of(carried_share(work, 1))
+    left.friction_load = seeded(left.friction_load, 1.0)
+    follow_wheelset(tables, work)
+    left_left = rate_of(carried_share(work, 0)) - missing_left
+    right_left = rate_of(carried_share(work, 1)) - missing_right
+    left.friction_load = held(left.friction_load)
+    right.friction_load = seeded(right.friction_load, 1.0)
+    follow_wheelset(tables, work)
+    left_right = rate_of(carried_share(work, 0)) - missing_left
+    right_right = rate_of(carried_share(work, 1)) - missing_right
+    # a wheel without load has none to follow
+    if not side_force(work, 0) > 0.0:
+        left_left = 1.0
+    if not side_force(work, 1) > 0.0:
+        right_right = 1.0
+    determinant = left_left * right_right - left_right * right_left
+    left.friction_load = seeded(left.friction_load, (missing_right * left_right - missing_left * right_right)
+                                / determinant)
+    right.friction_load = seeded(right.friction_load, (missing_left * right_left - missing_right * left_left)
+                                 / determinant)
+    return follow_wheelset(tables, work)
 
 
 def follow_wheelset(tables: Tables, work: Work) -> bool:

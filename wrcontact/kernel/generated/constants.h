@@ -8,7 +8,7 @@
 static const int64_t layout__WIDTH = INT64_C(8);
 static const int64_t layout__INPUT_COUNT = INT64_C(31);
 static const int64_t layout__OUTPUT_COUNT = INT64_C(545);
-static const int64_t layout__WORK_SIZE = INT64_C(60519);
+static const int64_t layout__WORK_SIZE = INT64_C(60527);
 static const int64_t layout__STATE_SIZE = INT64_C(5);
 static const int64_t layout__SETTING_COUNT = INT64_C(75);
 static const int64_t layout__SETUP_SIZE = INT64_C(39);
@@ -535,18 +535,21 @@ static const int64_t layout__WHEELSET_VERTICAL_VELOCITY = INT64_C(2);
 static const int64_t layout__WHEELSET_ROLL_RATE = INT64_C(3);
 static const int64_t layout__WHEELSET_SETTLED = INT64_C(4);
 static const int64_t layout__WHEELSET_FORCES = INT64_C(5);
-static const int64_t layout__SUPPORT_SIZE = INT64_C(30);
+static const int64_t layout__SUPPORT_SIZE = INT64_C(33);
 static const int64_t layout__SUPPORT_APPROACH = INT64_C(0);
 static const int64_t layout__SUPPORT_HEIGHT = INT64_C(1);
 static const int64_t layout__SUPPORT_LEVER = INT64_C(2);
 static const int64_t layout__SUPPORT_FRICTION_LOAD = INT64_C(3);
 static const int64_t layout__SUPPORT_LOAD_BEFORE = INT64_C(4);
 static const int64_t layout__SUPPORT_SHARE_BEFORE = INT64_C(5);
-static const int64_t layout__SUPPORT_RESIDUAL = INT64_C(6);
-static const int64_t layout__SUPPORT_POINT = INT64_C(7);
-static const int64_t layout__SUPPORT_TOTALS = INT64_C(19);
-static const int64_t layout__SUPPORT_PENETRATION = INT64_C(28);
-static const int64_t layout__SUPPORT_PATCH_COUNT = INT64_C(29);
+static const int64_t layout__SUPPORT_LOW_LOAD = INT64_C(6);
+static const int64_t layout__SUPPORT_HIGH_LOAD = INT64_C(7);
+static const int64_t layout__SUPPORT_TURNS = INT64_C(8);
+static const int64_t layout__SUPPORT_RESIDUAL = INT64_C(9);
+static const int64_t layout__SUPPORT_POINT = INT64_C(10);
+static const int64_t layout__SUPPORT_TOTALS = INT64_C(22);
+static const int64_t layout__SUPPORT_PENETRATION = INT64_C(31);
+static const int64_t layout__SUPPORT_PATCH_COUNT = INT64_C(32);
 static const int64_t layout__BROYDEN_SIZE = INT64_C(8);
 static const int64_t layout__BROYDEN_LEFT = INT64_C(0);
 static const int64_t layout__BROYDEN_RIGHT = INT64_C(1);
@@ -561,12 +564,14 @@ static const int64_t layout__BRACKET_LOW = INT64_C(0);
 static const int64_t layout__BRACKET_HIGH = INT64_C(1);
 static const int64_t layout__BRACKET_AT_LOW = INT64_C(2);
 static const int64_t layout__BRACKET_AT_HIGH = INT64_C(3);
-static const int64_t layout__REFERENCE_SIZE = INT64_C(8);
+static const int64_t layout__REFERENCE_SIZE = INT64_C(10);
 static const int64_t layout__REFERENCE_HEIGHT = INT64_C(0);
-static const int64_t layout__REFERENCE_RESIDUAL = INT64_C(1);
-static const int64_t layout__REFERENCE_SLOPE = INT64_C(2);
-static const int64_t layout__REFERENCE_CONTACTS = INT64_C(3);
-static const int64_t layout__REFERENCE_WITHIN = INT64_C(4);
+static const int64_t layout__REFERENCE_LOW_LOAD = INT64_C(1);
+static const int64_t layout__REFERENCE_HIGH_LOAD = INT64_C(2);
+static const int64_t layout__REFERENCE_RESIDUAL = INT64_C(3);
+static const int64_t layout__REFERENCE_SLOPE = INT64_C(4);
+static const int64_t layout__REFERENCE_CONTACTS = INT64_C(5);
+static const int64_t layout__REFERENCE_WITHIN = INT64_C(6);
 static const int64_t layout__STATE_ROLL = INT64_C(0);
 static const int64_t layout__STATE_WARM = INT64_C(1);
 static const int64_t layout__STATE_Y_LEFT = INT64_C(2);
@@ -644,15 +649,15 @@ static const int64_t layout__WORK_OUTLINES = INT64_C(578);
 static const int64_t layout__WORK_SIDES = INT64_C(2588);
 static const int64_t layout__WORK_CONTACT = INT64_C(11642);
 static const int64_t layout__WORK_SUPPORTS = INT64_C(58593);
-static const int64_t layout__WORK_DISPLACED = INT64_C(58653);
-static const int64_t layout__WORK_BROYDEN = INT64_C(58684);
-static const int64_t layout__WORK_HEIGHT_BRACKET = INT64_C(58692);
-static const int64_t layout__WORK_ROLL_BRACKET = INT64_C(58696);
-static const int64_t layout__WORK_TRIALS = INT64_C(58700);
-static const int64_t layout__WORK_REFERENCE = INT64_C(58944);
-static const int64_t layout__WORK_WHEELSET = INT64_C(58952);
-static const int64_t layout__WORK_ROLLING = INT64_C(58972);
-static const int64_t layout__WORK_PATCH = INT64_C(60130);
+static const int64_t layout__WORK_DISPLACED = INT64_C(58659);
+static const int64_t layout__WORK_BROYDEN = INT64_C(58690);
+static const int64_t layout__WORK_HEIGHT_BRACKET = INT64_C(58698);
+static const int64_t layout__WORK_ROLL_BRACKET = INT64_C(58702);
+static const int64_t layout__WORK_TRIALS = INT64_C(58706);
+static const int64_t layout__WORK_REFERENCE = INT64_C(58950);
+static const int64_t layout__WORK_WHEELSET = INT64_C(58960);
+static const int64_t layout__WORK_ROLLING = INT64_C(58980);
+static const int64_t layout__WORK_PATCH = INT64_C(60138);
 static const int64_t layout__PIECE_START = INT64_C(0);
 static const int64_t layout__PIECE_C0 = INT64_C(1);
 static const int64_t layout__PIECE_C1 = INT64_C(2);
@@ -1461,14 +1466,6 @@ static const double leaning__FLATTEST_FALL = -0.5;
 /* wheelset/report.py */
 static const int64_t report__OUTLINE_RUNS = INT64_C(3);
 
-/* wheelset/requested.py */
-static const double requested__LOAD_MET = 1e-09;
-static const double requested__LOAD_MISSED = 0.001;
-static const int64_t requested__LOAD_PASSES = INT64_C(8);
-static const int64_t requested__LOAD_RATES = INT64_C(6);
-static const double requested__LARGEST_CHANGE = 2.0;
-static const double requested__LEAST_CHANGE = 1e-12;
-
 /* wheelset/rigid.py */
 static const double rigid__NEAR_SHIFT = 0.0002;
 
@@ -1480,6 +1477,14 @@ static const double side__AT_END = 1e-08;
 /* wheelset/trial.py */
 static const double trial__SHALLOWEST = 0.1;
 static const double trial__DEEPEST = 0.002;
+
+/* wheelset/vertical_load.py */
+static const double vertical_load__LOAD_MET = 1e-09;
+static const int64_t vertical_load__LOAD_PASSES = INT64_C(80);
+static const double vertical_load__LOAD_SECANTS = 8.0;
+static const double vertical_load__LARGEST_CHANGE = 2.0;
+static const double vertical_load__LEAST_CHANGE = 1e-12;
+static const double vertical_load__AT_JUMP = 1e-13;
 
 /* prepare/curvatures.py */
 static const double prepare_curvatures__RASTER_SHARE = 0.25;

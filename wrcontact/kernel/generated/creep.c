@@ -2324,7 +2324,7 @@ static inline int64_t motion__constrain_touching(array_double_1d work, int64_t m
 }
 
 /* The force of an elastic wheel [N] and its moment about the wheelset's centre [N m] keep it on its rail:
- * what its patches approach is zero in the mean over the load, which stays.
+ * what its patches approach is zero in the mean over the load, if its depth stays.
  */
 static inline int64_t motion__constrain_loaded(array_double_1d work, int64_t motion, int64_t forces)
 {

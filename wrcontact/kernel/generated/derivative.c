@@ -456,42 +456,74 @@ static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double
 static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     bool n1;
-    int64_t i;
     bool n2;
     bool outcome;
     n1 = derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
     outcome = n1;
-    if (requested__carries_friction(tables, work))
+    if (vertical_load__carries_friction(tables, work))
     {
-        for (i = INT64_C(0); i < requested__LOAD_RATES; i += INT64_C(1))
-        {
-            derivative_wheelset_rules__follow_load_t(work, work_t);
-            n2 = derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
-            outcome = n2;
-        }
+        n2 = derivative_wheelset_rules__follow_load_t(tables, work, work_t);
+        outcome = n2;
     }
     derivative_report__report_t(tables, work, work_t);
     return outcome;
 }
 
 /* Derivative of ``follow_load``. */
-static inline int64_t derivative_wheelset_rules__follow_load_t(array_double_1d work, array_lanes_1d work_t)
+static inline bool derivative_wheelset_rules__follow_load_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    int64_t index;
-    int64_t support;
+    int64_t right;
     double v1;
     lanes v1_t;
-    lanes share_t;
-    double share;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    lanes missing_left;
+    double v2;
+    lanes v2_t;
+    lanes missing_right;
+    double v3;
+    lanes v3_t;
+    lanes left_left;
+    double v4;
+    lanes v4_t;
+    lanes right_left;
+    double v5;
+    lanes v5_t;
+    lanes left_right;
+    double v6;
+    lanes v6_t;
+    lanes right_right;
+    lanes determinant;
+    bool n7;
+    right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1);
+    derivative_vertical_load__carried_share_t(&v1, &v1_t, work, work_t, INT64_C(0));
+    EACH_LANE each(missing_left) = each(v1_t);
+    derivative_vertical_load__carried_share_t(&v2, &v2_t, work, work_t, INT64_C(1));
+    EACH_LANE each(missing_right) = each(v2_t);
+    (*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD)) = all_lanes(1.0);
+    derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
+    derivative_vertical_load__carried_share_t(&v3, &v3_t, work, work_t, INT64_C(0));
+    EACH_LANE each(left_left) = each(v3_t) - each(missing_left);
+    derivative_vertical_load__carried_share_t(&v4, &v4_t, work, work_t, INT64_C(1));
+    EACH_LANE each(right_left) = each(v4_t) - each(missing_right);
+    (*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD)) = all_lanes(0.0);
+    (*lanes_at(&work_t, right + layout__SUPPORT_FRICTION_LOAD)) = all_lanes(1.0);
+    derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
+    derivative_vertical_load__carried_share_t(&v5, &v5_t, work, work_t, INT64_C(0));
+    EACH_LANE each(left_right) = each(v5_t) - each(missing_left);
+    derivative_vertical_load__carried_share_t(&v6, &v6_t, work, work_t, INT64_C(1));
+    EACH_LANE each(right_right) = each(v6_t) - each(missing_right);
+    if (!(requested__side_force(work, INT64_C(0)) > 0.0))
     {
-        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-        derivative_requested__carried_share_t(&v1, &v1_t, work, work_t, index);
-        EACH_LANE each(share_t) = each(v1_t);
-        share = v1;
-        EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_FRICTION_LOAD))) = each((*lanes_at(&work_t, support + layout__SUPPORT_FRICTION_LOAD))) - (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) * each(share_t) / share;
+        left_left = all_lanes(1.0);
     }
-    return INT64_C(0);
+    if (!(requested__side_force(work, INT64_C(1)) > 0.0))
+    {
+        right_right = all_lanes(1.0);
+    }
+    EACH_LANE each(determinant) = each(left_left) * each(right_right) - each(left_right) * each(right_left);
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD))) = (each(missing_right) * each(left_right) - each(missing_left) * each(right_right)) / each(determinant);
+    EACH_LANE each((*lanes_at(&work_t, right + layout__SUPPORT_FRICTION_LOAD))) = (each(missing_left) * each(right_left) - each(missing_right) * each(left_left)) / each(determinant);
+    n7 = derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
+    return n7;
 }
 
 /* Derivative of ``follow_wheelset``. */

@@ -871,33 +871,6 @@ static inline int64_t derivative_requested__side_force_t(double* result_0, lanes
     return 0;
 }
 
-/* Derivative of ``carried_share``. */
-static inline int64_t derivative_requested__carried_share_t(double* share, lanes* share_t, array_double_1d work, array_lanes_1d work_t, int64_t index)
-{
-    double v1;
-    double v2;
-    lanes wanted_t;
-    double wanted;
-    int64_t forces;
-    double v3;
-    double v4;
-    (*share_t) = all_lanes(0.0);
-    (*share) = 1.0;
-    v1 = (double)(INT64_C(2) * index - INT64_C(1));
-    v2 = 1.0 + v1 * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER));
-    EACH_LANE each(wanted_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE))) * v2 + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (v1 * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER))));
-    wanted = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v2;
-    forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
-    if ((wanted > 0.0) && ((*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) < 0.0))
-    {
-        v3 = -(*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
-        v4 = v3 / wanted;
-        EACH_LANE each((*share_t)) = ((-each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2))))) - v4 * each(wanted_t)) / wanted;
-        (*share) = v4;
-    }
-    return 0;
-}
-
 
 /* ---- From derivative_rigid.py; change that one.
  *
@@ -1751,4 +1724,37 @@ static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, a
         (*cspan_at(&work, support + layout__SUPPORT_LEVER)) = v7;
     }
     return status;
+}
+
+
+/* ---- From derivative_vertical_load.py; change that one.
+ *
+ * Derivatives of vertical_load.py.
+ */
+
+/* Derivative of ``carried_share``. */
+static inline int64_t derivative_vertical_load__carried_share_t(double* share, lanes* share_t, array_double_1d work, array_lanes_1d work_t, int64_t index)
+{
+    double v1;
+    double v2;
+    lanes wanted_t;
+    double wanted;
+    int64_t forces;
+    double v3;
+    double v4;
+    (*share_t) = all_lanes(0.0);
+    (*share) = 1.0;
+    v1 = (double)(INT64_C(2) * index - INT64_C(1));
+    v2 = 1.0 + v1 * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER));
+    EACH_LANE each(wanted_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE))) * v2 + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (v1 * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER))));
+    wanted = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v2;
+    forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
+    if ((wanted > 0.0) && ((*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) < 0.0))
+    {
+        v3 = -(*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
+        v4 = v3 / wanted;
+        EACH_LANE each((*share_t)) = ((-each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2))))) - v4 * each(wanted_t)) / wanted;
+        (*share) = v4;
+    }
+    return 0;
 }

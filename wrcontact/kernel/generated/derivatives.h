@@ -352,7 +352,6 @@ static inline int64_t derivative_report__report_t(array_double_1d tables, array_
 
 /* derivative_requested.py */
 static inline int64_t derivative_requested__side_force_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline int64_t derivative_requested__carried_share_t(double* share, lanes* share_t, array_double_1d work, array_lanes_1d work_t, int64_t index);
 
 /* derivative_rigid.py */
 static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t);
@@ -515,6 +514,9 @@ static inline int64_t derivative_tractions__point_weight_t(double* result_0, lan
 static inline int64_t derivative_trial__permitted_approach_t(double* approach, lanes* approach_t, array_double_1d work, array_lanes_1d work_t, int64_t support, int64_t side, double height, lanes height_t);
 static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double height, lanes height_t);
 
+/* derivative_vertical_load.py */
+static inline int64_t derivative_vertical_load__carried_share_t(double* share, lanes* share_t, array_double_1d work, array_lanes_1d work_t, int64_t index);
+
 /* derivative_wheelset_rules.py */
 static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t);
 static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t);
@@ -529,7 +531,7 @@ static inline int64_t derivative_wheelset_rules__follow_residuals_t(double* left
 static inline int64_t derivative_wheelset_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_wheelset_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_wheelset_rules__follow_load_t(array_double_1d work, array_lanes_1d work_t);
+static inline bool derivative_wheelset_rules__follow_load_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 
 /* derivative_widths.py */

@@ -77,12 +77,6 @@ static inline bool requested__is_requested(array_double_1d tables, int64_t index
 static inline int64_t requested__requested_outcome(array_double_1d tables, array_double_1d work, int64_t status);
 static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables, int64_t inputs);
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work);
-static inline int64_t requested__release_friction(array_double_1d work);
-static inline bool requested__carries_friction(array_double_1d tables, array_double_1d work);
-static inline double requested__carried_share(array_double_1d work, int64_t index);
-static inline bool requested__is_load_met(array_double_1d work, double share);
-static inline double requested__next_load(array_double_1d work, int64_t support, double share);
-static inline int64_t requested__share_load(array_double_1d work);
 
 /* wheelset/rigid.py */
 static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double roll);
@@ -135,6 +129,16 @@ static OUT_OF_LINE int64_t trial__balance_both(array_double_1d tables, array_dou
 static OUT_OF_LINE bool trial__turn_to(array_double_1d tables, array_double_1d work, double roll);
 static OUT_OF_LINE bool trial__turn_near(array_double_1d tables, array_double_1d work, double roll);
 static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t status);
+
+/* wheelset/vertical_load.py */
+static inline int64_t vertical_load__release_friction(array_double_1d work);
+static inline bool vertical_load__carries_friction(array_double_1d tables, array_double_1d work);
+static inline double vertical_load__carried_share(array_double_1d work, int64_t index);
+static inline bool vertical_load__is_enclosed(array_double_1d work, int64_t support);
+static inline bool vertical_load__is_load_met(array_double_1d work);
+static inline int64_t vertical_load__enclose_load(array_double_1d work, int64_t support, double share);
+static inline double vertical_load__next_load(array_double_1d work, int64_t support, double share);
+static inline int64_t vertical_load__share_load(array_double_1d work);
 
 
 /* ---- From wheelset/brackets.py; change that one.
@@ -679,12 +683,12 @@ static OUT_OF_LINE int64_t compliant__damp_patch(array_double_1d work, int64_t p
  *
  * How the depth of an elastic wheelset changes while it moves: its vertical velocity and roll rate.
  *
- * Under a load that stays, a wheel sinks deeper where its patches change their shape.  The velocities that follow
- * from the loads' work (rubbing.py) leave this out.  Here both sides are displaced along the run, a little ahead
- * and as far back, by these velocities, and the heights at which they carry their loads there show what is
- * missing.  The residual of a side, how much faster than the wheelset it comes down, vanishes in the velocities
- * that are sought, as that of its height does in equilibrium: the derivatives of both are the same, and so is the
- * method, Broyden's (elastic.py).
+ * Under a load that stays, a wheel sinks deeper where its patches change their shape.  The velocities that
+ * follow from the loads' work (rubbing.py) leave this out.  Here both sides are displaced along the run, a
+ * little ahead and as far back, by these velocities, and the heights at which they carry their loads there show
+ * what is missing.  The residual of a side, how much faster than the wheelset it comes down, vanishes in the
+ * velocities that are sought, as that of its height does in equilibrium: the derivatives of both are the same,
+ * and so is the method, Broyden's (elastic.py).
  */
 
 /* Correct the vertical velocity and roll rate of an elastic wheelset by how its depth changes. */
@@ -766,9 +770,9 @@ static OUT_OF_LINE int64_t depth_rates__settle_rates(array_double_1d tables, arr
     return INT64_C(0);
 }
 
-/* How much faster than with ``vertical`` [m/s] and ``roll_rate`` [rad/s] each side comes down [m/s], until
- * ``time`` [s] from now, or from as long before where it is ``central``; whether the sides carry their loads
- * there.
+/* How much faster than with ``vertical`` [m/s] and ``roll_rate`` [rad/s] each side comes down [m/s],
+ * until ``time`` [s] from now, or from as long before where it is ``central``; whether the sides carry
+ * their loads there.
  */
 static OUT_OF_LINE bool depth_rates__find_residuals(array_double_1d tables, array_double_1d work, double vertical, double roll_rate, double time, bool central)
 {
@@ -1764,14 +1768,6 @@ static inline int64_t report__report_outline(array_double_1d work, int64_t side,
  *
  * What is asked of a step: whether its inputs can be evaluated, each side's force, and which sides are
  * requested.
- *
- * Vertical loads of which friction carries a part.
- *
- * With ``load="vertical"`` a wheel's whole force, creep forces included, has the vertical component Q that is
- * prescribed.  The first solution leaves creep forces out; it has the component s Q.  Were all forces
- * proportional to the load, normal forces for the load Q / s would give Q: this is the second solution.  From
- * there on a secant through the last two finds the load of each wheel, with two or three more solutions: what is
- * left would otherwise show as noise in differences of the outputs.
  */
 
 /* VALID, INVALID_INPUT if an input has no meaning, or OFF_PROFILE if the pose is outside the
@@ -1837,7 +1833,7 @@ static inline bool requested__is_rail_far(array_double_1d work, int64_t inputs)
 }
 
 /* The prescribed force of side ``index`` [N], with load transfer; where friction carries some of it, what
- * is left to the normal forces (requested.py).
+ * is left to the normal forces (vertical_load.py).
  */
 static inline double requested__side_force(array_double_1d work, int64_t index)
 {
@@ -1891,109 +1887,6 @@ static inline bool requested__has_creep_forces(array_double_1d tables, array_dou
     bool result;
     result = ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && requested__is_rolling(work, tables, layout__WORK_INPUTS);
     return result;
-}
-
-/* Friction carries nothing yet. */
-static inline int64_t requested__release_friction(array_double_1d work)
-{
-    int64_t index;
-    int64_t support;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-    {
-        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-        (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = 1.0;
-        (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = 0.0;
-        (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = 0.0;
-    }
-    return INT64_C(0);
-}
-
-/* Whether a part of the prescribed load is carried by friction. */
-static inline bool requested__carries_friction(array_double_1d tables, array_double_1d work)
-{
-    bool carried;
-    carried = 0;
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL) && ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT))
-    {
-        carried = requested__has_creep_forces(tables, work);
-    }
-    return carried;
-}
-
-/* The vertical force of a wheel over the load that is wanted of it; 1 for a wheel without load. */
-static inline double requested__carried_share(array_double_1d work, int64_t index)
-{
-    double wanted;
-    int64_t forces;
-    double share;
-    share = 1.0;
-    wanted = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (1.0 + (double)(INT64_C(2) * index - INT64_C(1)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)));
-    forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
-    if ((wanted > 0.0) && ((*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) < 0.0))
-    {
-        share = (-(*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)))) / wanted;
-    }
-    return share;
-}
-
-/* Whether neither wheel misses the vertical force that is wanted by more than this ``share``. */
-static inline bool requested__is_load_met(array_double_1d work, double share)
-{
-    int64_t index;
-    bool met;
-    met = 1;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-    {
-        if (fabs(requested__carried_share(work, index) - 1.0) > share)
-        {
-            met = 0;
-        }
-    }
-    return met;
-}
-
-/* Let the normal forces of both sides carry what friction leaves of the load, or adds to it. */
-static inline int64_t requested__share_load(array_double_1d work)
-{
-    int64_t index;
-    double share;
-    int64_t support;
-    double load;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-    {
-        share = requested__carried_share(work, index);
-        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-        load = requested__next_load(work, support, share);
-        (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
-        (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = share;
-        (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = load;
-    }
-    return INT64_C(0);
-}
-
-/* The next load of a side over that of the inputs, where the last one has given ``share`` of what is
- * wanted: from a secant, or in proportion.
- */
-static inline double requested__next_load(array_double_1d work, int64_t support, double share)
-{
-    double load;
-    double change;
-    double slope;
-    double secant;
-    double following;
-    load = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
-    change = load - (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE));
-    slope = share / load;
-    if (((*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) > 0.0) && (fabs(change) > requested__LEAST_CHANGE * load))
-    {
-        secant = (share - (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE))) / change;
-        if ((secant > slope / requested__LARGEST_CHANGE) && (secant < slope * requested__LARGEST_CHANGE))
-        {
-            slope = secant;
-        }
-    }
-    following = double_max(2, double_min(2, load - (share - 1.0) / slope, load * requested__LARGEST_CHANGE), load / requested__LARGEST_CHANGE);
-    return following;
 }
 
 
@@ -2143,7 +2036,8 @@ static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_d
 }
 
 /* The velocities of the wheelset, if it rolls; in compliant contact vertical velocity and roll rate are
- * given, otherwise they follow from contact with both rails.
+ * given, otherwise they follow from contact with both rails, without what the depth of an elastic wheelset
+ * adds (depth_rates.py).
  */
 static inline int64_t rubbing__move_wheelset(array_double_1d tables, array_double_1d work)
 {
@@ -2698,9 +2592,9 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
     {
         return status;
     }
-    requested__release_friction(work);
+    vertical_load__release_friction(work);
     status = step__solve_wheelset(tables, work, state);
-    if ((status <= layout__UNLOADED) && requested__carries_friction(tables, work))
+    if ((status <= layout__UNLOADED) && vertical_load__carries_friction(tables, work))
     {
         status = step__solve_with_friction(tables, work, state, status);
     }
@@ -2712,27 +2606,23 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
 }
 
 /* Vertical loads of which friction carries a part: the wheelset again, until both are met; the status,
- * NOT_CONVERGED where friction jams a wheel.
+ * NOT_CONVERGED where no loads are found.
  */
 static inline int64_t step__solve_with_friction(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t status)
 {
-    int64_t i;
     int64_t outcome;
+    int64_t i;
     outcome = status;
-    for (i = INT64_C(0); i < requested__LOAD_PASSES; i += INT64_C(1))
+    for (i = INT64_C(0); i < vertical_load__LOAD_PASSES; i += INT64_C(1))
     {
-        if ((outcome > layout__UNLOADED) || requested__is_load_met(work, requested__LOAD_MET))
+        if ((outcome > layout__UNLOADED) || vertical_load__is_load_met(work))
         {
-            break;
+            return outcome;
         }
-        requested__share_load(work);
+        vertical_load__share_load(work);
         outcome = step__solve_wheelset(tables, work, state);
     }
-    if ((outcome <= layout__UNLOADED) && (!requested__is_load_met(work, requested__LOAD_MISSED)))
-    {
-        outcome = layout__NOT_CONVERGED;
-    }
-    return outcome;
+    return layout__NOT_CONVERGED;
 }
 
 /* Contact of both wheels, their patches' creepages and creep forces, and all forces; the status. */
@@ -3053,4 +2943,193 @@ static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t st
         }
     }
     return status;
+}
+
+
+/* ---- From wheelset/vertical_load.py; change that one.
+ *
+ * Vertical loads of which friction carries a part.
+ *
+ * With ``load="vertical"`` a wheel's whole force, creep forces included, has the vertical component Q that is
+ * prescribed.  The first solution leaves creep forces out; it has the component s Q.  Were all forces
+ * proportional to the load, normal forces for the load Q / s would give Q: this is the second solution.  From
+ * there on a secant through the last two finds the load of each wheel, with two or three more solutions.
+ *
+ * A steep flange on which friction acts downwards jams: the more it is loaded, the less it carries, until the
+ * patch reaches the flange root.  There the load is met with a multiple of it as normal force.  A wheel without
+ * load carries none, so that the loads tried enclose the one that is sought as soon as one of them carries too
+ * much: until then they are doubled, and what secants do not find, halving does.  Where the vertical force jumps
+ * past Q, the loads end at the jump, and the one above it is taken.
+ */
+
+/* Friction carries nothing yet. */
+static inline int64_t vertical_load__release_friction(array_double_1d work)
+{
+    int64_t index;
+    int64_t support;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+        (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = 1.0;
+        (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = 0.0;
+        (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = 0.0;
+        (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) = 0.0;
+        (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) = 0.0;
+        (*cspan_at(&work, support + layout__SUPPORT_TURNS)) = 0.0;
+    }
+    return INT64_C(0);
+}
+
+/* Whether a part of the prescribed load is carried by friction. */
+static inline bool vertical_load__carries_friction(array_double_1d tables, array_double_1d work)
+{
+    bool carried;
+    carried = 0;
+    if (((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL) && ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT))
+    {
+        carried = requested__has_creep_forces(tables, work);
+    }
+    return carried;
+}
+
+/* The vertical force of a wheel over the load that is wanted of it; 1 for a wheel without load. */
+static inline double vertical_load__carried_share(array_double_1d work, int64_t index)
+{
+    double wanted;
+    int64_t forces;
+    double share;
+    share = 1.0;
+    wanted = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (1.0 + (double)(INT64_C(2) * index - INT64_C(1)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)));
+    forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
+    if ((wanted > 0.0) && ((*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) < 0.0))
+    {
+        share = (-(*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)))) / wanted;
+    }
+    return share;
+}
+
+/* Whether neither wheel misses the vertical force that is wanted, unless this jumps past it. */
+static inline bool vertical_load__is_load_met(array_double_1d work)
+{
+    int64_t index;
+    int64_t support;
+    double share;
+    bool jumps;
+    bool met;
+    met = 1;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+        share = vertical_load__carried_share(work, index);
+        jumps = vertical_load__is_enclosed(work, support) && (share > 1.0) && ((*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) < 1.0) && ((*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) == (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD))) && ((*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) == (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)));
+        if ((!jumps) && (fabs(share - 1.0) > vertical_load__LOAD_MET))
+        {
+            met = 0;
+        }
+    }
+    return met;
+}
+
+/* Whether the loads that enclose the one that is sought have become one. */
+static inline bool vertical_load__is_enclosed(array_double_1d work, int64_t support)
+{
+    bool result;
+    result = (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) - (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) < vertical_load__AT_JUMP * (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD));
+    return result;
+}
+
+/* Let the normal forces of both sides carry what friction leaves of the load, or adds to it. */
+static inline int64_t vertical_load__share_load(array_double_1d work)
+{
+    int64_t index;
+    double share;
+    int64_t support;
+    double load;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        share = vertical_load__carried_share(work, index);
+        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+        if (fabs(share - 1.0) > vertical_load__LOAD_MET)
+        {
+            vertical_load__enclose_load(work, support, share);
+            load = vertical_load__next_load(work, support, share);
+            (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
+            (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = share;
+            (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = load;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Let the load of a side, which has given ``share`` of what is wanted, be an end of those that enclose
+ * the one that is sought.  The other end goes where the other wheel has moved this one past it.
+ */
+static inline int64_t vertical_load__enclose_load(array_double_1d work, int64_t support, double share)
+{
+    double load;
+    load = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
+    (*cspan_at(&work, support + layout__SUPPORT_TURNS)) += 1.0;
+    if (share < 1.0)
+    {
+        (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) = load;
+        if (!((*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) > load))
+        {
+            (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) = 0.0;
+            (*cspan_at(&work, support + layout__SUPPORT_TURNS)) = 0.0;
+        }
+    }
+    else
+    {
+        (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) = load;
+        if (!((*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) < load))
+        {
+            (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) = 0.0;
+            (*cspan_at(&work, support + layout__SUPPORT_TURNS)) = 0.0;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* The next load of a side over that of the inputs, where the last one has given ``share`` of what is
+ * wanted: from a secant, or in proportion, or between those that enclose the one that is sought.
+ */
+static inline double vertical_load__next_load(array_double_1d work, int64_t support, double share)
+{
+    double load;
+    double change;
+    double slope;
+    double secant;
+    double following;
+    load = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
+    change = load - (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE));
+    slope = share / load;
+    if (((*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) > 0.0) && (fabs(change) > vertical_load__LEAST_CHANGE * load))
+    {
+        secant = (share - (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE))) / change;
+        if ((secant > slope / vertical_load__LARGEST_CHANGE) && ((secant < slope * vertical_load__LARGEST_CHANGE) || ((*cspan_at(&work, support + layout__SUPPORT_TURNS)) > vertical_load__LOAD_SECANTS)))
+        {
+            slope = secant;
+        }
+    }
+    following = load * vertical_load__LARGEST_CHANGE;
+    if (slope > 0.0)
+    {
+        following = double_max(2, double_min(2, load - (share - 1.0) / slope, load * vertical_load__LARGEST_CHANGE), load / vertical_load__LARGEST_CHANGE);
+    }
+    if ((*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) > 0.0)
+    {
+        if (vertical_load__is_enclosed(work, support))
+        {
+            following = (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD));
+            if (load == following)
+            {
+                following = (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD));
+            }
+        }
+        else if ((!((following > (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD))) && (following < (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD))))) || (((*cspan_at(&work, support + layout__SUPPORT_TURNS)) > vertical_load__LOAD_SECANTS) && ((*cspan_at(&work, support + layout__SUPPORT_TURNS)) - 2.0 * (int64_t)(0.5 * (*cspan_at(&work, support + layout__SUPPORT_TURNS))) < 0.5)))
+        {
+            following = 0.5 * ((*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) + (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)));
+        }
+    }
+    return following;
 }

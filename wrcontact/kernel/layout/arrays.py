@@ -42,6 +42,9 @@ class Support:
     friction_load: float            # what its normal forces are to carry, over the load of the inputs [-]
     load_before: float              # the one before [-],
     share_before: float             # and what share of the wanted force it has given [-]
+    low_load: float                 # loads that give less and more than that [-]; 0 where none is known
+    high_load: float
+    turns: float                    # in which these were found
     residual: float                 # how much faster than the wheelset it comes down where it moves [m/s]
     point: ContactPoint             # what is kept of the side while it is displaced
     totals: PatchTotals
@@ -83,6 +86,8 @@ class Reference:
     """The vertical shift for which wheels are placed over rolled rails, while it is sought."""
 
     height: float                   # the last one [m]
+    low_load: float                 # loads that give less and more than that [-]; 0 where none is known
+    high_load: float
     residual: float                 # how much lower the contact was found [m]
     slope: float                    # how that follows the height [-]
     contacts: float                 # how many were found

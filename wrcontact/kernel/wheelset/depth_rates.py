@@ -1,11 +1,11 @@
 """How the depth of an elastic wheelset changes while it moves: its vertical velocity and roll rate.
 
-Under a load that stays, a wheel sinks deeper where its patches change their shape.  The velocities that follow
-from the loads' work (rubbing.py) leave this out.  Here both sides are displaced along the run, a little ahead
-and as far back, by these velocities, and the heights at which they carry their loads there show what is
-missing.  The residual of a side, how much faster than the wheelset it comes down, vanishes in the velocities
-that are sought, as that of its height does in equilibrium: the derivatives of both are the same, and so is the
-method, Broyden's (elastic.py).
+Under a load that stays, a wheel sinks deeper where its patches change their shape.  The velocities that
+follow from the loads' work (rubbing.py) leave this out.  Here both sides are displaced along the run, a
+little ahead and as far back, by these velocities, and the heights at which they carry their loads there show
+what is missing.  The residual of a side, how much faster than the wheelset it comes down, vanishes in the
+velocities that are sought, as that of its height does in equilibrium: the derivatives of both are the same,
+and so is the method, Broyden's (elastic.py).
 """
 
 from math import fabs
@@ -83,9 +83,9 @@ def settle_rates(tables: Tables, work: Work, speed: float):
 @seldom
 def find_residuals(tables: Tables, work: Work, vertical: float, roll_rate: float, time: float,
                    central: bool) -> bool:
-    """How much faster than with ``vertical`` [m/s] and ``roll_rate`` [rad/s] each side comes down [m/s], until
-    ``time`` [s] from now, or from as long before where it is ``central``; whether the sides carry their loads
-    there."""
+    """How much faster than with ``vertical`` [m/s] and ``roll_rate`` [rad/s] each side comes down [m/s],
+    until ``time`` [s] from now, or from as long before where it is ``central``; whether the sides carry
+    their loads there."""
     found = displace(tables, work, vertical, roll_rate, time)
     left = work.supports[0].height
     right = work.supports[1].height

@@ -42,7 +42,8 @@ def open_given_motion(tables: Tables, work: Work):
 
 def move_wheelset(tables: Tables, work: Work):
     """The velocities of the wheelset, if it rolls; in compliant contact vertical velocity and roll rate are
-    given, otherwise they follow from contact with both rails."""
+    given, otherwise they follow from contact with both rails, without what the depth of an elastic wheelset
+    adds (depth_rates.py)."""
     if is_rolling(tables, work.inputs):
         open_given_motion(tables, work)
         if tables.mode != MODE_COMPLIANT:
