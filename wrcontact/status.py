@@ -136,7 +136,8 @@ SENTENCES = (
              f"{{{DEEPEST!r}}}; permitted are poses with the contact inside both profiles", False),
     Sentence(Status.NOT_CONVERGED, "always", "lateral_shift", math.nan,
              "no solution at <lateral_shift> [lateral_shift], <yaw> [yaw], <normal_force> [normal_force], "
-             "<load_transfer> [load_transfer] within the iteration limit"),
+             "<load_transfer> [load_transfer] within the iteration limit; friction may jam a wheel "
+             "that has a vertical load"),
 )
 
 

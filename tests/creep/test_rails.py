@@ -6,7 +6,6 @@ import math
 import numpy as np
 import pytest
 
-import wrcontact
 from tests.helpers.cases import system
 from tests.helpers.inside import work_of
 from tests.helpers.motion import slips
@@ -61,62 +60,45 @@ def test_a_rigid_wheelset_follows_its_rails(shift, yaw, sides):
     np.testing.assert_allclose(found, differences(one, given, motion, 1e-5), rtol=1e-6, atol=1e-9)
 
 
-@pytest.mark.parametrize("model", ["hertz", "analyn"])
-@pytest.mark.parametrize("shift, yaw", POSES)
-def test_the_pressures_of_an_elastic_wheelset_take_no_power(shift, yaw, model):
-    """In the velocities that follow from contact each wheel's force and moment, those of the outputs, give
-    the wheelset what they take from the rail, which rolls about its highest point."""
-    given = dict(lateral_shift=shift, yaw=yaw, **RAILS)
-    motion = dict(lateral_velocity=0.03, yaw_rate=0.5, **MOVING)
-    stepper = system(contact_mode="elastic", normal_model=model).stepper()
-    status, (vertical, roll_rate) = derived(stepper, given, motion)
-    state = wrcontact.WheelsetState(stepper.outputs, status, stepper.inputs)
-    rotation = np.array([roll_rate * math.cos(yaw), roll_rate * math.sin(yaw), 0.5])
-    centre = np.array([0.0, shift, state.vertical_shift - 0.46])
-    for side, name, sign in ((state.left, "left", -1), (state.right, "right", 1)):
-        rail = {key.removeprefix(f"{name}_rail_"): value for key, value in (RAILS | MOVING).items()}
-        top = np.array([0.0, sign * system().profile_tables()[2] + rail["lateral"], rail["vertical"]])
-        force, moment = np.array(side.normal.force), np.array(side.normal.moment)
-        terms = np.array([*force * [0.0, 0.03, vertical], *moment * rotation,
-                          *-force * [0.0, rail["lateral_velocity"], rail["vertical_velocity"]],
-                          -rail["roll_velocity"] * (moment + np.cross(centre - top, force))[0]])
-        # sums of some ten numbers
-        assert abs(terms.sum()) < 1e-12 * np.abs(terms).sum()
-        # what yaw adds is asked as well
-        assert yaw == 0.0 or abs(terms[4]) > 1e-6 * np.abs(terms).sum()
+def draw_run(rng):
+    """A pose of a wheelset over rails that lean, its motion, and about how fast wheel and rail move [m/s]."""
+    given = {"lateral_shift": rng.uniform(-6e-3, 6e-3), "yaw": rng.uniform(-0.02, 0.02),
+             "load_transfer": rng.choice([0.0, 0.0, 0.3, -1.0, 1.0])}
+    given |= {name: rng.uniform(-1, 1) * (0.02 if "roll" in name else 2e-3) for name in RAILS}
+    motion = {"lateral_velocity": rng.uniform(-0.1, 0.1), "yaw_rate": rng.uniform(-0.1, 0.1)}
+    motion |= {f"{name}_velocity": rng.uniform(-1, 1) * (0.1 if "roll" in name else 0.03) for name in RAILS}
+    levers = {name: 0.46 if "roll" in name else 0.75 if name == "yaw_rate" else 1.0 for name in motion}
+    return given, motion, sum(abs(value) * levers[name] for name, value in motion.items())
 
 
-#: A motion of 1 m/s across the rails, or of the rail's crown of 0.3 m radius below the wheel.
-ALONE = {"lateral_velocity": 1.0, "left_rail_lateral_velocity": 1.0, "right_rail_vertical_velocity": 1.0,
-         "left_rail_roll_velocity": 1.0 / 0.3, "yaw_rate": 1.0 / 0.3}
+#: What 95 and 99 of 100 velocities miss of how fast wheel and rail move; measured are 7e-9,
+#: 4e-8, 8e-8 and 1.3e-7, 3.6e-5, 5e-7.
+MISSED = {"hertz": (3e-8, 1e-4), "analyn": (2e-7, 1e-4), "analyn_strip": (4e-7, 1e-4)}
 
 
-@pytest.mark.parametrize("model, count", [
-    ("hertz", 20), ("analyn", 20), pytest.param("hertz", 1000, marks=pytest.mark.full),
-    pytest.param("analyn", 1000, marks=pytest.mark.full)])
-def test_an_elastic_wheelset_follows_its_rails_but_for_its_depth(model, count):
-    """Its depth under its load changes where patches change their shape, and the rates leave this out: little
-    mostly, but much where a contact passes from one place of the wheel to another. The figures are those of
-    docs/conventions.md."""
+@pytest.mark.parametrize("model", MISSED)
+def test_an_elastic_wheelset_follows_its_rails(model):
+    """Its velocities are differences of the pose along its run, over 2e-6 ... 2e-8 m, of which the nearest is
+    to be met: beside a jump the longer ones cross it. The depth under the load changes with the shape of the
+    patches, and wheels without load only touch."""
     one = system(contact_mode="elastic", normal_model=model, nominal_radius=(0.459, 0.46))
-    stepper, off, rng = one.stepper(), {name: [] for name in ALONE}, np.random.default_rng(3)
-    for _ in range(count):
-        given = {"lateral_shift": rng.uniform(-6e-3, 6e-3), "yaw": rng.uniform(-0.02, 0.02)}
-        given |= {name: rng.uniform(-1, 1) * (0.02 if "roll" in name else 2e-3) for name in RAILS}
-        for name, size in ALONE.items():
-            status, found = derived(stepper, given, {name: size})
-            if status == Status.VALID:
-                off[name].append(np.abs(found - differences(one, given, {name: size}, 1e-6))[0])
-    for name, values in off.items():
-        middle, most = np.quantile(values, [0.5, 0.95])
-        assert len(values) == count and middle < 0.004 and most < 0.05, name
-        if count == 1000:
-            assert middle < 0.0025 and most < 0.031, name
+    stepper, rng, off = one.stepper(), np.random.default_rng(7), []
+    for _ in range(300):
+        given, motion, speed = draw_run(rng)
+        status, found = derived(stepper, given, motion)
+        assert status <= Status.UNLOADED, (given, motion)
+        missed = [found - differences(one, given, motion, way / speed) for way in (1e-6, 1e-7, 1e-8)]
+        off.append(np.abs(missed * np.array([1.0, 0.75])).max(axis=1).min() / speed)
+    most, nearly_all = np.quantile(off, 0.95), np.sort(off)[-4]
+    assert most < MISSED[model][0] and nearly_all < MISSED[model][1], np.argsort(off)[-4:]
 
 
 # --- creepages --------------------------------------------------------------------------------------
 
 POSE = dict(lateral_shift=5.4e-3, yaw=0.012)
+#: Creepages of a rigid wheelset are exact; velocities of an elastic one are differences over 2e-6 m of
+#: heights that are known to 1e-15 m, and creepages are those over the speed.
+NEAR = {"rigid": 1e-13, "elastic": 1e-9}
 
 
 def both(**velocities):
@@ -131,7 +113,7 @@ def test_both_rails_move_to_one_side(mode):
     one = system(contact_mode=mode, normal_model="hertz")
     rails = slips(one.evaluate(**POSE, speed=20.0, **both(lateral=0.05)))
     wheelset = slips(one.evaluate(**POSE, speed=20.0, lateral_velocity=-0.05))
-    np.testing.assert_allclose(rails, wheelset, rtol=0, atol=1e-14)
+    np.testing.assert_allclose(rails, wheelset, rtol=0, atol=NEAR[mode])
 
 
 @pytest.mark.parametrize("mode", ["rigid", "elastic"])
@@ -139,7 +121,7 @@ def test_both_rails_move_down(mode):
     """And the wheelset with them: nothing slides."""
     one = system(contact_mode=mode, normal_model="hertz")
     moving = slips(one.evaluate(**POSE, speed=20.0, **both(vertical=0.3)))
-    np.testing.assert_allclose(moving, slips(one.evaluate(**POSE, speed=20.0)), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(moving, slips(one.evaluate(**POSE, speed=20.0)), rtol=0, atol=NEAR[mode])
 
 
 @pytest.mark.parametrize("mode", ["rigid", "elastic"])
@@ -154,7 +136,7 @@ def test_the_track_rolls(mode):
     track = {"left_rail_vertical_velocity": -rate * at, "right_rail_vertical_velocity": rate * at,
              **both(roll=rate)}
     rolling = slips(one.evaluate(**straight, speed=20.0, lateral_velocity=-rate * height, **track))
-    np.testing.assert_allclose(rolling, slips(one.evaluate(**straight, speed=20.0)), rtol=0, atol=1e-13)
+    np.testing.assert_allclose(rolling, slips(one.evaluate(**straight, speed=20.0)), rtol=0, atol=NEAR[mode])
 
 
 def test_a_compliant_wheelset_and_its_rails_move_together():

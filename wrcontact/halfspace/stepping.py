@@ -16,7 +16,7 @@ import numpy as np
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
 from ..kernel.wheelset.requested import has_creep_forces, has_wear, requested_outcome
-from ..kernel.wheelset.rubbing import move_patches
+from ..kernel.wheelset.rubbing import move_patches, move_wheelset
 from ..progress import tracked
 from ..status import Status
 from ..stepper import Stepper
@@ -100,6 +100,7 @@ class HalfspaceSolver(Solver):
             status = requested_outcome(tables, work, status)
         solved = [self._press(index, wheels[index])
                   for index in tracked(range(2), "half-space of one pose", alone=True)]
+        move_wheelset(tables, work)
         move_patches(tables, work)
         if has_creep_forces(tables, work):
             rub_patches(tables, work, partial(self._rub, solved))

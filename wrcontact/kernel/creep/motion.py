@@ -159,7 +159,7 @@ def constrain_touching(motion: Motion, point: ContactPoint):
 
 def constrain_loaded(motion: Motion, forces: Forces):
     """The force of an elastic wheel [N] and its moment about the wheelset's centre [N m] keep it on its rail:
-    what its patches approach is zero in the mean over the load, which stays."""
+    what its patches approach is zero in the mean over the load, if its depth stays."""
     constraint = motion.constraint
     constraint.y = forces.normal_force[1]
     constraint.z = forces.normal_force[2]
@@ -177,6 +177,14 @@ def known_part(motion: Motion):
                    - (motion.centre_z - rail.z) * constraint.y)
     return (constraint.y * (motion.lateral - rail.lateral) + constraint.moment_z * motion.turn_z
             - constraint.z * rail.vertical - rail_moment * rail.roll)
+
+
+def constraint_residual(motion: Motion):
+    """How much faster than the wheelset the wheel of a side comes down [m/s], if it stays on its rail."""
+    constraint = motion.constraint
+    power = (known_part(motion) + constraint.z * motion.vertical + constraint.moment_x * motion.turn_x
+             + constraint.moment_y * motion.turn_y)
+    return -power / constraint.z
 
 
 def set_contact_rates(left: Motion, right: Motion):

@@ -15,39 +15,41 @@ they speak of rates.
 
 from math import fabs
 
-from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, Tables, Work
+from ..creep.motion import constraint_residual, set_rates
+from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, Inputs, Tables, Work
 from ..search.roll import lean_both, place_both, turn_both
 from ..surface.gap import gap_per_roll, vertical_gap
 from ..surface.rails import is_sprung
 from ..wheelset.at_height import is_damped, load_at_height
+from ..wheelset.depth_rates import DISPLACED, displace_inputs, keep_sides, motion_size, restore_sides
 from ..wheelset.elastic import UNBALANCED
 from ..wheelset.forces import sum_forces
-from ..wheelset.requested import (LOAD_RATES, carried_share, carries_friction, is_requested, is_rolling,
-                                  side_force)
+from ..wheelset.requested import is_requested, is_rolling, side_force
 from ..wheelset.leaning import set_reference
-from ..wheelset.rubbing import move_patches, open_given_motion, rub_patches
+from ..wheelset.rubbing import move_patches, move_wheelset, open_given_motion, rub_patches
 from ..wheelset.report import report
 from ..wheelset.rigid import solve_rigid
 from ..wheelset.springs import UNSETTLED, deflect, has_settled, open_settling, weigh_rail
 from ..wheelset.trial import balance_side
+from ..wheelset.vertical_load import carried_share, carries_friction
 from .elementary_rules import sine_cosine_rule
-from .intrinsics import held, moving, nonzero, rate_of, seeded
+from .intrinsics import common_rate, held, moving, nonzero, rate_of, seeded
 
 
-def place_moving(tables: Tables, work: Work, roll: float):
+def place_moving(tables: Tables, work: Work, inputs: Inputs, roll: float):
     """Both wheels at ``roll``; one that begins to yaw is placed as a yawed one."""
-    place_both(tables, work.inputs, work.sides, roll)
+    place_both(tables, inputs, work.sides, roll)
     if work.sides[1].place.leaning:
-        begin_yaw(work, roll)
+        begin_yaw(work, inputs, roll)
     else:
-        begin_yaw(work, roll)
-        if nonzero(rate_of(work.inputs.left_rail_roll)) or nonzero(rate_of(work.inputs.right_rail_roll)):
-            lean_both(tables, work.inputs, work.sides, roll)
+        begin_yaw(work, inputs, roll)
+        if nonzero(rate_of(inputs.left_rail_roll)) or nonzero(rate_of(inputs.right_rail_roll)):
+            lean_both(tables, inputs, work.sides, roll)
 
 
-def begin_yaw(work: Work, roll: float):
+def begin_yaw(work: Work, inputs: Inputs, roll: float):
     """Place wheels that begin to yaw as yawed ones."""
-    yaw = work.inputs.yaw
+    yaw = inputs.yaw
     if yaw == 0.0 and nonzero(rate_of(yaw)):
         sine, cosine = sine_cosine_rule(yaw)
         work.sides[1].place.sin_yaw = sine
@@ -82,7 +84,7 @@ def follow_roll(tables: Tables, work: Work):
     """The rigid roll [rad], at which both smallest gaps are equal: a gap's place does not count for
     how it follows the roll."""
     roll = held(work.wheelset.roll)
-    place_moving(tables, work, roll)
+    place_moving(tables, work, work.inputs, roll)
     left = held(work.sides[0].best_y)
     right = held(work.sides[1].best_y)
     gap_left, mismatch_left, rate_left = vertical_gap(tables.pairs[0], work.sides[0].place, left)
@@ -96,7 +98,7 @@ def follow_gaps(tables: Tables, work: Work, roll: float, height: float):
     """How much lower than ``height`` [m] the smallest gaps of the left and the right side are [m], for this
     ``roll`` and this reference."""
     set_reference(work.sides, height)
-    place_moving(tables, work, roll)
+    place_moving(tables, work, work.inputs, roll)
     left, mismatch, rate = vertical_gap(tables.pairs[0], work.sides[0].place, held(work.sides[0].best_y))
     right, mismatch, rate = vertical_gap(tables.pairs[1], work.sides[1].place, held(work.sides[1].best_y))
     return left - height, right - height
@@ -126,7 +128,7 @@ def follow_leaning_roll(tables: Tables, work: Work):
 def follow_position(tables: Tables, work: Work, roll: float, height: float):
     """Both sides of an elastic wheelset at ``roll`` and ``height``, each under its load."""
     set_reference(work.sides, height)
-    place_moving(tables, work, roll)
+    place_moving(tables, work, work.inputs, roll)
     follow_minimum(tables, work, 0)
     balance_side(tables, work, 0, side_force(work, 0), height)
     follow_minimum(tables, work, 1)
@@ -159,16 +161,81 @@ def follow_elastic(tables: Tables, work: Work) -> bool:
         return True
     height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant
     roll_rate = (residual_left * right_height - residual_right * left_height) / determinant
+    method = work.broyden
+    method.left_height = common_rate(left_height)
+    method.right_height = common_rate(right_height)
+    method.left_roll = common_rate(left_roll)
+    method.right_roll = common_rate(right_roll)
     follow_position(tables, work, seeded(roll, roll_rate), seeded(height, height_rate))
     work.wheelset.roll = seeded(roll, roll_rate)
     work.wheelset.vertical_shift = seeded(height, height_rate)
     return False
 
 
+def follow_residuals(tables: Tables, work: Work, time: float, vertical: float, roll_rate: float):
+    """How fast each side of an elastic wheelset comes down [m/s], from ``time`` [s] before to after or, in a
+    standing one, until then (``depth_rates.find_residuals``)."""
+    follow_displaced(tables, work, time, vertical, roll_rate)
+    left = work.supports[0].height
+    right = work.supports[1].height
+    if motion_size(tables, work.inputs) > 0.0:
+        follow_displaced(tables, work, -time, vertical, roll_rate)
+        time *= 2.0
+    else:
+        work.supports[0].height = work.wheelset.vertical_shift
+        work.supports[1].height = work.wheelset.vertical_shift
+    left = (left - work.supports[0].height) / time
+    right = (right - work.supports[1].height) / time
+    if not side_force(work, 0) > 0.0:
+        left = constraint_residual(work.sides[0].motion)
+    if not side_force(work, 1) > 0.0:
+        right = constraint_residual(work.sides[1].motion)
+    return left, right
+
+
+def follow_displaced(tables: Tables, work: Work, time: float, vertical: float, roll_rate: float):
+    """Both sides of an elastic wheelset that has moved on by ``time`` [s], each under its load."""
+    displace_inputs(work, time)
+    height = work.wheelset.vertical_shift + time * vertical
+    set_reference(work.sides, height)
+    place_moving(tables, work, work.displaced, work.wheelset.roll + time * roll_rate)
+    work.contact.filling = False
+    for index in range(2):
+        force = side_force(work, index)
+        if force > 0.0:
+            balance_side(tables, work, index, force, height)
+    work.contact.filling = True
+
+
+def follow_rates(tables: Tables, work: Work):
+    """Vertical velocity and roll rate of an elastic wheelset: the residuals of both sides vanish
+    (``depth_rates.settle_rates``), whose derivatives are those of the heights.
+
+    A wheelset that stands still has none, but begins to move; time, by which rates are multiplied, is any
+    then."""
+    vertical = held(work.wheelset.vertical_velocity)
+    roll_rate = held(work.wheelset.roll_rate)
+    left_motion = work.sides[0].motion
+    right_motion = work.sides[1].motion
+    set_rates(left_motion, right_motion, vertical, roll_rate)
+    speed = motion_size(tables, work.inputs)
+    time = 1.0
+    if speed > 0.0:
+        time = DISPLACED / held(speed)
+    keep_sides(work)
+    left, right = follow_residuals(tables, work, time, vertical, roll_rate)
+    restore_sides(work)
+    method = work.broyden
+    determinant = method.left_height * method.right_roll - method.right_height * method.left_roll
+    vertical_rate = (rate_of(right) * method.left_roll - rate_of(left) * method.right_roll) / determinant
+    rate = (rate_of(left) * method.right_height - rate_of(right) * method.left_height) / determinant
+    set_rates(left_motion, right_motion, seeded(vertical, vertical_rate), seeded(roll_rate, rate))
+
+
 def follow_deflection(tables: Tables, work: Work, index: int, lateral: float, vertical: float):
     """A side at the height and roll of the inputs with its rail deflected."""
     deflect(work, index, lateral, vertical)
-    place_moving(tables, work, work.inputs.roll)
+    place_moving(tables, work, work.inputs, work.inputs.roll)
     if is_damped(tables) or is_rolling(tables, work.inputs):
         open_given_motion(tables, work)
     follow_minimum(tables, work, index)
@@ -212,7 +279,7 @@ def follow_compliant(tables: Tables, work: Work) -> bool:
     roll = work.inputs.roll
     height = work.inputs.vertical_shift
     set_reference(work.sides, height)
-    place_moving(tables, work, roll)
+    place_moving(tables, work, work.inputs, roll)
     work.wheelset.roll = roll
     work.wheelset.vertical_shift = height
     if is_damped(tables):
@@ -233,21 +300,38 @@ def differentiate(tables: Tables, work: Work) -> bool:
     left it; whether the rates are not defined (``follow_elastic``, ``follow_settled``)."""
     outcome = follow_wheelset(tables, work)
     if carries_friction(tables, work):
-        for i in range(LOAD_RATES):
-            follow_load(work)
-            outcome = follow_wheelset(tables, work)
+        outcome = follow_load(tables, work)
     report(tables, work)
     return outcome
 
 
-def follow_load(work: Work):
-    """What friction leaves of the load: the vertical force of each wheel stays what is wanted.  It is taken
-    to grow as the load, and what is left of its rate after one turn is corrected in the next."""
-    for index in range(2):
-        support = work.supports[index]
-        share = carried_share(work, index)
-        support.friction_load = seeded(support.friction_load, rate_of(support.friction_load)
-                                       - held(support.friction_load) * rate_of(share) / held(share))
+def follow_load(tables: Tables, work: Work) -> bool:
+    """What friction leaves of the load: the vertical force of each wheel stays what is wanted, over the loads
+    of both sides; whether the rates are not defined."""
+    left = work.supports[0]
+    right = work.supports[1]
+    missing_left = rate_of(carried_share(work, 0))
+    missing_right = rate_of(carried_share(work, 1))
+    left.friction_load = seeded(left.friction_load, 1.0)
+    follow_wheelset(tables, work)
+    left_left = rate_of(carried_share(work, 0)) - missing_left
+    right_left = rate_of(carried_share(work, 1)) - missing_right
+    left.friction_load = held(left.friction_load)
+    right.friction_load = seeded(right.friction_load, 1.0)
+    follow_wheelset(tables, work)
+    left_right = rate_of(carried_share(work, 0)) - missing_left
+    right_right = rate_of(carried_share(work, 1)) - missing_right
+    # a wheel without load has none to follow
+    if not side_force(work, 0) > 0.0:
+        left_left = 1.0
+    if not side_force(work, 1) > 0.0:
+        right_right = 1.0
+    determinant = left_left * right_right - left_right * right_left
+    left.friction_load = seeded(left.friction_load, (missing_right * left_right - missing_left * right_right)
+                                / determinant)
+    right.friction_load = seeded(right.friction_load, (missing_left * right_left - missing_right * left_left)
+                                 / determinant)
+    return follow_wheelset(tables, work)
 
 
 def follow_wheelset(tables: Tables, work: Work) -> bool:
@@ -259,7 +343,7 @@ def follow_wheelset(tables: Tables, work: Work) -> bool:
         roll = follow_roll(tables, work)
         if work.sides[1].place.leaning:
             roll = follow_leaning_roll(tables, work)
-        place_moving(tables, work, roll)
+        place_moving(tables, work, work.inputs, roll)
         follow_minimum(tables, work, 0)
         follow_minimum(tables, work, 1)
         solve_rigid(tables, work, roll)
@@ -267,6 +351,10 @@ def follow_wheelset(tables: Tables, work: Work) -> bool:
         outcome = follow_elastic(tables, work)
     if mode == MODE_COMPLIANT:
         outcome = follow_compliant(tables, work)
+    move_wheelset(tables, work)
+    if mode == MODE_ELASTIC and is_rolling(tables, work.inputs):
+        if work.wheelset.settled and not outcome:
+            follow_rates(tables, work)
     move_patches(tables, work)
     rub_patches(tables, work)
     sum_forces(tables, work)

@@ -92,19 +92,20 @@ static inline int64_t march__march_strips(array_double_1d tables, array_double_1
 
 /* creep/motion.py */
 static inline bool motion__is_rail_moderate(double lateral, double vertical, double roll);
-static inline bool motion__is_moderate(array_double_1d work);
-static inline double motion__rolling_rate(array_double_1d work, double given, double radius);
+static inline bool motion__is_moderate(array_double_1d work, int64_t inputs);
+static inline double motion__rolling_rate(array_double_1d work, int64_t inputs, double given, double radius);
 static inline bool motion__are_independent(array_double_1d tables);
-static inline int64_t motion__turn_wheels(array_double_1d work, array_double_1d tables, int64_t left, int64_t right);
-static inline int64_t motion__open_motion(array_double_1d work, array_double_1d tables, int64_t motion);
+static inline int64_t motion__turn_wheels(array_double_1d work, array_double_1d tables, int64_t left, int64_t right, int64_t inputs);
+static inline int64_t motion__open_motion(array_double_1d work, array_double_1d tables, int64_t motion, int64_t inputs);
 static inline int64_t motion__mirror_motion(array_double_1d work, int64_t motion, int64_t mirrored);
-static inline int64_t motion__open_left_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail);
-static inline int64_t motion__open_right_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail);
+static inline int64_t motion__open_left_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail, int64_t inputs);
+static inline int64_t motion__open_right_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail, int64_t inputs);
 static inline int64_t motion__carry_rail(array_double_1d work, int64_t rail, int64_t deflection);
 static inline int64_t motion__set_rates(array_double_1d work, int64_t left, int64_t right, double vertical, double roll_rate);
 static inline int64_t motion__constrain_touching(array_double_1d work, int64_t motion, int64_t point);
 static inline int64_t motion__constrain_loaded(array_double_1d work, int64_t motion, int64_t forces);
 static inline double motion__known_part(array_double_1d work, int64_t motion);
+static inline double motion__constraint_residual(array_double_1d work, int64_t motion);
 static inline int64_t motion__set_contact_rates(array_double_1d work, int64_t left, int64_t right);
 
 /* creep/polach.py */
@@ -2149,31 +2150,31 @@ static inline double march__sqrt_of(double value)
  */
 
 /* Whether no velocity among the inputs is beyond its limit. */
-static inline bool motion__is_moderate(array_double_1d work)
+static inline bool motion__is_moderate(array_double_1d work, int64_t inputs)
 {
     bool moderate;
-    moderate = !((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED))) > layout__SPEED_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE))) > layout__WHEEL_LIMIT));
-    if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_WHEEL_RATE))) > layout__WHEEL_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_WHEEL_RATE))) > layout__WHEEL_LIMIT))
+    moderate = !((fabs((*cspan_at(&work, inputs + layout__INPUTS_SPEED))) > layout__SPEED_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_WHEEL_RATE))) > layout__WHEEL_LIMIT));
+    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_WHEEL_RATE))) > layout__WHEEL_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE))) > layout__WHEEL_LIMIT))
     {
         moderate = 0;
     }
-    if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY))) > layout__VELOCITY_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY))) > layout__VELOCITY_LIMIT))
+    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_LATERAL_VELOCITY))) > layout__VELOCITY_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_VERTICAL_VELOCITY))) > layout__VELOCITY_LIMIT))
     {
         moderate = 0;
     }
-    if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE))) > layout__RATE_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE))) > layout__RATE_LIMIT))
+    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_YAW_RATE))) > layout__RATE_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_ROLL_RATE))) > layout__RATE_LIMIT))
     {
         moderate = 0;
     }
-    if (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE))) > layout__CURVATURE_LIMIT)
+    if (fabs((*cspan_at(&work, inputs + layout__INPUTS_TRACK_CURVATURE))) > layout__CURVATURE_LIMIT)
     {
         moderate = 0;
     }
-    if (!motion__is_rail_moderate((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY))))
+    if (!motion__is_rail_moderate((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)), (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)), (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY))))
     {
         moderate = 0;
     }
-    if (!motion__is_rail_moderate((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY))))
+    if (!motion__is_rail_moderate((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)), (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)), (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY))))
     {
         moderate = 0;
     }
@@ -2189,13 +2190,13 @@ static inline bool motion__is_rail_moderate(double lateral, double vertical, dou
 /* Rotation about the axle [rad/s], positive when it rolls forward, of which the input ``given`` says as
  * much; 0 may stand for that of free rolling with a nominal ``radius`` [m].
  */
-static inline double motion__rolling_rate(array_double_1d work, double given, double radius)
+static inline double motion__rolling_rate(array_double_1d work, int64_t inputs, double given, double radius)
 {
     double rate;
     rate = given;
-    if ((rate == 0.0) && ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_FREE_ROLLING)) != 0.0))
+    if ((rate == 0.0) && ((*cspan_at(&work, inputs + layout__INPUTS_FREE_ROLLING)) != 0.0))
     {
-        rate = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) / radius;
+        rate = (*cspan_at(&work, inputs + layout__INPUTS_SPEED)) / radius;
     }
     return rate;
 }
@@ -2209,35 +2210,35 @@ static inline bool motion__are_independent(array_double_1d tables)
 }
 
 /* Give each wheel its own rotation. */
-static inline int64_t motion__turn_wheels(array_double_1d work, array_double_1d tables, int64_t left, int64_t right)
+static inline int64_t motion__turn_wheels(array_double_1d work, array_double_1d tables, int64_t left, int64_t right, int64_t inputs)
 {
-    (*cspan_at(&work, left + layout__MOTION_WHEEL_RATE)) = motion__rolling_rate(work, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)));
-    (*cspan_at(&work, right + layout__MOTION_WHEEL_RATE)) = motion__rolling_rate(work, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)));
+    (*cspan_at(&work, left + layout__MOTION_WHEEL_RATE)) = motion__rolling_rate(work, inputs, (*cspan_at(&work, inputs + layout__INPUTS_LEFT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)));
+    (*cspan_at(&work, right + layout__MOTION_WHEEL_RATE)) = motion__rolling_rate(work, inputs, (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)));
     return INT64_C(0);
 }
 
 /* What the inputs say of the motion of the ``wheelset``, as the right side sees it.  Vertical velocity
  * and roll rate are left to :func:`set_rates`.
  */
-static inline int64_t motion__open_motion(array_double_1d work, array_double_1d tables, int64_t motion)
+static inline int64_t motion__open_motion(array_double_1d work, array_double_1d tables, int64_t motion, int64_t inputs)
 {
     double sin_yaw;
     double cos_yaw;
     double sin_roll;
     double cos_roll;
-    circle__sine_cosine(&sin_yaw, &cos_yaw, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    circle__sine_cosine(&sin_yaw, &cos_yaw, (*cspan_at(&work, inputs + layout__INPUTS_YAW)));
     circle__sine_cosine(&sin_roll, &cos_roll, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
-    (*cspan_at(&work, motion + layout__MOTION_SPEED)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED));
-    (*cspan_at(&work, motion + layout__MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
-    (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) = motion__rolling_rate(work, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_HEIGHT)));
-    (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE));
-    (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
+    (*cspan_at(&work, motion + layout__MOTION_SPEED)) = (*cspan_at(&work, inputs + layout__INPUTS_SPEED));
+    (*cspan_at(&work, motion + layout__MOTION_LATERAL)) = (*cspan_at(&work, inputs + layout__INPUTS_LATERAL_VELOCITY));
+    (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) = motion__rolling_rate(work, inputs, (*cspan_at(&work, inputs + layout__INPUTS_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_HEIGHT)));
+    (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) = (*cspan_at(&work, inputs + layout__INPUTS_SPEED)) * (*cspan_at(&work, inputs + layout__INPUTS_TRACK_CURVATURE));
+    (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) = (*cspan_at(&work, inputs + layout__INPUTS_YAW_RATE));
     (*cspan_at(&work, motion + layout__MOTION_AHEAD_X)) = cos_yaw;
     (*cspan_at(&work, motion + layout__MOTION_AHEAD_Y)) = sin_yaw;
     (*cspan_at(&work, motion + layout__MOTION_AXLE_X)) = (-sin_yaw) * cos_roll;
     (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) = cos_yaw * cos_roll;
     (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) = sin_roll;
-    (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
+    (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) = (*cspan_at(&work, inputs + layout__INPUTS_LATERAL_SHIFT));
     (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_HEIGHT));
     return INT64_C(0);
 }
@@ -2261,24 +2262,24 @@ static inline int64_t motion__mirror_motion(array_double_1d work, int64_t motion
 }
 
 /* What the inputs say of the left rail, which rolls about its highest point; mirrored. */
-static inline int64_t motion__open_left_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail)
+static inline int64_t motion__open_left_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail, int64_t inputs)
 {
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL));
     return INT64_C(0);
 }
 
 /* The same of the right rail. */
-static inline int64_t motion__open_right_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail)
+static inline int64_t motion__open_right_rail(array_double_1d tables, array_double_1d work, int64_t pair, int64_t rail, int64_t inputs)
 {
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL));
     return INT64_C(0);
 }
 
@@ -2334,7 +2335,7 @@ static inline int64_t motion__constrain_touching(array_double_1d work, int64_t m
 }
 
 /* The force of an elastic wheel [N] and its moment about the wheelset's centre [N m] keep it on its rail:
- * what its patches approach is zero in the mean over the load, which stays.
+ * what its patches approach is zero in the mean over the load, if its depth stays.
  */
 static inline int64_t motion__constrain_loaded(array_double_1d work, int64_t motion, int64_t forces)
 {
@@ -2360,6 +2361,18 @@ static inline double motion__known_part(array_double_1d work, int64_t motion)
     /* of the force about the point about which the rail rolls */
     rail_moment = (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) + ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Y))) * (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) - ((*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_Z))) * (*cspan_at(&work, constraint + layout__CONSTRAINT_Y));
     result = (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) * ((*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL))) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) * (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) - (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) * (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - rail_moment * (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL));
+    return result;
+}
+
+/* How much faster than the wheelset the wheel of a side comes down [m/s], if it stays on its rail. */
+static inline double motion__constraint_residual(array_double_1d work, int64_t motion)
+{
+    int64_t constraint;
+    double power;
+    double result;
+    constraint = motion + layout__MOTION_CONSTRAINT;
+    power = motion__known_part(work, motion) + (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) * (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) * (*cspan_at(&work, motion + layout__MOTION_TURN_X)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Y)) * (*cspan_at(&work, motion + layout__MOTION_TURN_Y));
+    result = (-power) / (*cspan_at(&work, constraint + layout__CONSTRAINT_Z));
     return result;
 }
 

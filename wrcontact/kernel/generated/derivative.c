@@ -14,26 +14,26 @@
  */
 
 /* Derivative of ``place_moving``. */
-static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t)
+static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
 {
-    derivative_roll__place_both_t(work, work_t, tables, roll, roll_t);
+    derivative_roll__place_both_t(work, work_t, tables, inputs, roll, roll_t);
     if ((*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE + layout__PLACE_LEANING)) == 1.0)
     {
-        derivative_wheelset_rules__begin_yaw_t(work, work_t, roll, roll_t);
+        derivative_wheelset_rules__begin_yaw_t(work, work_t, inputs, roll, roll_t);
     }
     else
     {
-        derivative_wheelset_rules__begin_yaw_t(work, work_t, roll, roll_t);
-        if (derivative_rates__nonzero((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL))) || derivative_rates__nonzero((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL))))
+        derivative_wheelset_rules__begin_yaw_t(work, work_t, inputs, roll, roll_t);
+        if (derivative_rates__nonzero((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL))) || derivative_rates__nonzero((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL))))
         {
-            derivative_roll__lean_both_t(work, work_t, tables, roll, roll_t);
+            derivative_roll__lean_both_t(work, work_t, tables, inputs, roll, roll_t);
         }
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``begin_yaw``. */
-static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t)
+static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t)
 {
     lanes yaw_t;
     double yaw;
@@ -43,8 +43,8 @@ static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d wor
     lanes cosine_t;
     int64_t index;
     int64_t place;
-    EACH_LANE each(yaw_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)));
-    yaw = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW));
+    EACH_LANE each(yaw_t) = each((*lanes_at(&work_t, inputs + layout__INPUTS_YAW)));
+    yaw = (*cspan_at(&work, inputs + layout__INPUTS_YAW));
     if ((yaw == 0.0) && derivative_rates__nonzero(yaw_t))
     {
         derivative_circle__sine_cosine_rule_t(&sine, &sine_t, &cosine, &cosine_t, yaw, yaw_t);
@@ -131,7 +131,7 @@ static inline int64_t derivative_wheelset_rules__follow_roll_t(double* roll, lan
     double lever;
     double v3;
     (*roll) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, (*roll), all_lanes(0.0));
+    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, (*roll), all_lanes(0.0));
     left = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y));
     right = (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y));
     derivative_gap__vertical_gap_t(&gap_left, &gap_left_t, &mismatch_left, &mismatch_left_t, &rate_left, &rate_left_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, left, all_lanes(0.0));
@@ -157,7 +157,7 @@ static inline int64_t derivative_wheelset_rules__follow_gaps_t(double* result_0,
     double right;
     lanes right_t;
     derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
+    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
     derivative_gap__vertical_gap_t(&left, &left_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y)), all_lanes(0.0));
     derivative_gap__vertical_gap_t(&right, &right_t, &mismatch, &mismatch_t, &rate, &rate_t, tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_BEST_Y)), all_lanes(0.0));
     (*result_0) = left - height;
@@ -209,7 +209,7 @@ static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_
     double v2;
     lanes v2_t;
     derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
+    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
     derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(0));
     derivative_requested__side_force_t(&v1, &v1_t, work, work_t, INT64_C(0));
     derivative_trial__balance_side_t(tables, work, work_t, INT64_C(0), v1, v1_t, height, height_t);
@@ -261,6 +261,14 @@ static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d t
     }
     EACH_LANE each(height_rate) = (each(residual_right) * each(left_roll) - each(residual_left) * each(right_roll)) / each(determinant);
     EACH_LANE each(roll_rate) = (each(residual_left) * each(right_height) - each(residual_right) * each(left_height)) / each(determinant);
+    (*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) = all_lanes(0.0);
+    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) = derivative_rates__common_rate(left_height);
+    (*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) = all_lanes(0.0);
+    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) = derivative_rates__common_rate(right_height);
+    (*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) = all_lanes(0.0);
+    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) = derivative_rates__common_rate(left_roll);
+    (*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) = all_lanes(0.0);
+    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) = derivative_rates__common_rate(right_roll);
     derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, roll_rate, height, height_rate);
     EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL))) = each(roll_rate);
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
@@ -269,12 +277,154 @@ static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d t
     return 0;
 }
 
+/* Derivative of ``follow_residuals``. */
+static inline int64_t derivative_wheelset_rules__follow_residuals_t(double* left, lanes* left_t, double* right, lanes* right_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
+{
+    double v1;
+    double v2;
+    double v3;
+    double v4;
+    double v5;
+    lanes v5_t;
+    double v6;
+    lanes v6_t;
+    derivative_wheelset_rules__follow_displaced_t(tables, work, work_t, time, time_t, vertical, vertical_t, roll_rate, roll_rate_t);
+    EACH_LANE each((*left_t)) = each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)));
+    (*left) = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
+    EACH_LANE each((*right_t)) = each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)));
+    (*right) = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT));
+    if (depth_rates__motion_size(work, tables, layout__WORK_INPUTS) > 0.0)
+    {
+        lanes rates_1;
+        EACH_LANE each(rates_1) = -each(time_t);
+        derivative_wheelset_rules__follow_displaced_t(tables, work, work_t, -time, rates_1, vertical, vertical_t, roll_rate, roll_rate_t);
+        EACH_LANE each(time_t) = each(time_t) * 2.0;
+        time = time * 2.0;
+    }
+    else
+    {
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT))) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)));
+        (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT))) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)));
+        (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+    }
+    v1 = (*left) - (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
+    v2 = v1 / time;
+    EACH_LANE each((*left_t)) = (each((*left_t)) - each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT))) - v2 * each(time_t)) / time;
+    (*left) = v2;
+    v3 = (*right) - (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT));
+    v4 = v3 / time;
+    EACH_LANE each((*right_t)) = (each((*right_t)) - each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT))) - v4 * each(time_t)) / time;
+    (*right) = v4;
+    if (!(requested__side_force(work, INT64_C(0)) > 0.0))
+    {
+        derivative_motion__constraint_residual_t(&v5, &v5_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
+        EACH_LANE each((*left_t)) = each(v5_t);
+        (*left) = v5;
+    }
+    if (!(requested__side_force(work, INT64_C(1)) > 0.0))
+    {
+        derivative_motion__constraint_residual_t(&v6, &v6_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
+        EACH_LANE each((*right_t)) = each(v6_t);
+        (*right) = v6;
+    }
+    return 0;
+}
+
+/* Derivative of ``follow_displaced``. */
+static inline int64_t derivative_wheelset_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t)
+{
+    lanes height_t;
+    double height;
+    int64_t index;
+    double v1;
+    lanes v1_t;
+    lanes force_t;
+    double force;
+    derivative_depth_rates__displace_inputs_t(work, work_t, time, time_t);
+    EACH_LANE each(height_t) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT))) + (each(time_t) * vertical + time * each(vertical_t));
+    height = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) + time * vertical;
+    derivative_leaning__set_reference_t(work, work_t, height, height_t);
+    lanes rates_1;
+    EACH_LANE each(rates_1) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL))) + (each(time_t) * roll_rate + time * each(roll_rate_t));
+    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_DISPLACED, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) + time * roll_rate, rates_1);
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = all_lanes(0.0);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(0);
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        derivative_requested__side_force_t(&v1, &v1_t, work, work_t, index);
+        EACH_LANE each(force_t) = each(v1_t);
+        force = v1;
+        if (force > 0.0)
+        {
+            derivative_trial__balance_side_t(tables, work, work_t, index, force, force_t, height, height_t);
+        }
+    }
+    (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = all_lanes(0.0);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
+    return INT64_C(0);
+}
+
+/* Derivative of ``follow_rates``. */
+static inline int64_t derivative_wheelset_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+{
+    double vertical;
+    double roll_rate;
+    int64_t right_motion;
+    double v1;
+    lanes v1_t;
+    lanes speed_t;
+    double speed;
+    double time;
+    double left;
+    lanes left_t;
+    double right;
+    lanes right_t;
+    lanes determinant_t;
+    double determinant;
+    lanes v2;
+    lanes v3;
+    lanes vertical_rate_t;
+    lanes vertical_rate;
+    lanes v4;
+    lanes v5;
+    lanes rate_t;
+    lanes rate;
+    vertical = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY));
+    roll_rate = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE));
+    right_motion = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
+    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right_motion, vertical, all_lanes(0.0), roll_rate, all_lanes(0.0));
+    derivative_depth_rates__motion_size_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS);
+    EACH_LANE each(speed_t) = each(v1_t);
+    speed = v1;
+    time = 1.0;
+    if (speed > 0.0)
+    {
+        time = depth_rates__DISPLACED / speed;
+    }
+    derivative_depth_rates__keep_sides_t(work, work_t);
+    derivative_wheelset_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, all_lanes(0.0), vertical, all_lanes(0.0), roll_rate, all_lanes(0.0));
+    derivative_depth_rates__restore_sides_t(work, work_t);
+    EACH_LANE each(determinant_t) = each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT))) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) + (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) * each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL))) - (each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT))) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) + (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) * each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL))));
+    determinant = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) - (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL));
+    EACH_LANE each(v2) = each(right_t) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) - each(left_t) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL));
+    EACH_LANE each(v3) = each(v2) / determinant;
+    EACH_LANE each(vertical_rate_t) = (each(right_t) * each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL))) - each(left_t) * each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL))) - each(v3) * each(determinant_t)) / determinant;
+    EACH_LANE each(vertical_rate) = each(v3);
+    EACH_LANE each(v4) = each(left_t) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) - each(right_t) * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT));
+    EACH_LANE each(v5) = each(v4) / determinant;
+    EACH_LANE each(rate_t) = (each(left_t) * each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT))) - each(right_t) * each((*lanes_at(&work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT))) - each(v5) * each(determinant_t)) / determinant;
+    EACH_LANE each(rate) = each(v5);
+    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right_motion, vertical, vertical_rate, roll_rate, rate);
+    return INT64_C(0);
+}
+
 /* Derivative of ``follow_deflection``. */
 static inline int64_t derivative_wheelset_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t)
 {
     derivative_springs__deflect_t(work, work_t, index, lateral, lateral_t, vertical, vertical_t);
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL)));
-    if (at_height__is_damped(tables) || requested__is_rolling(work, tables))
+    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL)));
+    if (at_height__is_damped(tables) || requested__is_rolling(work, tables, layout__WORK_INPUTS))
     {
         derivative_rubbing__open_given_motion_t(tables, work, work_t);
     }
@@ -341,7 +491,7 @@ static inline bool derivative_wheelset_rules__follow_compliant_t(array_double_1d
     EACH_LANE each(height_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT)));
     height = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT));
     derivative_leaning__set_reference_t(work, work_t, height, height_t);
-    derivative_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
+    derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
     EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL))) = each(roll_t);
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
     EACH_LANE each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT))) = each(height_t);
@@ -374,42 +524,74 @@ static inline bool derivative_wheelset_rules__follow_compliant_t(array_double_1d
 static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     bool n1;
-    int64_t i;
     bool n2;
     bool outcome;
     n1 = derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
     outcome = n1;
-    if (requested__carries_friction(tables, work))
+    if (vertical_load__carries_friction(tables, work))
     {
-        for (i = INT64_C(0); i < requested__LOAD_RATES; i += INT64_C(1))
-        {
-            derivative_wheelset_rules__follow_load_t(work, work_t);
-            n2 = derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
-            outcome = n2;
-        }
+        n2 = derivative_wheelset_rules__follow_load_t(tables, work, work_t);
+        outcome = n2;
     }
     derivative_report__report_t(tables, work, work_t);
     return outcome;
 }
 
 /* Derivative of ``follow_load``. */
-static inline int64_t derivative_wheelset_rules__follow_load_t(array_double_1d work, array_lanes_1d work_t)
+static inline bool derivative_wheelset_rules__follow_load_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    int64_t index;
-    int64_t support;
+    int64_t right;
     double v1;
     lanes v1_t;
-    lanes share_t;
-    double share;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    lanes missing_left;
+    double v2;
+    lanes v2_t;
+    lanes missing_right;
+    double v3;
+    lanes v3_t;
+    lanes left_left;
+    double v4;
+    lanes v4_t;
+    lanes right_left;
+    double v5;
+    lanes v5_t;
+    lanes left_right;
+    double v6;
+    lanes v6_t;
+    lanes right_right;
+    lanes determinant;
+    bool n7;
+    right = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1);
+    derivative_vertical_load__carried_share_t(&v1, &v1_t, work, work_t, INT64_C(0));
+    EACH_LANE each(missing_left) = each(v1_t);
+    derivative_vertical_load__carried_share_t(&v2, &v2_t, work, work_t, INT64_C(1));
+    EACH_LANE each(missing_right) = each(v2_t);
+    (*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD)) = all_lanes(1.0);
+    derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
+    derivative_vertical_load__carried_share_t(&v3, &v3_t, work, work_t, INT64_C(0));
+    EACH_LANE each(left_left) = each(v3_t) - each(missing_left);
+    derivative_vertical_load__carried_share_t(&v4, &v4_t, work, work_t, INT64_C(1));
+    EACH_LANE each(right_left) = each(v4_t) - each(missing_right);
+    (*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD)) = all_lanes(0.0);
+    (*lanes_at(&work_t, right + layout__SUPPORT_FRICTION_LOAD)) = all_lanes(1.0);
+    derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
+    derivative_vertical_load__carried_share_t(&v5, &v5_t, work, work_t, INT64_C(0));
+    EACH_LANE each(left_right) = each(v5_t) - each(missing_left);
+    derivative_vertical_load__carried_share_t(&v6, &v6_t, work, work_t, INT64_C(1));
+    EACH_LANE each(right_right) = each(v6_t) - each(missing_right);
+    if (!(requested__side_force(work, INT64_C(0)) > 0.0))
     {
-        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-        derivative_requested__carried_share_t(&v1, &v1_t, work, work_t, index);
-        EACH_LANE each(share_t) = each(v1_t);
-        share = v1;
-        EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_FRICTION_LOAD))) = each((*lanes_at(&work_t, support + layout__SUPPORT_FRICTION_LOAD))) - (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) * each(share_t) / share;
+        left_left = all_lanes(1.0);
     }
-    return INT64_C(0);
+    if (!(requested__side_force(work, INT64_C(1)) > 0.0))
+    {
+        right_right = all_lanes(1.0);
+    }
+    EACH_LANE each(determinant) = each(left_left) * each(right_right) - each(left_right) * each(right_left);
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_SUPPORTS + layout__SUPPORT_FRICTION_LOAD))) = (each(missing_right) * each(left_right) - each(missing_left) * each(right_right)) / each(determinant);
+    EACH_LANE each((*lanes_at(&work_t, right + layout__SUPPORT_FRICTION_LOAD))) = (each(missing_left) * each(right_left) - each(missing_right) * each(left_left)) / each(determinant);
+    n7 = derivative_wheelset_rules__follow_wheelset_t(tables, work, work_t);
+    return n7;
 }
 
 /* Derivative of ``follow_wheelset``. */
@@ -438,7 +620,7 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
             EACH_LANE each(roll_t) = each(v2_t);
             roll = v2;
         }
-        derivative_wheelset_rules__place_moving_t(tables, work, work_t, roll, roll_t);
+        derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, roll, roll_t);
         derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(0));
         derivative_wheelset_rules__follow_minimum_t(tables, work, work_t, INT64_C(1));
         derivative_rigid__solve_rigid_t(tables, work, work_t, roll, roll_t);
@@ -452,6 +634,14 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
     {
         n4 = derivative_wheelset_rules__follow_compliant_t(tables, work, work_t);
         outcome = n4;
+    }
+    derivative_rubbing__move_wheelset_t(tables, work, work_t);
+    if ((mode == layout__MODE_ELASTIC) && requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    {
+        if (((*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED)) == 1.0) && (!outcome))
+        {
+            derivative_wheelset_rules__follow_rates_t(tables, work, work_t);
+        }
     }
     derivative_rubbing__move_patches_t(tables, work, work_t);
     derivative_rubbing__rub_patches_t(tables, work, work_t);

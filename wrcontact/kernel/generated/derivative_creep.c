@@ -3669,38 +3669,38 @@ static inline int64_t derivative_march__sqrt_of_t(double* root, lanes* root_t, d
  */
 
 /* Derivative of ``rolling_rate``. */
-static inline int64_t derivative_motion__rolling_rate_t(double* rate, lanes* rate_t, array_double_1d work, array_lanes_1d work_t, double given, lanes given_t, double radius, lanes radius_t)
+static inline int64_t derivative_motion__rolling_rate_t(double* rate, lanes* rate_t, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double given, lanes given_t, double radius, lanes radius_t)
 {
     double v1;
     EACH_LANE each((*rate_t)) = each(given_t);
     (*rate) = given;
-    if (((*rate) == 0.0) && ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_FREE_ROLLING)) != 0.0))
+    if (((*rate) == 0.0) && ((*cspan_at(&work, inputs + layout__INPUTS_FREE_ROLLING)) != 0.0))
     {
-        v1 = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) / radius;
-        EACH_LANE each((*rate_t)) = (each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED))) - v1 * each(radius_t)) / radius;
+        v1 = (*cspan_at(&work, inputs + layout__INPUTS_SPEED)) / radius;
+        EACH_LANE each((*rate_t)) = (each((*lanes_at(&work_t, inputs + layout__INPUTS_SPEED))) - v1 * each(radius_t)) / radius;
         (*rate) = v1;
     }
     return 0;
 }
 
 /* Derivative of ``turn_wheels``. */
-static inline int64_t derivative_motion__turn_wheels_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t left, int64_t right)
+static inline int64_t derivative_motion__turn_wheels_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t left, int64_t right, int64_t inputs)
 {
     double v1;
     lanes v1_t;
     double v2;
     lanes v2_t;
-    derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_WHEEL_RATE)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)), all_lanes(0.0));
+    derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, inputs, (*cspan_at(&work, inputs + layout__INPUTS_LEFT_WHEEL_RATE)), (*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)), all_lanes(0.0));
     EACH_LANE each((*lanes_at(&work_t, left + layout__MOTION_WHEEL_RATE))) = each(v1_t);
     (*cspan_at(&work, left + layout__MOTION_WHEEL_RATE)) = v1;
-    derivative_motion__rolling_rate_t(&v2, &v2_t, work, work_t, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_WHEEL_RATE)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)), all_lanes(0.0));
+    derivative_motion__rolling_rate_t(&v2, &v2_t, work, work_t, inputs, (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE)), (*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)), all_lanes(0.0));
     EACH_LANE each((*lanes_at(&work_t, right + layout__MOTION_WHEEL_RATE))) = each(v2_t);
     (*cspan_at(&work, right + layout__MOTION_WHEEL_RATE)) = v2;
     return INT64_C(0);
 }
 
 /* Derivative of ``open_motion``. */
-static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t motion)
+static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t motion, int64_t inputs)
 {
     double sin_yaw;
     lanes sin_yaw_t;
@@ -3713,19 +3713,19 @@ static inline int64_t derivative_motion__open_motion_t(array_double_1d work, arr
     double v1;
     lanes v1_t;
     double v2;
-    derivative_circle__sine_cosine_rule_t(&sin_yaw, &sin_yaw_t, &cos_yaw, &cos_yaw_t, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)));
+    derivative_circle__sine_cosine_rule_t(&sin_yaw, &sin_yaw_t, &cos_yaw, &cos_yaw_t, (*cspan_at(&work, inputs + layout__INPUTS_YAW)), (*lanes_at(&work_t, inputs + layout__INPUTS_YAW)));
     derivative_circle__sine_cosine_rule_t(&sin_roll, &sin_roll_t, &cos_roll, &cos_roll_t, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)), (*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)));
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_SPEED))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED)));
-    (*cspan_at(&work, motion + layout__MOTION_SPEED)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED));
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY)));
-    (*cspan_at(&work, motion + layout__MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
-    derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_HEIGHT)), all_lanes(0.0));
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_SPEED))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_SPEED)));
+    (*cspan_at(&work, motion + layout__MOTION_SPEED)) = (*cspan_at(&work, inputs + layout__INPUTS_SPEED));
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_LATERAL_VELOCITY)));
+    (*cspan_at(&work, motion + layout__MOTION_LATERAL)) = (*cspan_at(&work, inputs + layout__INPUTS_LATERAL_VELOCITY));
+    derivative_motion__rolling_rate_t(&v1, &v1_t, work, work_t, inputs, (*cspan_at(&work, inputs + layout__INPUTS_WHEEL_RATE)), (*lanes_at(&work_t, inputs + layout__INPUTS_WHEEL_RATE)), (*cspan_at(&tables, layout__TABLES_HEIGHT)), all_lanes(0.0));
     EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_WHEEL_RATE))) = each(v1_t);
     (*cspan_at(&work, motion + layout__MOTION_WHEEL_RATE)) = v1;
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED))) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE)));
-    (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_TRACK_CURVATURE));
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE)));
-    (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_TRACK_RATE))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_SPEED))) * (*cspan_at(&work, inputs + layout__INPUTS_TRACK_CURVATURE)) + (*cspan_at(&work, inputs + layout__INPUTS_SPEED)) * each((*lanes_at(&work_t, inputs + layout__INPUTS_TRACK_CURVATURE)));
+    (*cspan_at(&work, motion + layout__MOTION_TRACK_RATE)) = (*cspan_at(&work, inputs + layout__INPUTS_SPEED)) * (*cspan_at(&work, inputs + layout__INPUTS_TRACK_CURVATURE));
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_YAW_RATE)));
+    (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) = (*cspan_at(&work, inputs + layout__INPUTS_YAW_RATE));
     EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_AHEAD_X))) = each(cos_yaw_t);
     (*cspan_at(&work, motion + layout__MOTION_AHEAD_X)) = cos_yaw;
     EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_AHEAD_Y))) = each(sin_yaw_t);
@@ -3737,8 +3737,8 @@ static inline int64_t derivative_motion__open_motion_t(array_double_1d work, arr
     (*cspan_at(&work, motion + layout__MOTION_AXLE_Y)) = cos_yaw * cos_roll;
     EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_AXLE_Z))) = each(sin_roll_t);
     (*cspan_at(&work, motion + layout__MOTION_AXLE_Z)) = sin_roll;
-    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)));
-    (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
+    EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Y))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_LATERAL_SHIFT)));
+    (*cspan_at(&work, motion + layout__MOTION_CENTRE_Y)) = (*cspan_at(&work, inputs + layout__INPUTS_LATERAL_SHIFT));
     EACH_LANE each((*lanes_at(&work_t, motion + layout__MOTION_CENTRE_Z))) = each((*lanes_at(&work_t, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)));
     (*cspan_at(&work, motion + layout__MOTION_CENTRE_Z)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) - (*cspan_at(&tables, layout__TABLES_HEIGHT));
     return INT64_C(0);
@@ -3775,34 +3775,34 @@ static inline int64_t derivative_motion__mirror_motion_t(array_double_1d work, a
 }
 
 /* Derivative of ``open_left_rail``. */
-static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail)
+static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail, int64_t inputs)
 {
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) = -each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) = -each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))) = -each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) = -each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) = -each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))) = -each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL)));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) - (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL)));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL));
     return INT64_C(0);
 }
 
 /* Derivative of ``open_right_rail``. */
-static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail)
+static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail, int64_t inputs)
 {
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL));
-    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL)));
-    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Y))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL)));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Y)) = (*cspan_at(&tables, pair + layout__PAIR_RAIL_Y)) + (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL));
+    EACH_LANE each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_Z))) = each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL)));
+    (*cspan_at(&work, rail + layout__RAIL_MOTION_Z)) = (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL));
     return INT64_C(0);
 }
 
@@ -3920,6 +3920,25 @@ static inline int64_t derivative_motion__known_part_t(double* result_0, lanes* r
     v3 = (*cspan_at(&work, motion + layout__MOTION_LATERAL)) - (*cspan_at(&work, rail + layout__RAIL_MOTION_LATERAL));
     (*result_0) = (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) * v3 + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) * (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) - (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) * (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) - rail_moment * (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL));
     EACH_LANE each((*result_1)) = each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Y))) * v3 + (*cspan_at(&work, constraint + layout__CONSTRAINT_Y)) * (each((*lanes_at(&work_t, motion + layout__MOTION_LATERAL))) - each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_LATERAL)))) + (each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Z))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Z)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Z)) * each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Z)))) - (each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Z))) * (*cspan_at(&work, rail + layout__RAIL_MOTION_VERTICAL)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) * each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_VERTICAL)))) - (each(rail_moment_t) * (*cspan_at(&work, rail + layout__RAIL_MOTION_ROLL)) + rail_moment * each((*lanes_at(&work_t, rail + layout__RAIL_MOTION_ROLL))));
+    return 0;
+}
+
+/* Derivative of ``constraint_residual``. */
+static inline int64_t derivative_motion__constraint_residual_t(double* v3, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion)
+{
+    int64_t constraint;
+    double v1;
+    lanes v1_t;
+    lanes power_t;
+    double power;
+    double v2;
+    constraint = motion + layout__MOTION_CONSTRAINT;
+    derivative_motion__known_part_t(&v1, &v1_t, work, work_t, motion);
+    EACH_LANE each(power_t) = each(v1_t) + (each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Z))) * (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) * each((*lanes_at(&work_t, motion + layout__MOTION_VERTICAL)))) + (each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_X))) * (*cspan_at(&work, motion + layout__MOTION_TURN_X)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) * each((*lanes_at(&work_t, motion + layout__MOTION_TURN_X)))) + (each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_MOMENT_Y))) * (*cspan_at(&work, motion + layout__MOTION_TURN_Y)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Y)) * each((*lanes_at(&work_t, motion + layout__MOTION_TURN_Y))));
+    power = v1 + (*cspan_at(&work, constraint + layout__CONSTRAINT_Z)) * (*cspan_at(&work, motion + layout__MOTION_VERTICAL)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_X)) * (*cspan_at(&work, motion + layout__MOTION_TURN_X)) + (*cspan_at(&work, constraint + layout__CONSTRAINT_MOMENT_Y)) * (*cspan_at(&work, motion + layout__MOTION_TURN_Y));
+    v2 = -power;
+    (*v3) = v2 / (*cspan_at(&work, constraint + layout__CONSTRAINT_Z));
+    EACH_LANE each((*result_1)) = ((-each(power_t)) - (*v3) * each((*lanes_at(&work_t, constraint + layout__CONSTRAINT_Z)))) / (*cspan_at(&work, constraint + layout__CONSTRAINT_Z));
     return 0;
 }
 

@@ -1431,17 +1431,8 @@ static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetrat
     lanes v6_t;
     double v7;
     double v8;
-    lanes load_t;
-    double load;
     double v9;
     double v10;
-    int64_t n11;
-    int64_t patch;
-    double v12;
-    double v13;
-    double v14;
-    lanes pressure_t;
-    double pressure;
     point = side + layout__SIDE_SEARCH_POINT;
     EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_X_TRACK))) = each((*lanes_at(&work_t, point + layout__CONTACT_POINT_X_TRACK)));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_X_TRACK)) = (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK));
@@ -1482,46 +1473,65 @@ static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetrat
         B = v6;
         derivative_hertz_contact__press_ellipse_t(&half_length, &half_length_t, &half_width, &half_width_t, &stiffness, &stiffness_t, penetration, penetration_t, work, work_t, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, A_t, B, B_t, force, force_t, prescribed, prescribed_t);
     }
-    v7 = stiffness * (*penetration);
+    v7 = 1.5 * stiffness;
     v8 = sqrt((*penetration));
-    EACH_LANE each(load_t) = (each(stiffness_t) * (*penetration) + stiffness * each((*penetration_t))) * v8 + v7 * derivative_rates__root_rate(v8, each((*penetration_t)));
-    load = v7 * v8;
-    v9 = 1.5 * stiffness;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS))) = 1.5 * each(stiffness_t) * v8 + v7 * derivative_rates__root_rate(v8, each((*penetration_t)));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = v7 * v8;
+    v9 = stiffness * (*penetration);
     v10 = sqrt((*penetration));
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS))) = 1.5 * each(stiffness_t) * v10 + v9 * derivative_rates__root_rate(v10, each((*penetration_t)));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = v9 * v10;
-    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED))) = each(load_t);
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED))) = (each(stiffness_t) * (*penetration) + stiffness * each((*penetration_t))) * v10 + v9 * derivative_rates__root_rate(v10, each((*penetration_t)));
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = v9 * v10;
     (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
     (*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = all_lanes(0.0);
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
     EACH_LANE each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION))) = each((*penetration_t));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
+    {
+        derivative_hertz_contact__fill_ellipse_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, half_length, half_length_t, half_width, half_width_t);
+    }
+    (*result_2) = INT64_C(1);
+    (*result_3) = 1;
+    return 0;
+}
+
+/* Derivative of ``fill_ellipse``. */
+static inline int64_t derivative_hertz_contact__fill_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t region, double half_length, lanes half_length_t, double half_width, lanes half_width_t)
+{
+    lanes load_t;
+    double load;
+    int64_t n1;
+    int64_t patch;
+    double v2;
+    double v3;
+    double v4;
+    lanes pressure_t;
+    double pressure;
     derivative_filling__clear_patches_t(work, work_t, side);
+    EACH_LANE each(load_t) = each((*lanes_at(&work_t, region + layout__REGION_CARRIED)));
+    load = (*cspan_at(&work, region + layout__REGION_CARRIED));
     lanes rates_1;
     EACH_LANE each(rates_1) = -each(half_width_t);
-    n11 = derivative_filling__begin_patch_t(work, work_t, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, rates_1, INT64_C(0), layout__RULE_ELLIPSE);
-    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n11;
+    n1 = derivative_filling__begin_patch_t(work, work_t, side, region, -half_width, rates_1, INT64_C(0), layout__RULE_ELLIPSE);
+    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * n1;
     derivative_filling__add_load_t(work, work_t, patch, INT64_C(0), load, load_t, 0.0, all_lanes(0.0));
-    v12 = M_PI * half_length;
-    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) = M_PI * each(half_length_t) * half_width + v12 * each(half_width_t);
-    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v12 * half_width;
+    v2 = M_PI * half_length;
+    EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) = M_PI * each(half_length_t) * half_width + v2 * each(half_width_t);
+    (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = v2 * half_width;
     EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP))) = each(half_width_t);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
-    v13 = 1.5 * load;
-    v14 = v13 / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    EACH_LANE each(pressure_t) = (1.5 * each(load_t) - v14 * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
-    pressure = v14;
+    v3 = 1.5 * load;
+    v4 = v3 / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    EACH_LANE each(pressure_t) = (1.5 * each(load_t) - v4 * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA));
+    pressure = v4;
     EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_PRESSURE_SQUARE))) = each(pressure_t) * pressure + pressure * each(pressure_t);
     (*cspan_at(&work, patch + layout__PATCH_PRESSURE_SQUARE)) = pressure * pressure;
     EACH_LANE each((*lanes_at(&work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE))) = each(half_length_t) * half_length + half_length * each(half_length_t);
     (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
     derivative_filling__finish_patch_t(work, work_t, side);
     derivative_filling__finish_patches_t(work, work_t, side);
-    (*result_2) = INT64_C(1);
-    (*result_3) = 1;
-    return 0;
+    return INT64_C(0);
 }
 
 /* Derivative of ``press_ellipse``. */

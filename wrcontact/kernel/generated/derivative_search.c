@@ -8,33 +8,33 @@
  */
 
 /* Derivative of ``place_both``. */
-static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double roll, lanes roll_t)
+static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, double roll, lanes roll_t)
 {
-    derivative_locus__place_wheelset_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW)), roll, roll_t, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)), all_lanes(0.0), (*cspan_at(&tables, layout__TABLES_HEIGHT)), all_lanes(0.0), (*cspan_at(&tables, layout__TABLES_ARM)), all_lanes(0.0));
+    derivative_locus__place_wheelset_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, inputs + layout__INPUTS_LATERAL_SHIFT)), (*lanes_at(&work_t, inputs + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, inputs + layout__INPUTS_YAW)), (*lanes_at(&work_t, inputs + layout__INPUTS_YAW)), roll, roll_t, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)), all_lanes(0.0), (*cspan_at(&tables, layout__TABLES_HEIGHT)), all_lanes(0.0), (*cspan_at(&tables, layout__TABLES_ARM)), all_lanes(0.0));
     derivative_locus__mirror_place_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)), all_lanes(0.0));
-    derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL)));
+    derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL)), (*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL)));
     lanes rates_1;
-    EACH_LANE each(rates_1) = -each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL)));
-    derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL)), rates_1, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL)));
+    EACH_LANE each(rates_1) = -each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL)));
+    derivative_rails__move_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL)), rates_1, (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL)), (*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL)));
     if (rails__on_springs(tables))
     {
         derivative_rails__deflect_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_DEFLECTION);
         derivative_rails__deflect_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_DEFLECTION);
     }
-    if (((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)) != 0.0))
+    if (((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL)) != 0.0) || ((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)) != 0.0))
     {
-        derivative_roll__lean_both_t(work, work_t, tables, roll, roll_t);
+        derivative_roll__lean_both_t(work, work_t, tables, inputs, roll, roll_t);
     }
     return INT64_C(0);
 }
 
 /* Derivative of ``lean_both``. */
-static inline int64_t derivative_roll__lean_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double roll, lanes roll_t)
+static inline int64_t derivative_roll__lean_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, double roll, lanes roll_t)
 {
-    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RAIL_Y)), all_lanes(0.0), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)), (*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)));
+    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RAIL_Y)), all_lanes(0.0), (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)), (*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)));
     lanes rates_1;
-    EACH_LANE each(rates_1) = -each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)));
-    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y)), all_lanes(0.0), -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)), rates_1);
+    EACH_LANE each(rates_1) = -each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL)));
+    derivative_rails__lean_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y)), all_lanes(0.0), -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL)), rates_1);
     derivative_roll__turn_both_t(work, work_t, roll, roll_t);
     return INT64_C(0);
 }

@@ -141,6 +141,126 @@ static inline int64_t derivative_at_height__damp_patch_t(array_double_1d work, a
 }
 
 
+/* ---- From derivative_depth_rates.py; change that one.
+ *
+ * Derivatives of depth_rates.py.
+ */
+
+/* Derivative of ``motion_size``. */
+static inline int64_t derivative_depth_rates__motion_size_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs)
+{
+    double v1;
+    lanes turning_t;
+    double turning;
+    double v2;
+    lanes left_t;
+    double left;
+    double v3;
+    lanes right_t;
+    double right;
+    v1 = fabs((*cspan_at(&work, inputs + layout__INPUTS_YAW_RATE)));
+    EACH_LANE each(turning_t) = (*cspan_at(&tables, layout__TABLES_ARM)) * derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_YAW_RATE)), each((*lanes_at(&work_t, inputs + layout__INPUTS_YAW_RATE))));
+    turning = (*cspan_at(&tables, layout__TABLES_ARM)) * v1;
+    v2 = fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)));
+    EACH_LANE each(left_t) = derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)), each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)))) + derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)), each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)))) + (*cspan_at(&tables, layout__TABLES_HEIGHT)) * derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)), each((*lanes_at(&work_t, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY))));
+    left = fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY))) + fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY))) + (*cspan_at(&tables, layout__TABLES_HEIGHT)) * v2;
+    v3 = fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)));
+    EACH_LANE each(right_t) = derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)), each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)))) + derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)), each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)))) + (*cspan_at(&tables, layout__TABLES_HEIGHT)) * derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)), each((*lanes_at(&work_t, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY))));
+    right = fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY))) + fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY))) + (*cspan_at(&tables, layout__TABLES_HEIGHT)) * v3;
+    (*result_0) = fabs((*cspan_at(&work, inputs + layout__INPUTS_LATERAL_VELOCITY))) + turning + left + right;
+    EACH_LANE each((*result_1)) = derivative_rates__size_rate((*cspan_at(&work, inputs + layout__INPUTS_LATERAL_VELOCITY)), each((*lanes_at(&work_t, inputs + layout__INPUTS_LATERAL_VELOCITY)))) + each(turning_t) + each(left_t) + each(right_t);
+    return 0;
+}
+
+/* Derivative of ``displace_inputs``. */
+static inline int64_t derivative_depth_rates__displace_inputs_t(array_double_1d work, array_lanes_1d work_t, double time, lanes time_t)
+{
+    int64_t i_1;
+    for (i_1 = INT64_C(0); i_1 < layout__INPUTS_SIZE; i_1 += INT64_C(1))
+    {
+        EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + i_1))) = each((*lanes_at(&work_t, layout__WORK_INPUTS + i_1)));
+        (*cspan_at(&work, layout__WORK_DISPLACED + i_1)) = (*cspan_at(&work, layout__WORK_INPUTS + i_1));
+    }
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY))));
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_YAW))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_YAW))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE))));
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_YAW)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_YAW)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY))));
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY))));
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY))));
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY))));
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY))));
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
+    EACH_LANE each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL))) = each((*lanes_at(&work_t, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL))) + (each(time_t) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)) + time * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY))));
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL)) = (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL)) + time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
+    return INT64_C(0);
+}
+
+/* Derivative of ``keep_sides``. */
+static inline int64_t derivative_depth_rates__keep_sides_t(array_double_1d work, array_lanes_1d work_t)
+{
+    int64_t index;
+    int64_t support;
+    int64_t side;
+    int64_t i_1;
+    int64_t i_2;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        for (i_1 = INT64_C(0); i_1 < layout__CONTACT_POINT_SIZE; i_1 += INT64_C(1))
+        {
+            EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_POINT + i_1))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_POINT + i_1)));
+            (*cspan_at(&work, support + layout__SUPPORT_POINT + i_1)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_POINT + i_1));
+        }
+        for (i_2 = INT64_C(0); i_2 < layout__PATCH_TOTALS_SIZE; i_2 += INT64_C(1))
+        {
+            EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_TOTALS + i_2))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_TOTALS + i_2)));
+            (*cspan_at(&work, support + layout__SUPPORT_TOTALS + i_2)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + i_2));
+        }
+        EACH_LANE each((*lanes_at(&work_t, support + layout__SUPPORT_PENETRATION))) = each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION)));
+        (*cspan_at(&work, support + layout__SUPPORT_PENETRATION)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION));
+        (*lanes_at(&work_t, support + layout__SUPPORT_PATCH_COUNT)) = all_lanes(0.0);
+        (*cspan_at(&work, support + layout__SUPPORT_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))));
+    }
+    return INT64_C(0);
+}
+
+/* Derivative of ``restore_sides``. */
+static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d work, array_lanes_1d work_t)
+{
+    int64_t index;
+    int64_t support;
+    int64_t side;
+    int64_t i_1;
+    int64_t i_2;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        for (i_1 = INT64_C(0); i_1 < layout__CONTACT_POINT_SIZE; i_1 += INT64_C(1))
+        {
+            EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_POINT + i_1))) = each((*lanes_at(&work_t, support + layout__SUPPORT_POINT + i_1)));
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_POINT + i_1)) = (*cspan_at(&work, support + layout__SUPPORT_POINT + i_1));
+        }
+        for (i_2 = INT64_C(0); i_2 < layout__PATCH_TOTALS_SIZE; i_2 += INT64_C(1))
+        {
+            EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_TOTALS + i_2))) = each((*lanes_at(&work_t, support + layout__SUPPORT_TOTALS + i_2)));
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + i_2)) = (*cspan_at(&work, support + layout__SUPPORT_TOTALS + i_2));
+        }
+        EACH_LANE each((*lanes_at(&work_t, side + layout__SIDE_SEARCH_PENETRATION))) = each((*lanes_at(&work_t, support + layout__SUPPORT_PENETRATION)));
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) = (*cspan_at(&work, support + layout__SUPPORT_PENETRATION));
+        (*lanes_at(&work_t, side + layout__SIDE_SEARCH_PATCH_COUNT)) = all_lanes(0.0);
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, support + layout__SUPPORT_PATCH_COUNT))));
+    }
+    return INT64_C(0);
+}
+
+
 /* ---- From derivative_forces.py; change that one.
  *
  * Derivatives of forces.py.
@@ -928,33 +1048,6 @@ static inline int64_t derivative_requested__side_force_t(double* result_0, lanes
     return 0;
 }
 
-/* Derivative of ``carried_share``. */
-static inline int64_t derivative_requested__carried_share_t(double* share, lanes* share_t, array_double_1d work, array_lanes_1d work_t, int64_t index)
-{
-    double v1;
-    double v2;
-    lanes wanted_t;
-    double wanted;
-    int64_t forces;
-    double v3;
-    double v4;
-    (*share_t) = all_lanes(0.0);
-    (*share) = 1.0;
-    v1 = (double)(INT64_C(2) * index - INT64_C(1));
-    v2 = 1.0 + v1 * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER));
-    EACH_LANE each(wanted_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE))) * v2 + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (v1 * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER))));
-    wanted = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v2;
-    forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
-    if ((wanted > 0.0) && ((*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) < 0.0))
-    {
-        v3 = -(*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
-        v4 = v3 / wanted;
-        EACH_LANE each((*share_t)) = ((-each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2))))) - v4 * each(wanted_t)) / wanted;
-        (*share) = v4;
-    }
-    return 0;
-}
-
 
 /* ---- From derivative_rigid.py; change that one.
  *
@@ -1006,14 +1099,14 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d ta
 {
     int64_t right;
     right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
-    derivative_motion__open_motion_t(work, work_t, tables, right);
+    derivative_motion__open_motion_t(work, work_t, tables, right, layout__WORK_INPUTS);
     derivative_motion__mirror_motion_t(work, work_t, right, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
     if (motion__are_independent(tables))
     {
-        derivative_motion__turn_wheels_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right);
+        derivative_motion__turn_wheels_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, layout__WORK_INPUTS);
     }
-    derivative_motion__open_left_rail_t(tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
-    derivative_motion__open_right_rail_t(tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL);
+    derivative_motion__open_left_rail_t(tables, work, work_t, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL, layout__WORK_INPUTS);
+    derivative_motion__open_right_rail_t(tables, work, work_t, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL, layout__WORK_INPUTS);
     if (rails__on_springs(tables))
     {
         derivative_motion__carry_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_DEFLECTION);
@@ -1023,20 +1116,29 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d ta
     return INT64_C(0);
 }
 
+/* Derivative of ``move_wheelset``. */
+static inline int64_t derivative_rubbing__move_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+{
+    if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    {
+        derivative_rubbing__open_given_motion_t(tables, work, work_t);
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
+        {
+            derivative_rubbing__constrain_side_t(tables, work, work_t, INT64_C(0));
+            derivative_rubbing__constrain_side_t(tables, work, work_t, INT64_C(1));
+            derivative_motion__set_contact_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
+        }
+    }
+    return INT64_C(0);
+}
+
 /* Derivative of ``move_patches``. */
 static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     int64_t index;
-    if (!requested__is_rolling(work, tables))
+    if (!requested__is_rolling(work, tables, layout__WORK_INPUTS))
     {
         return INT64_C(0);
-    }
-    derivative_rubbing__open_given_motion_t(tables, work, work_t);
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
-    {
-        derivative_rubbing__constrain_side_t(tables, work, work_t, INT64_C(0));
-        derivative_rubbing__constrain_side_t(tables, work, work_t, INT64_C(1));
-        derivative_motion__set_contact_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
     }
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
@@ -2223,7 +2325,7 @@ static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, a
     {
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
         rubbing = requested__has_creep_forces(tables, work);
-        if (requested__is_rolling(work, tables))
+        if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
         {
             derivative_rubbing__move_side_t(work, work_t, tables, side);
         }
@@ -2332,4 +2434,37 @@ static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, a
         (*cspan_at(&work, support + layout__SUPPORT_LEVER)) = v7;
     }
     return status;
+}
+
+
+/* ---- From derivative_vertical_load.py; change that one.
+ *
+ * Derivatives of vertical_load.py.
+ */
+
+/* Derivative of ``carried_share``. */
+static inline int64_t derivative_vertical_load__carried_share_t(double* share, lanes* share_t, array_double_1d work, array_lanes_1d work_t, int64_t index)
+{
+    double v1;
+    double v2;
+    lanes wanted_t;
+    double wanted;
+    int64_t forces;
+    double v3;
+    double v4;
+    (*share_t) = all_lanes(0.0);
+    (*share) = 1.0;
+    v1 = (double)(INT64_C(2) * index - INT64_C(1));
+    v2 = 1.0 + v1 * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER));
+    EACH_LANE each(wanted_t) = each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE))) * v2 + (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (v1 * each((*lanes_at(&work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER))));
+    wanted = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v2;
+    forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
+    if ((wanted > 0.0) && ((*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) < 0.0))
+    {
+        v3 = -(*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)));
+        v4 = v3 / wanted;
+        EACH_LANE each((*share_t)) = ((-each((*lanes_at(&work_t, forces + layout__FORCES_FORCE + INT64_C(2))))) - v4 * each(wanted_t)) / wanted;
+        (*share) = v4;
+    }
+    return 0;
 }

@@ -121,6 +121,12 @@ static inline int64_t derivative_deep_points__keep_points_t(array_double_1d work
 static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, lanes height_t);
 static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t kept, int64_t place, double height, lanes height_t);
 
+/* derivative_depth_rates.py */
+static inline int64_t derivative_depth_rates__motion_size_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs);
+static inline int64_t derivative_depth_rates__displace_inputs_t(array_double_1d work, array_lanes_1d work_t, double time, lanes time_t);
+static inline int64_t derivative_depth_rates__keep_sides_t(array_double_1d work, array_lanes_1d work_t);
+static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d work, array_lanes_1d work_t);
+
 /* derivative_estimate.py */
 static inline int64_t derivative_estimate__guess_penetration_t(double* v3, lanes* v3_t, double force, lanes force_t, double A, lanes A_t, double contact_modulus, lanes contact_modulus_t);
 static inline int64_t derivative_estimate__estimate_penetration_t(double* result_0, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t);
@@ -188,6 +194,7 @@ static inline int64_t derivative_hertz_contact__press_ellipse_t(double* v7, lane
 static inline int64_t derivative_hertz_contact__profile_ends_t(double* low, lanes* low_t, double* high, lanes* high_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region);
 static inline int64_t derivative_hertz_contact__widest_ellipse_t(double* v7, lanes* v7_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double low, lanes low_t, double high, lanes high_t);
 static inline int64_t derivative_hertz_contact__narrow_ellipse_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t, double B, lanes B_t, double force, lanes force_t, double prescribed, lanes prescribed_t, double widest, lanes widest_t);
+static inline int64_t derivative_hertz_contact__fill_ellipse_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t region, double half_length, lanes half_length_t, double half_width, lanes half_width_t);
 static inline int64_t derivative_hertz_contact__hertz_contact_t(double* penetration, lanes* penetration_t, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
 
 /* derivative_leaning.py */
@@ -220,17 +227,18 @@ static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array
 static inline int64_t derivative_march__march_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table);
 
 /* derivative_motion.py */
-static inline int64_t derivative_motion__rolling_rate_t(double* rate, lanes* rate_t, array_double_1d work, array_lanes_1d work_t, double given, lanes given_t, double radius, lanes radius_t);
-static inline int64_t derivative_motion__turn_wheels_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t left, int64_t right);
-static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t motion);
+static inline int64_t derivative_motion__rolling_rate_t(double* rate, lanes* rate_t, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double given, lanes given_t, double radius, lanes radius_t);
+static inline int64_t derivative_motion__turn_wheels_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t left, int64_t right, int64_t inputs);
+static inline int64_t derivative_motion__open_motion_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t motion, int64_t inputs);
 static inline int64_t derivative_motion__mirror_motion_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t mirrored);
-static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail);
-static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail);
+static inline int64_t derivative_motion__open_left_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail, int64_t inputs);
+static inline int64_t derivative_motion__open_right_rail_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t rail, int64_t inputs);
 static inline int64_t derivative_motion__carry_rail_t(array_double_1d work, array_lanes_1d work_t, int64_t rail, int64_t deflection);
 static inline int64_t derivative_motion__set_rates_t(array_double_1d work, array_lanes_1d work_t, int64_t left, int64_t right, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t);
 static inline int64_t derivative_motion__constrain_touching_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t point);
 static inline int64_t derivative_motion__constrain_loaded_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t forces);
 static inline int64_t derivative_motion__known_part_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion);
+static inline int64_t derivative_motion__constraint_residual_t(double* v3, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t motion);
 static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d work, array_lanes_1d work_t, int64_t left, int64_t right);
 
 /* derivative_node_patches.py */
@@ -349,7 +357,6 @@ static inline int64_t derivative_report__report_t(array_double_1d tables, array_
 
 /* derivative_requested.py */
 static inline int64_t derivative_requested__side_force_t(double* result_0, lanes* result_1, array_double_1d work, array_lanes_1d work_t, int64_t index);
-static inline int64_t derivative_requested__carried_share_t(double* share, lanes* share_t, array_double_1d work, array_lanes_1d work_t, int64_t index);
 
 /* derivative_rigid.py */
 static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t);
@@ -357,12 +364,13 @@ static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, ar
 /* derivative_roll.py */
 static inline int64_t derivative_roll__restore_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t place);
 static inline int64_t derivative_roll__turn_both_t(array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t);
-static inline int64_t derivative_roll__lean_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double roll, lanes roll_t);
-static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, double roll, lanes roll_t);
+static inline int64_t derivative_roll__lean_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, double roll, lanes roll_t);
+static inline int64_t derivative_roll__place_both_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, double roll, lanes roll_t);
 
 /* derivative_rubbing.py */
 static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline int64_t derivative_rubbing__move_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_rubbing__move_side_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
 static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_rubbing__strip_shear_t(double* shear, lanes* shear_t, array_double_1d work, array_lanes_1d work_t, int64_t strip);
@@ -528,25 +536,31 @@ static inline int64_t derivative_tractions__point_weight_t(double* result_0, lan
 static inline int64_t derivative_trial__permitted_approach_t(double* approach, lanes* approach_t, array_double_1d work, array_lanes_1d work_t, int64_t support, int64_t side, double height, lanes height_t);
 static inline int64_t derivative_trial__balance_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double force, lanes force_t, double height, lanes height_t);
 
+/* derivative_vertical_load.py */
+static inline int64_t derivative_vertical_load__carried_share_t(double* share, lanes* share_t, array_double_1d work, array_lanes_1d work_t, int64_t index);
+
 /* derivative_wear_places.py */
 static inline int64_t derivative_wear_places__profile_places_t(double* rail, lanes* rail_t, double* wheel, lanes* wheel_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t region, double station, lanes station_t);
 static inline int64_t derivative_wear_places__place_strips_of_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t patch, int64_t worn);
 static inline int64_t derivative_wear_places__place_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side);
 
 /* derivative_wheelset_rules.py */
-static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t);
-static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t);
+static inline int64_t derivative_wheelset_rules__begin_yaw_t(array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t);
+static inline int64_t derivative_wheelset_rules__place_moving_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t inputs, double roll, lanes roll_t);
 static inline int64_t derivative_wheelset_rules__follow_minimum_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
 static inline int64_t derivative_wheelset_rules__follow_roll_t(double* roll, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_wheelset_rules__follow_gaps_t(double* result_0, lanes* result_1, double* result_2, lanes* result_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t);
 static inline int64_t derivative_wheelset_rules__follow_leaning_roll_t(double* roll, lanes* roll_rate, array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_wheelset_rules__follow_position_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t, double height, lanes height_t);
 static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
+static inline int64_t derivative_wheelset_rules__follow_displaced_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t);
+static inline int64_t derivative_wheelset_rules__follow_residuals_t(double* left, lanes* left_t, double* right, lanes* right_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double time, lanes time_t, double vertical, lanes vertical_t, double roll_rate, lanes roll_rate_t);
+static inline int64_t derivative_wheelset_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_wheelset_rules__follow_deflection_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, double lateral, lanes lateral_t, double vertical, lanes vertical_t);
 static inline bool derivative_wheelset_rules__follow_settled_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
 static inline bool derivative_wheelset_rules__follow_compliant_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
-static inline int64_t derivative_wheelset_rules__follow_load_t(array_double_1d work, array_lanes_1d work_t);
+static inline bool derivative_wheelset_rules__follow_load_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 
 /* derivative_widths.py */

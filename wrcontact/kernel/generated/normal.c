@@ -44,6 +44,7 @@ static inline int64_t hertz_contact__press_ellipse(double* result_0, double* res
 static inline int64_t hertz_contact__profile_ends(double* low, double* high, array_double_1d tables, array_double_1d work, int64_t pair, int64_t region);
 static OUT_OF_LINE double hertz_contact__widest_ellipse(array_double_1d tables, array_double_1d work, int64_t pair, int64_t region, double low, double high);
 static OUT_OF_LINE double hertz_contact__narrow_ellipse(array_double_1d work, array_double_1d tables, int64_t region, double A, double B, double force, double prescribed, double widest);
+static inline int64_t hertz_contact__fill_ellipse(array_double_1d work, int64_t side, int64_t region, double half_length, double half_width);
 static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 
 /* normal/node_patches.py */
@@ -1133,9 +1134,6 @@ static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t*
     double low;
     double high;
     double widest;
-    double load;
-    int64_t patch;
-    double pressure;
     point = side + layout__SIDE_SEARCH_POINT;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_X_TRACK)) = (*cspan_at(&work, point + layout__CONTACT_POINT_X_TRACK));
     A = 0.5 * (*cspan_at(&work, point + layout__CONTACT_POINT_CURVATURE_X));
@@ -1153,14 +1151,29 @@ static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t*
         B = hertz_contact__narrow_ellipse(work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed, widest);
         hertz_contact__press_ellipse(&half_length, &half_width, &stiffness, penetration, work, tables, layout__WORK_CONTACT + layout__CONTACT_REGIONS, A, B, force, prescribed);
     }
-    load = stiffness * (*penetration) * sqrt((*penetration));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_STIFFNESS)) = 1.5 * stiffness * sqrt((*penetration));
-    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = load;
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_CARRIED)) = stiffness * (*penetration) * sqrt((*penetration));
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_MOMENT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_SLANT)) = 0.0;
     (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_REGIONS + layout__REGION_LOCAL_PENETRATION)) = (*penetration);
+    if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
+    {
+        hertz_contact__fill_ellipse(work, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, half_length, half_width);
+    }
+    (*result_1) = INT64_C(1);
+    (*result_2) = 1;
+    return 0;
+}
+
+/* Let the ellipse with these half-axes [m] be the only patch of a side. */
+static inline int64_t hertz_contact__fill_ellipse(array_double_1d work, int64_t side, int64_t region, double half_length, double half_width)
+{
+    double load;
+    int64_t patch;
+    double pressure;
     filling__clear_patches(work, side);
-    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * filling__begin_patch(work, side, layout__WORK_CONTACT + layout__CONTACT_REGIONS, -half_width, INT64_C(0), layout__RULE_ELLIPSE);
+    load = (*cspan_at(&work, region + layout__REGION_CARRIED));
+    patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * filling__begin_patch(work, side, region, -half_width, INT64_C(0), layout__RULE_ELLIPSE);
     filling__add_load(work, patch, INT64_C(0), load, 0.0);
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) = M_PI * half_length * half_width;
     (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_STOP)) = half_width;
@@ -1169,9 +1182,7 @@ static inline int64_t hertz_contact__hertz_contact(double* penetration, int64_t*
     (*cspan_at(&work, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = half_length * half_length;
     filling__finish_patch(work, side);
     filling__finish_patches(work, side);
-    (*result_1) = INT64_C(1);
-    (*result_2) = 1;
-    return 0;
+    return INT64_C(0);
 }
 
 /* Half-length and half-width [m], N / penetration^(3/2) [N/m^1.5] and penetration [m] of the ellipse for

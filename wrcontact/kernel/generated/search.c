@@ -30,8 +30,8 @@ static inline int64_t first_root__lever_range(double* least, double* most, array
 static inline bool first_root__has_no_root(array_double_1d work, array_double_1d tables, int64_t near, int64_t far, double sign);
 static inline int64_t first_root__root_before(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, double near, double middle, double sign);
 static inline int64_t first_root__first_root(double* result_0, int64_t* result_1, array_double_1d work, array_double_1d tables, double roll);
-static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, double guess, bool warm);
-static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, double guess, bool warm);
+static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm);
+static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm);
 
 /* search/rising_cell.py */
 static ALWAYS_INLINE int64_t rising_cell__rate_at_node(double* abscissa, double* bend, double* stretch, double* result_3, array_double_1d tables, array_double_1d work, int64_t pair, int64_t at, int64_t node);
@@ -42,8 +42,8 @@ static OUT_OF_LINE bool rising_cell__rises_in_cell(array_double_1d tables, array
 static inline int64_t roll__nearest_start(array_double_1d tables, int64_t starts, double shift);
 static inline int64_t roll__restore_yaw(array_double_1d work, int64_t place);
 static inline int64_t roll__turn_both(array_double_1d work, double roll);
-static inline int64_t roll__lean_both(array_double_1d work, array_double_1d tables, double roll);
-static inline int64_t roll__place_both(array_double_1d work, array_double_1d tables, double roll);
+static inline int64_t roll__lean_both(array_double_1d work, array_double_1d tables, int64_t inputs, double roll);
+static inline int64_t roll__place_both(array_double_1d work, array_double_1d tables, int64_t inputs, double roll);
 static inline bool roll__search_both(array_double_1d work, array_double_1d tables, bool known);
 static inline int64_t roll__keep_known(array_double_1d work, int64_t side, double y, double gap, double abscissa);
 static inline bool roll__follow_side(array_double_1d tables, array_double_1d work, int64_t pair, int64_t side);
@@ -51,7 +51,7 @@ static inline int64_t roll__newton_move(double* difference, double* move, array_
 static inline bool roll__on_profiles(array_double_1d tables, int64_t pair, double y, double abscissa);
 static inline int64_t roll__equalize_minima(double* result_0_0001, bool* result_1_0001, array_double_1d work, array_double_1d tables, double roll, double low, double high);
 static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_1_0001, array_double_1d work, array_double_1d tables, double roll, double first, double last, bool known);
-static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, double guess, bool warm);
+static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm);
 
 /* search/smallest_gap.py */
 static inline int64_t smallest_gap__write_cell(array_double_1d work, int64_t cell, double low, double high, double gap_low, double gap_high, double mismatch_low, double mismatch_high);
@@ -411,20 +411,20 @@ static inline double bounds__least_slope(double least, double most, double width
  * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from. A start from which there is
  * no roll does not decide that.
  */
-static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, double guess, bool warm)
+static inline int64_t first_root__solve_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm)
 {
-    first_root__certified_roll(roll, status, work, tables, guess, warm);
+    first_root__certified_roll(roll, status, work, tables, inputs, guess, warm);
     if (((*status) != layout__VALID) && ((guess != 0.0) || warm))
     {
-        first_root__certified_roll(roll, status, work, tables, 0.0, 0);
+        first_root__certified_roll(roll, status, work, tables, inputs, 0.0, 0);
     }
     return 0;
 }
 
 /* ``solve_roll`` from this start alone. */
-static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, double guess, bool warm)
+static inline int64_t first_root__certified_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm)
 {
-    roll__any_roll(roll, status, work, tables, guess, warm);
+    roll__any_roll(roll, status, work, tables, inputs, guess, warm);
     if (((*status) == layout__VALID) && (!first_root__falls_at_zero_roll(work, tables, (*roll))))
     {
         if (!first_root__is_certainly_first(work, tables, (*roll)))
@@ -978,29 +978,29 @@ static inline int64_t roll__nearest_start(array_double_1d tables, int64_t starts
 }
 
 /* Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR). */
-static inline int64_t roll__place_both(array_double_1d work, array_double_1d tables, double roll)
+static inline int64_t roll__place_both(array_double_1d work, array_double_1d tables, int64_t inputs, double roll)
 {
-    locus__place_wheelset(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW)), roll, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)), (*cspan_at(&tables, layout__TABLES_HEIGHT)), (*cspan_at(&tables, layout__TABLES_ARM)));
+    locus__place_wheelset(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, inputs + layout__INPUTS_LATERAL_SHIFT)), (*cspan_at(&work, inputs + layout__INPUTS_YAW)), roll, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RADIUS)), (*cspan_at(&tables, layout__TABLES_HEIGHT)), (*cspan_at(&tables, layout__TABLES_ARM)));
     locus__mirror_place(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RADIUS)));
-    rails__move_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL)));
-    rails__move_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL)));
+    rails__move_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL)), (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL)));
+    rails__move_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL)), (*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL)));
     if (rails__on_springs(tables))
     {
         rails__deflect_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_DEFLECTION);
         rails__deflect_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, layout__WORK_SIDES + layout__SIDE_SEARCH_DEFLECTION);
     }
-    if (((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)) != 0.0))
+    if (((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL)) != 0.0) || ((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)) != 0.0))
     {
-        roll__lean_both(work, tables, roll);
+        roll__lean_both(work, tables, inputs, roll);
     }
     return INT64_C(0);
 }
 
 /* Let both rails have their roll below wheels that are placed at ``roll``. */
-static inline int64_t roll__lean_both(array_double_1d work, array_double_1d tables, double roll)
+static inline int64_t roll__lean_both(array_double_1d work, array_double_1d tables, int64_t inputs, double roll)
 {
-    rails__lean_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RAIL_Y)), (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL)));
-    rails__lean_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y)), -(*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL)));
+    rails__lean_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1) + layout__PAIR_RAIL_Y)), (*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL)));
+    rails__lean_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_PLACE, (*cspan_at(&tables, layout__TABLES_PAIRS + layout__PAIR_RAIL_Y)), -(*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL)));
     roll__turn_both(work, roll);
     return INT64_C(0);
 }
@@ -1324,7 +1324,7 @@ static inline int64_t roll__roll_between(double* result_0_0001, int64_t* result_
  *
  * With ``warm`` = 1 ``best_y`` of both sides holds minima to start from.
  */
-static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, double guess, bool warm)
+static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double_1d work, array_double_1d tables, int64_t inputs, double guess, bool warm)
 {
     double start;
     bool known;
@@ -1335,7 +1335,7 @@ static inline int64_t roll__any_roll(double* roll, int64_t* status, array_double
         start = 0.0;
     }
     known = 0;
-    roll__place_both(work, tables, start);
+    roll__place_both(work, tables, inputs, start);
     if (warm)
     {
         roll__equalize_minima(&balanced, &known, work, tables, start, -layout__ROLL_LIMIT, layout__ROLL_LIMIT);

@@ -26,11 +26,21 @@ static OUT_OF_LINE bool compliant__search_requested(array_double_1d tables, arra
 static OUT_OF_LINE int64_t compliant__load_standing(array_double_1d tables, array_double_1d work, int64_t index, double height);
 static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, array_double_1d work);
 
+/* wheelset/depth_rates.py */
+static inline double depth_rates__motion_size(array_double_1d work, array_double_1d tables, int64_t inputs);
+static inline int64_t depth_rates__keep_sides(array_double_1d work);
+static inline int64_t depth_rates__displace_inputs(array_double_1d work, double time);
+static OUT_OF_LINE bool depth_rates__displace(array_double_1d tables, array_double_1d work, double vertical, double roll_rate, double time);
+static OUT_OF_LINE bool depth_rates__find_residuals(array_double_1d tables, array_double_1d work, double vertical, double roll_rate, double time, bool central);
+static OUT_OF_LINE int64_t depth_rates__settle_rates(array_double_1d tables, array_double_1d work, double speed);
+static inline int64_t depth_rates__restore_sides(array_double_1d work);
+static inline int64_t depth_rates__follow_depths(array_double_1d tables, array_double_1d work);
+
 /* wheelset/elastic.py */
 static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d tables, array_double_1d work);
 static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, double arm, double rate);
 static OUT_OF_LINE int64_t elastic__renewed(double* result_0, double* result_1, array_double_1d work, double by_height, double by_roll, double change);
-static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double height);
+static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double left, double right);
 static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, double rate);
 static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d tables, array_double_1d work, double roll);
 static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right);
@@ -68,20 +78,14 @@ static inline int64_t report__report_side(array_double_1d tables, array_double_1
 static inline int64_t report__report(array_double_1d tables, array_double_1d work);
 
 /* wheelset/requested.py */
-static inline bool requested__is_rail_far(array_double_1d work);
-static inline int64_t requested__check_inputs(array_double_1d work, array_double_1d tables);
+static inline bool requested__is_rail_far(array_double_1d work, int64_t inputs);
+static inline int64_t requested__check_inputs(array_double_1d work, array_double_1d tables, int64_t inputs);
 static inline double requested__side_force(array_double_1d work, int64_t index);
 static inline bool requested__is_requested(array_double_1d tables, int64_t index);
 static inline int64_t requested__requested_outcome(array_double_1d tables, array_double_1d work, int64_t status);
-static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables);
+static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables, int64_t inputs);
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work);
 static inline bool requested__has_wear(array_double_1d tables);
-static inline int64_t requested__release_friction(array_double_1d work);
-static inline bool requested__carries_friction(array_double_1d tables, array_double_1d work);
-static inline double requested__carried_share(array_double_1d work, int64_t index);
-static inline bool requested__is_load_met(array_double_1d work, double share);
-static inline double requested__next_load(array_double_1d work, int64_t support, double share);
-static inline int64_t requested__share_load(array_double_1d work);
 
 /* wheelset/rigid.py */
 static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double roll);
@@ -92,6 +96,7 @@ static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d sta
 /* wheelset/rubbing.py */
 static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_double_1d work);
 static inline int64_t rubbing__constrain_side(array_double_1d tables, array_double_1d work, int64_t index);
+static inline int64_t rubbing__move_wheelset(array_double_1d tables, array_double_1d work);
 static inline int64_t rubbing__move_side(array_double_1d work, array_double_1d tables, int64_t side);
 static inline int64_t rubbing__move_patches(array_double_1d tables, array_double_1d work);
 static inline double rubbing__strip_shear(array_double_1d work, int64_t strip);
@@ -168,6 +173,16 @@ static OUT_OF_LINE int64_t trial__balance_both(array_double_1d tables, array_dou
 static OUT_OF_LINE bool trial__turn_to(array_double_1d tables, array_double_1d work, double roll);
 static OUT_OF_LINE bool trial__turn_near(array_double_1d tables, array_double_1d work, double roll);
 static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t status);
+
+/* wheelset/vertical_load.py */
+static inline int64_t vertical_load__release_friction(array_double_1d work);
+static inline bool vertical_load__carries_friction(array_double_1d tables, array_double_1d work);
+static inline double vertical_load__carried_share(array_double_1d work, int64_t index);
+static inline bool vertical_load__is_enclosed(array_double_1d work, int64_t support);
+static inline bool vertical_load__is_load_met(array_double_1d work);
+static inline int64_t vertical_load__enclose_load(array_double_1d work, int64_t support, double share);
+static inline double vertical_load__next_load(array_double_1d work, int64_t support, double share);
+static inline int64_t vertical_load__share_load(array_double_1d work);
 
 
 /* ---- From wheelset/at_height.py; change that one.
@@ -695,7 +710,7 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, ar
         springs__rest_rail(tables, work, INT64_C(0));
         springs__rest_rail(tables, work, INT64_C(1));
     }
-    roll__place_both(work, tables, roll);
+    roll__place_both(work, tables, layout__WORK_INPUTS, roll);
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = roll;
     (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) = height;
     if (at_height__is_damped(tables))
@@ -754,6 +769,230 @@ static OUT_OF_LINE int64_t compliant__load_standing(array_double_1d tables, arra
     }
     result = at_height__load_at_height(tables, work, index, height);
     return result;
+}
+
+
+/* ---- From wheelset/depth_rates.py; change that one.
+ *
+ * How the depth of an elastic wheelset changes while it moves: its vertical velocity and roll rate.
+ *
+ * Under a load that stays, a wheel sinks deeper where its patches change their shape.  The velocities that
+ * follow from the loads' work (rubbing.py) leave this out.  Here both sides are displaced along the run, a
+ * little ahead and as far back, by these velocities, and the heights at which they carry their loads there show
+ * what is missing.  The residual of a side, how much faster than the wheelset it comes down, vanishes in the
+ * velocities that are sought, as that of its height does in equilibrium: the derivatives of both are the same,
+ * and so is the method, Broyden's (elastic.py).
+ */
+
+/* Correct the vertical velocity and roll rate of an elastic wheelset by how its depth changes. */
+static inline int64_t depth_rates__follow_depths(array_double_1d tables, array_double_1d work)
+{
+    int64_t right;
+    double speed;
+    if (((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_ELASTIC) && requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    {
+        right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
+        (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY)) = (*cspan_at(&work, right + layout__MOTION_VERTICAL));
+        (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE)) = (*cspan_at(&work, right + layout__MOTION_TURN_X)) * (*cspan_at(&work, right + layout__MOTION_AHEAD_X)) + (*cspan_at(&work, right + layout__MOTION_TURN_Y)) * (*cspan_at(&work, right + layout__MOTION_AHEAD_Y));
+        (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED)) = (double)(1);
+        speed = depth_rates__motion_size(work, tables, layout__WORK_INPUTS);
+        if (speed > 0.0)
+        {
+            depth_rates__keep_sides(work);
+            depth_rates__settle_rates(tables, work, speed);
+            depth_rates__restore_sides(work);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* About how fast wheels and rails move against each other [m/s], but for rolling. */
+static inline double depth_rates__motion_size(array_double_1d work, array_double_1d tables, int64_t inputs)
+{
+    double turning;
+    double left;
+    double right;
+    double result;
+    turning = (*cspan_at(&tables, layout__TABLES_ARM)) * fabs((*cspan_at(&work, inputs + layout__INPUTS_YAW_RATE)));
+    left = fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY))) + fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY))) + (*cspan_at(&tables, layout__TABLES_HEIGHT)) * fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY)));
+    right = fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY))) + fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY))) + (*cspan_at(&tables, layout__TABLES_HEIGHT)) * fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY)));
+    result = fabs((*cspan_at(&work, inputs + layout__INPUTS_LATERAL_VELOCITY))) + turning + left + right;
+    return result;
+}
+
+/* The velocities in which both sides' residuals vanish, from those of the loads' work on, which stay
+ * where none are found.
+ */
+static OUT_OF_LINE int64_t depth_rates__settle_rates(array_double_1d tables, array_double_1d work, double speed)
+{
+    int64_t right;
+    double vertical;
+    double roll_rate;
+    bool settled;
+    int64_t i;
+    right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
+    vertical = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY));
+    roll_rate = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE));
+    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) = 0.0;
+    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) = 0.0;
+    settled = 0;
+    for (i = INT64_C(0); i < depth_rates__PASSES; i += INT64_C(1))
+    {
+        if ((!settled) && depth_rates__find_residuals(tables, work, vertical, roll_rate, depth_rates__DISPLACED / speed, i > INT64_C(0)))
+        {
+            elastic__update(work, (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_RESIDUAL)), (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESIDUAL)));
+            if (elastic__find_move(work, (*cspan_at(&tables, layout__TABLES_ARM)), normal_contact__residual_rate(tables)))
+            {
+                vertical += (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
+                roll_rate += (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) / (*cspan_at(&tables, layout__TABLES_ARM));
+                motion__set_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, vertical, roll_rate);
+                settled = (fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) < depth_rates__SETTLED * speed) && (i > INT64_C(0));
+            }
+        }
+    }
+    (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED)) = (double)(settled);
+    if (settled)
+    {
+        (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY)) = vertical;
+        (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE)) = roll_rate;
+    }
+    else
+    {
+        motion__set_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY)), (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE)));
+    }
+    return INT64_C(0);
+}
+
+/* How much faster than with ``vertical`` [m/s] and ``roll_rate`` [rad/s] each side comes down [m/s],
+ * until ``time`` [s] from now, or from as long before where it is ``central``; whether the sides carry
+ * their loads there.
+ */
+static OUT_OF_LINE bool depth_rates__find_residuals(array_double_1d tables, array_double_1d work, double vertical, double roll_rate, double time, bool central)
+{
+    double left;
+    double right;
+    int64_t index;
+    bool found;
+    found = depth_rates__displace(tables, work, vertical, roll_rate, time);
+    left = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
+    right = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT));
+    (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+    (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)) = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT));
+    if (found && central)
+    {
+        time *= 2.0;
+        found = depth_rates__displace(tables, work, vertical, roll_rate, (-0.5) * time);
+    }
+    (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_RESIDUAL)) = (left - (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT))) / time - vertical;
+    (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESIDUAL)) = (right - (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT))) / time - vertical;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        if (!(requested__side_force(work, index) > 0.0))
+        {
+            (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_RESIDUAL)) = motion__constraint_residual(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION);
+        }
+    }
+    return found;
+}
+
+/* Move wheelset and rails on by ``time`` [s] and find the heights at which the sides carry their loads;
+ * whether they do.
+ */
+static OUT_OF_LINE bool depth_rates__displace(array_double_1d tables, array_double_1d work, double vertical, double roll_rate, double time)
+{
+    double height;
+    int64_t index;
+    double force;
+    bool found;
+    depth_rates__displace_inputs(work, time);
+    height = (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT)) + time * vertical;
+    leaning__set_reference(work, height);
+    roll__place_both(work, tables, layout__WORK_DISPLACED, (*cspan_at(&work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) + time * roll_rate);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(0);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(1);
+    found = 1;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        force = requested__side_force(work, index);
+        if ((force > 0.0) && found)
+        {
+            found = trial__balance_side(tables, work, index, force, height) <= layout__UNLOADED;
+        }
+    }
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) = (double)(1);
+    (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING)) = (double)(0);
+    return found;
+}
+
+/* The inputs of a wheelset and rails that have moved on by ``time`` [s]. */
+static inline int64_t depth_rates__displace_inputs(array_double_1d work, double time)
+{
+    int64_t i_1;
+    for (i_1 = INT64_C(0); i_1 < layout__INPUTS_SIZE; i_1 += INT64_C(1))
+    {
+        (*cspan_at(&work, layout__WORK_DISPLACED + i_1)) = (*cspan_at(&work, layout__WORK_INPUTS + i_1));
+    }
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LATERAL_SHIFT)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_VELOCITY));
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_YAW)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW_RATE));
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_LATERAL)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY));
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_VERTICAL)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY));
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_LEFT_RAIL_ROLL)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_LATERAL)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY));
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_VERTICAL)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY));
+    (*cspan_at(&work, layout__WORK_DISPLACED + layout__INPUTS_RIGHT_RAIL_ROLL)) += time * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
+    return INT64_C(0);
+}
+
+/* Keep what displaced wheels overwrite. */
+static inline int64_t depth_rates__keep_sides(array_double_1d work)
+{
+    int64_t index;
+    int64_t support;
+    int64_t side;
+    int64_t i_1;
+    int64_t i_2;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        for (i_1 = INT64_C(0); i_1 < layout__CONTACT_POINT_SIZE; i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work, support + layout__SUPPORT_POINT + i_1)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_POINT + i_1));
+        }
+        for (i_2 = INT64_C(0); i_2 < layout__PATCH_TOTALS_SIZE; i_2 += INT64_C(1))
+        {
+            (*cspan_at(&work, support + layout__SUPPORT_TOTALS + i_2)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + i_2));
+        }
+        (*cspan_at(&work, support + layout__SUPPORT_PENETRATION)) = (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION));
+        (*cspan_at(&work, support + layout__SUPPORT_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT))));
+    }
+    return INT64_C(0);
+}
+
+/* Put back what displaced wheels have overwritten. */
+static inline int64_t depth_rates__restore_sides(array_double_1d work)
+{
+    int64_t index;
+    int64_t support;
+    int64_t side;
+    int64_t i_1;
+    int64_t i_2;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        for (i_1 = INT64_C(0); i_1 < layout__CONTACT_POINT_SIZE; i_1 += INT64_C(1))
+        {
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_POINT + i_1)) = (*cspan_at(&work, support + layout__SUPPORT_POINT + i_1));
+        }
+        for (i_2 = INT64_C(0); i_2 < layout__PATCH_TOTALS_SIZE; i_2 += INT64_C(1))
+        {
+            (*cspan_at(&work, side + layout__SIDE_SEARCH_TOTALS + i_2)) = (*cspan_at(&work, support + layout__SUPPORT_TOTALS + i_2));
+        }
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_PENETRATION)) = (*cspan_at(&work, support + layout__SUPPORT_PENETRATION));
+        (*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)) = (double)((int64_t)((*cspan_at(&work, support + layout__SUPPORT_PATCH_COUNT))));
+    }
+    return INT64_C(0);
 }
 
 
@@ -894,7 +1133,7 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
         {
             elastic__begin_derivatives(work, arm, normal_contact__residual_rate(tables));
         }
-        elastic__update(work, height);
+        elastic__update(work, (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height, (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)) - height);
         if (!elastic__find_move(work, arm, normal_contact__residual_rate(tables)))
         {
             (*result_0_0001) = roll;
@@ -967,15 +1206,15 @@ static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, doub
     return INT64_C(0);
 }
 
-/* The residuals of a trial at ``height`` [m], and the derivatives that the last move has shown. */
-static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double height)
+/* The residuals of a trial, ``left`` and ``right``, and the derivatives that the last move has shown. */
+static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double left, double right)
 {
     double before_left;
     double before_right;
     before_left = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT));
     before_right = (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT));
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height;
-    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) = (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)) - height;
+    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) = left;
+    (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) = right;
     if (fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) > 0.0)
     {
         elastic__renewed(cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT), cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL), work, (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) - before_left);
@@ -1755,59 +1994,51 @@ static OUT_OF_LINE int64_t report__complete_strips(array_double_1d work, int64_t
  *
  * What is asked of a step: whether its inputs can be evaluated, each side's force, and which sides are
  * requested.
- *
- * Vertical loads of which friction carries a part.
- *
- * With ``load="vertical"`` a wheel's whole force, creep forces included, has the vertical component Q that is
- * prescribed.  The first solution leaves creep forces out; it has the component s Q.  Were all forces
- * proportional to the load, normal forces for the load Q / s would give Q: this is the second solution.  From
- * there on a secant through the last two finds the load of each wheel, with two or three more solutions: what is
- * left would otherwise show as noise in differences of the outputs.
  */
 
 /* VALID, INVALID_INPUT if an input has no meaning, or OFF_PROFILE if the pose is outside the
  * range of the profiles.
  */
-static inline int64_t requested__check_inputs(array_double_1d work, array_double_1d tables)
+static inline int64_t requested__check_inputs(array_double_1d work, array_double_1d tables, int64_t inputs)
 {
     int64_t i;
     int64_t status;
     status = layout__VALID;
-    if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT))) > (*cspan_at(&tables, layout__TABLES_LATERAL_LIMIT))) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_YAW))) > (*cspan_at(&tables, layout__TABLES_YAW_LIMIT))))
+    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_LATERAL_SHIFT))) > (*cspan_at(&tables, layout__TABLES_LATERAL_LIMIT))) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_YAW))) > (*cspan_at(&tables, layout__TABLES_YAW_LIMIT))))
     {
         status = layout__OFF_PROFILE;
     }
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_COMPLIANT) && (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL))) > layout__ROLL_LIMIT))
+    if (((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) == layout__MODE_COMPLIANT) && (fabs((*cspan_at(&work, inputs + layout__INPUTS_ROLL))) > layout__ROLL_LIMIT))
     {
         status = layout__OFF_PROFILE;
     }
-    if (requested__is_rail_far(work))
+    if (requested__is_rail_far(work, inputs))
     {
         status = layout__OFF_PROFILE;
     }
-    if (((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) < 0.0) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER))) > 1.0))
+    if (((*cspan_at(&work, inputs + layout__INPUTS_NORMAL_FORCE)) < 0.0) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_LOAD_TRANSFER))) > 1.0))
     {
         status = layout__INVALID_INPUT;
     }
-    if (!(((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP)) >= 0.0) && ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RAIL_TIME_STEP)) <= layout__TIME_LIMIT)))
+    if (!(((*cspan_at(&work, inputs + layout__INPUTS_RAIL_TIME_STEP)) >= 0.0) && ((*cspan_at(&work, inputs + layout__INPUTS_RAIL_TIME_STEP)) <= layout__TIME_LIMIT)))
     {
         status = layout__INVALID_INPUT;
     }
-    if (!motion__is_moderate(work))
+    if (!motion__is_moderate(work, inputs))
     {
         status = layout__INVALID_INPUT;
     }
-    if (!friction__is_frictional((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION)), layout__FRICTION_LIMIT))
+    if (!friction__is_frictional((*cspan_at(&work, inputs + layout__INPUTS_LEFT_FRICTION)), layout__FRICTION_LIMIT))
     {
         status = layout__INVALID_INPUT;
     }
-    if (!friction__is_frictional((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION)), layout__FRICTION_LIMIT))
+    if (!friction__is_frictional((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_FRICTION)), layout__FRICTION_LIMIT))
     {
         status = layout__INVALID_INPUT;
     }
     for (i = INT64_C(0); i < layout__INPUT_COUNT; i += INT64_C(1))
     {
-        if (!isfinite((*cspan_at(&work, layout__WORK_INPUTS + i))))
+        if (!isfinite((*cspan_at(&work, inputs + i))))
         {
             status = layout__INVALID_INPUT;
         }
@@ -1816,23 +2047,23 @@ static inline int64_t requested__check_inputs(array_double_1d work, array_double
 }
 
 /* Whether a rail is displaced further than RAIL_LIMIT, or rolled further than RAIL_ROLL_LIMIT. */
-static inline bool requested__is_rail_far(array_double_1d work)
+static inline bool requested__is_rail_far(array_double_1d work, int64_t inputs)
 {
     bool far;
-    far = (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_LATERAL))) > layout__RAIL_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_LATERAL))) > layout__RAIL_LIMIT);
-    if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_ROLL))) > layout__RAIL_ROLL_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_ROLL))) > layout__RAIL_ROLL_LIMIT))
+    far = (fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL))) > layout__RAIL_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL))) > layout__RAIL_LIMIT);
+    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_ROLL))) > layout__RAIL_ROLL_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL))) > layout__RAIL_ROLL_LIMIT))
     {
         far = 1;
     }
-    if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_VERTICAL))) > layout__RAIL_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_VERTICAL))) > layout__RAIL_LIMIT))
+    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL))) > layout__RAIL_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL))) > layout__RAIL_LIMIT))
     {
         far = 1;
     }
-    if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_LATERAL_BEFORE))) > layout__RAIL_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_RAIL_DEFLECTION_VERTICAL_BEFORE))) > layout__RAIL_LIMIT))
+    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_DEFLECTION_LATERAL_BEFORE))) > layout__RAIL_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_LEFT_RAIL_DEFLECTION_VERTICAL_BEFORE))) > layout__RAIL_LIMIT))
     {
         far = 1;
     }
-    if ((fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_LATERAL_BEFORE))) > layout__RAIL_LIMIT) || (fabs((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE))) > layout__RAIL_LIMIT))
+    if ((fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_DEFLECTION_LATERAL_BEFORE))) > layout__RAIL_LIMIT) || (fabs((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_RAIL_DEFLECTION_VERTICAL_BEFORE))) > layout__RAIL_LIMIT))
     {
         far = 1;
     }
@@ -1840,7 +2071,7 @@ static inline bool requested__is_rail_far(array_double_1d work)
 }
 
 /* The prescribed force of side ``index`` [N], with load transfer; where friction carries some of it, what
- * is left to the normal forces (requested.py).
+ * is left to the normal forces (vertical_load.py).
  */
 static inline double requested__side_force(array_double_1d work, int64_t index)
 {
@@ -1877,13 +2108,13 @@ static inline int64_t requested__requested_outcome(array_double_1d tables, array
 }
 
 /* Whether the wheelset runs or its wheels turn: otherwise there are no creepages. */
-static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables)
+static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables, int64_t inputs)
 {
     bool rolling;
-    rolling = ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_WHEEL_RATE)) != 0.0);
+    rolling = ((*cspan_at(&work, inputs + layout__INPUTS_SPEED)) != 0.0) || ((*cspan_at(&work, inputs + layout__INPUTS_WHEEL_RATE)) != 0.0);
     if (motion__are_independent(tables))
     {
-        rolling = ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_SPEED)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LEFT_WHEEL_RATE)) != 0.0) || ((*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_WHEEL_RATE)) != 0.0);
+        rolling = ((*cspan_at(&work, inputs + layout__INPUTS_SPEED)) != 0.0) || ((*cspan_at(&work, inputs + layout__INPUTS_LEFT_WHEEL_RATE)) != 0.0) || ((*cspan_at(&work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE)) != 0.0);
     }
     return rolling;
 }
@@ -1892,7 +2123,7 @@ static inline bool requested__is_rolling(array_double_1d work, array_double_1d t
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work)
 {
     bool result;
-    result = ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && requested__is_rolling(work, tables);
+    result = ((int64_t)((*cspan_at(&tables, layout__TABLES_TANGENTIAL))) != layout__TANGENTIAL_NONE) && requested__is_rolling(work, tables, layout__WORK_INPUTS);
     return result;
 }
 
@@ -1902,109 +2133,6 @@ static inline bool requested__has_wear(array_double_1d tables)
     bool result;
     result = ((*cspan_at(&tables, layout__TABLES_WEAR)) == 1.0) && ((int64_t)((*cspan_at(&tables, layout__TABLES_DEPTH))) == layout__DEPTH_ALL);
     return result;
-}
-
-/* Friction carries nothing yet. */
-static inline int64_t requested__release_friction(array_double_1d work)
-{
-    int64_t index;
-    int64_t support;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-    {
-        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-        (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = 1.0;
-        (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = 0.0;
-        (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = 0.0;
-    }
-    return INT64_C(0);
-}
-
-/* Whether a part of the prescribed load is carried by friction. */
-static inline bool requested__carries_friction(array_double_1d tables, array_double_1d work)
-{
-    bool carried;
-    carried = 0;
-    if (((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL) && ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT))
-    {
-        carried = requested__has_creep_forces(tables, work);
-    }
-    return carried;
-}
-
-/* The vertical force of a wheel over the load that is wanted of it; 1 for a wheel without load. */
-static inline double requested__carried_share(array_double_1d work, int64_t index)
-{
-    double wanted;
-    int64_t forces;
-    double share;
-    share = 1.0;
-    wanted = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (1.0 + (double)(INT64_C(2) * index - INT64_C(1)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)));
-    forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
-    if ((wanted > 0.0) && ((*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) < 0.0))
-    {
-        share = (-(*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)))) / wanted;
-    }
-    return share;
-}
-
-/* Whether neither wheel misses the vertical force that is wanted by more than this ``share``. */
-static inline bool requested__is_load_met(array_double_1d work, double share)
-{
-    int64_t index;
-    bool met;
-    met = 1;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-    {
-        if (fabs(requested__carried_share(work, index) - 1.0) > share)
-        {
-            met = 0;
-        }
-    }
-    return met;
-}
-
-/* Let the normal forces of both sides carry what friction leaves of the load, or adds to it. */
-static inline int64_t requested__share_load(array_double_1d work)
-{
-    int64_t index;
-    double share;
-    int64_t support;
-    double load;
-    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
-    {
-        share = requested__carried_share(work, index);
-        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
-        load = requested__next_load(work, support, share);
-        (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
-        (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = share;
-        (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = load;
-    }
-    return INT64_C(0);
-}
-
-/* The next load of a side over that of the inputs, where the last one has given ``share`` of what is
- * wanted: from a secant, or in proportion.
- */
-static inline double requested__next_load(array_double_1d work, int64_t support, double share)
-{
-    double load;
-    double change;
-    double slope;
-    double secant;
-    double following;
-    load = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
-    change = load - (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE));
-    slope = share / load;
-    if (((*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) > 0.0) && (fabs(change) > requested__LEAST_CHANGE * load))
-    {
-        secant = (share - (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE))) / change;
-        if ((secant > slope / requested__LARGEST_CHANGE) && (secant < slope * requested__LARGEST_CHANGE))
-        {
-            slope = secant;
-        }
-    }
-    following = double_max(2, double_min(2, load - (share - 1.0) / slope, load * requested__LARGEST_CHANGE), load / requested__LARGEST_CHANGE);
-    return following;
 }
 
 
@@ -2046,7 +2174,7 @@ static inline int64_t rigid__find_roll(double* roll, int64_t* status, array_doub
         }
     }
     leaning__set_reference(work, 0.0);
-    first_root__solve_roll(roll, status, work, tables, guess, warm);
+    first_root__solve_roll(roll, status, work, tables, layout__WORK_INPUTS, guess, warm);
     if (((*status) == layout__VALID) && leaning__is_leaning(work))
     {
         rigid__find_leaning_roll(roll, status, tables, work, (*roll));
@@ -2067,7 +2195,7 @@ static inline int64_t rigid__find_leaning_roll(double* result_0_0001, int64_t* r
     {
         height = leaning__next_reference(work, leaning__RIGID_MET);
         leaning__set_reference(work, height);
-        first_root__solve_roll(&roll, &status, work, tables, roll, 1);
+        first_root__solve_roll(&roll, &status, work, tables, layout__WORK_INPUTS, roll, 1);
         if (status != layout__VALID)
         {
             (*result_0_0001) = roll;
@@ -2141,14 +2269,14 @@ static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_d
 {
     int64_t right;
     right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION;
-    motion__open_motion(work, tables, right);
+    motion__open_motion(work, tables, right, layout__WORK_INPUTS);
     motion__mirror_motion(work, right, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
     if (motion__are_independent(tables))
     {
-        motion__turn_wheels(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right);
+        motion__turn_wheels(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, layout__WORK_INPUTS);
     }
-    motion__open_left_rail(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL);
-    motion__open_right_rail(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL);
+    motion__open_left_rail(tables, work, layout__TABLES_PAIRS, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL, layout__WORK_INPUTS);
+    motion__open_right_rail(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * INT64_C(1), right + layout__MOTION_RAIL, layout__WORK_INPUTS);
     if (rails__on_springs(tables))
     {
         motion__carry_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_DEFLECTION);
@@ -2158,22 +2286,32 @@ static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_d
     return INT64_C(0);
 }
 
-/* Creepages of all patches and their strips, if the wheelset rolls; in compliant contact vertical
- * velocity and roll rate are given, otherwise they follow from contact with both rails.
+/* The velocities of the wheelset, if it rolls; in compliant contact vertical velocity and roll rate are
+ * given, otherwise they follow from contact with both rails, without what the depth of an elastic wheelset
+ * adds (depth_rates.py).
  */
+static inline int64_t rubbing__move_wheelset(array_double_1d tables, array_double_1d work)
+{
+    if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    {
+        rubbing__open_given_motion(tables, work);
+        if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
+        {
+            rubbing__constrain_side(tables, work, INT64_C(0));
+            rubbing__constrain_side(tables, work, INT64_C(1));
+            motion__set_contact_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Creepages of all patches and their strips, if the wheelset rolls. */
 static inline int64_t rubbing__move_patches(array_double_1d tables, array_double_1d work)
 {
     int64_t index;
-    if (!requested__is_rolling(work, tables))
+    if (!requested__is_rolling(work, tables, layout__WORK_INPUTS))
     {
         return INT64_C(0);
-    }
-    rubbing__open_given_motion(tables, work);
-    if ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT)
-    {
-        rubbing__constrain_side(tables, work, INT64_C(0));
-        rubbing__constrain_side(tables, work, INT64_C(1));
-        motion__set_contact_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * INT64_C(1) + layout__SIDE_SEARCH_MOTION);
     }
     for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
     {
@@ -2735,7 +2873,7 @@ static OUT_OF_LINE bool settling_brackets__stand_on(array_double_1d tables, arra
     bool known;
     bool result;
     springs__deflect(work, index, lateral, vertical);
-    roll__place_both(work, tables, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL)));
+    roll__place_both(work, tables, layout__WORK_INPUTS, (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_ROLL)));
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     known = roll__follow_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * index, side);
     result = smallest_gap__search_side(tables, work, layout__TABLES_PAIRS + layout__PAIR_SIZE * index, side, known);
@@ -2750,7 +2888,7 @@ static OUT_OF_LINE int64_t settling_brackets__press_rail(array_double_1d tables,
     {
         return layout__OFF_PROFILE;
     }
-    if (at_height__is_damped(tables) || requested__is_rolling(work, tables))
+    if (at_height__is_damped(tables) || requested__is_rolling(work, tables, layout__WORK_INPUTS))
     {
         rubbing__open_given_motion(tables, work);
     }
@@ -3479,7 +3617,7 @@ static inline int64_t springs__weigh_rail(array_double_1d tables, array_double_1
     {
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
         rubbing = requested__has_creep_forces(tables, work);
-        if (requested__is_rolling(work, tables))
+        if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
         {
             rubbing__move_side(work, tables, side);
         }
@@ -3522,14 +3660,14 @@ static inline bool springs__has_settled(array_double_1d work, int64_t side, doub
 static inline int64_t step__evaluate(array_double_1d tables, array_double_1d work, array_double_1d state)
 {
     int64_t status;
-    status = requested__check_inputs(work, tables);
+    status = requested__check_inputs(work, tables, layout__WORK_INPUTS);
     if (status != layout__VALID)
     {
         return status;
     }
-    requested__release_friction(work);
+    vertical_load__release_friction(work);
     status = step__solve_wheelset(tables, work, state);
-    if ((status <= layout__UNLOADED) && requested__carries_friction(tables, work))
+    if ((status <= layout__UNLOADED) && vertical_load__carries_friction(tables, work))
     {
         status = step__solve_with_friction(tables, work, state, status);
     }
@@ -3541,27 +3679,23 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
 }
 
 /* Vertical loads of which friction carries a part: the wheelset again, until both are met; the status,
- * NOT_CONVERGED where friction jams a wheel.
+ * NOT_CONVERGED where no loads are found.
  */
 static inline int64_t step__solve_with_friction(array_double_1d tables, array_double_1d work, array_double_1d state, int64_t status)
 {
-    int64_t i;
     int64_t outcome;
+    int64_t i;
     outcome = status;
-    for (i = INT64_C(0); i < requested__LOAD_PASSES; i += INT64_C(1))
+    for (i = INT64_C(0); i < vertical_load__LOAD_PASSES; i += INT64_C(1))
     {
-        if ((outcome > layout__UNLOADED) || requested__is_load_met(work, requested__LOAD_MET))
+        if ((outcome > layout__UNLOADED) || vertical_load__is_load_met(work))
         {
-            break;
+            return outcome;
         }
-        requested__share_load(work);
+        vertical_load__share_load(work);
         outcome = step__solve_wheelset(tables, work, state);
     }
-    if ((outcome <= layout__UNLOADED) && (!requested__is_load_met(work, requested__LOAD_MISSED)))
-    {
-        outcome = layout__NOT_CONVERGED;
-    }
-    return outcome;
+    return layout__NOT_CONVERGED;
 }
 
 /* Contact of both wheels, their patches' creepages and creep forces, and all forces; the status. */
@@ -3571,6 +3705,8 @@ static inline int64_t step__solve_wheelset(array_double_1d tables, array_double_
     status = step__stand(tables, work, state);
     if (status <= layout__UNLOADED)
     {
+        rubbing__move_wheelset(tables, work);
+        depth_rates__follow_depths(tables, work);
         rubbing__move_patches(tables, work);
         rubbing__rub_patches(tables, work);
         forces__sum_forces(tables, work);
@@ -3651,7 +3787,7 @@ static inline int64_t step__meet_leaning(double* result_0, int64_t* result_1_000
     {
         height = leaning__next_reference(work, leaning__ELASTIC_MET);
         leaning__set_reference(work, height);
-        roll__place_both(work, tables, rigid_roll);
+        roll__place_both(work, tables, layout__WORK_INPUTS, rigid_roll);
         if (!trial__turn_to(tables, work, rigid_roll))
         {
             (*result_0) = roll;
@@ -3875,4 +4011,193 @@ static OUT_OF_LINE int64_t trial__depth_outcome(array_double_1d work, int64_t st
         }
     }
     return status;
+}
+
+
+/* ---- From wheelset/vertical_load.py; change that one.
+ *
+ * Vertical loads of which friction carries a part.
+ *
+ * With ``load="vertical"`` a wheel's whole force, creep forces included, has the vertical component Q that is
+ * prescribed.  The first solution leaves creep forces out; it has the component s Q.  Were all forces
+ * proportional to the load, normal forces for the load Q / s would give Q: this is the second solution.  From
+ * there on a secant through the last two finds the load of each wheel, with two or three more solutions.
+ *
+ * A steep flange on which friction acts downwards jams: the more it is loaded, the less it carries, until the
+ * patch reaches the flange root.  There the load is met with a multiple of it as normal force.  A wheel without
+ * load carries none, so that the loads tried enclose the one that is sought as soon as one of them carries too
+ * much: until then they are doubled, and what secants do not find, halving does.  Where the vertical force jumps
+ * past Q, the loads end at the jump, and the one above it is taken.
+ */
+
+/* Friction carries nothing yet. */
+static inline int64_t vertical_load__release_friction(array_double_1d work)
+{
+    int64_t index;
+    int64_t support;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+        (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = 1.0;
+        (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = 0.0;
+        (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = 0.0;
+        (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) = 0.0;
+        (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) = 0.0;
+        (*cspan_at(&work, support + layout__SUPPORT_TURNS)) = 0.0;
+    }
+    return INT64_C(0);
+}
+
+/* Whether a part of the prescribed load is carried by friction. */
+static inline bool vertical_load__carries_friction(array_double_1d tables, array_double_1d work)
+{
+    bool carried;
+    carried = 0;
+    if (((int64_t)((*cspan_at(&tables, layout__TABLES_LOAD))) == layout__LOAD_VERTICAL) && ((int64_t)((*cspan_at(&tables, layout__TABLES_MODE))) != layout__MODE_COMPLIANT))
+    {
+        carried = requested__has_creep_forces(tables, work);
+    }
+    return carried;
+}
+
+/* The vertical force of a wheel over the load that is wanted of it; 1 for a wheel without load. */
+static inline double vertical_load__carried_share(array_double_1d work, int64_t index)
+{
+    double wanted;
+    int64_t forces;
+    double share;
+    share = 1.0;
+    wanted = (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * (1.0 + (double)(INT64_C(2) * index - INT64_C(1)) * (*cspan_at(&work, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)));
+    forces = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_FORCES;
+    if ((wanted > 0.0) && ((*cspan_at(&work, forces + layout__FORCES_NORMAL_FORCE + INT64_C(2))) < 0.0))
+    {
+        share = (-(*cspan_at(&work, forces + layout__FORCES_FORCE + INT64_C(2)))) / wanted;
+    }
+    return share;
+}
+
+/* Whether neither wheel misses the vertical force that is wanted, unless this jumps past it. */
+static inline bool vertical_load__is_load_met(array_double_1d work)
+{
+    int64_t index;
+    int64_t support;
+    double share;
+    bool jumps;
+    bool met;
+    met = 1;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+        share = vertical_load__carried_share(work, index);
+        jumps = vertical_load__is_enclosed(work, support) && (share > 1.0) && ((*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) < 1.0) && ((*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) == (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD))) && ((*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) == (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)));
+        if ((!jumps) && (fabs(share - 1.0) > vertical_load__LOAD_MET))
+        {
+            met = 0;
+        }
+    }
+    return met;
+}
+
+/* Whether the loads that enclose the one that is sought have become one. */
+static inline bool vertical_load__is_enclosed(array_double_1d work, int64_t support)
+{
+    bool result;
+    result = (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) - (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) < vertical_load__AT_JUMP * (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD));
+    return result;
+}
+
+/* Let the normal forces of both sides carry what friction leaves of the load, or adds to it. */
+static inline int64_t vertical_load__share_load(array_double_1d work)
+{
+    int64_t index;
+    double share;
+    int64_t support;
+    double load;
+    for (index = INT64_C(0); index < INT64_C(2); index += INT64_C(1))
+    {
+        share = vertical_load__carried_share(work, index);
+        support = layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index;
+        if (fabs(share - 1.0) > vertical_load__LOAD_MET)
+        {
+            vertical_load__enclose_load(work, support, share);
+            load = vertical_load__next_load(work, support, share);
+            (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
+            (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE)) = share;
+            (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD)) = load;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Let the load of a side, which has given ``share`` of what is wanted, be an end of those that enclose
+ * the one that is sought.  The other end goes where the other wheel has moved this one past it.
+ */
+static inline int64_t vertical_load__enclose_load(array_double_1d work, int64_t support, double share)
+{
+    double load;
+    load = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
+    (*cspan_at(&work, support + layout__SUPPORT_TURNS)) += 1.0;
+    if (share < 1.0)
+    {
+        (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) = load;
+        if (!((*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) > load))
+        {
+            (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) = 0.0;
+            (*cspan_at(&work, support + layout__SUPPORT_TURNS)) = 0.0;
+        }
+    }
+    else
+    {
+        (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) = load;
+        if (!((*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) < load))
+        {
+            (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) = 0.0;
+            (*cspan_at(&work, support + layout__SUPPORT_TURNS)) = 0.0;
+        }
+    }
+    return INT64_C(0);
+}
+
+/* The next load of a side over that of the inputs, where the last one has given ``share`` of what is
+ * wanted: from a secant, or in proportion, or between those that enclose the one that is sought.
+ */
+static inline double vertical_load__next_load(array_double_1d work, int64_t support, double share)
+{
+    double load;
+    double change;
+    double slope;
+    double secant;
+    double following;
+    load = (*cspan_at(&work, support + layout__SUPPORT_FRICTION_LOAD));
+    change = load - (*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE));
+    slope = share / load;
+    if (((*cspan_at(&work, support + layout__SUPPORT_LOAD_BEFORE)) > 0.0) && (fabs(change) > vertical_load__LEAST_CHANGE * load))
+    {
+        secant = (share - (*cspan_at(&work, support + layout__SUPPORT_SHARE_BEFORE))) / change;
+        if ((secant > slope / vertical_load__LARGEST_CHANGE) && ((secant < slope * vertical_load__LARGEST_CHANGE) || ((*cspan_at(&work, support + layout__SUPPORT_TURNS)) > vertical_load__LOAD_SECANTS)))
+        {
+            slope = secant;
+        }
+    }
+    following = load * vertical_load__LARGEST_CHANGE;
+    if (slope > 0.0)
+    {
+        following = double_max(2, double_min(2, load - (share - 1.0) / slope, load * vertical_load__LARGEST_CHANGE), load / vertical_load__LARGEST_CHANGE);
+    }
+    if ((*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)) > 0.0)
+    {
+        if (vertical_load__is_enclosed(work, support))
+        {
+            following = (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD));
+            if (load == following)
+            {
+                following = (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD));
+            }
+        }
+        else if ((!((following > (*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD))) && (following < (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD))))) || (((*cspan_at(&work, support + layout__SUPPORT_TURNS)) > vertical_load__LOAD_SECANTS) && ((*cspan_at(&work, support + layout__SUPPORT_TURNS)) - 2.0 * (int64_t)(0.5 * (*cspan_at(&work, support + layout__SUPPORT_TURNS))) < 0.5)))
+        {
+            following = 0.5 * ((*cspan_at(&work, support + layout__SUPPORT_LOW_LOAD)) + (*cspan_at(&work, support + layout__SUPPORT_HIGH_LOAD)));
+        }
+    }
+    return following;
 }

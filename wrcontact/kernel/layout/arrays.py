@@ -15,9 +15,9 @@ from .contact import (CubicTable, CurvatureTable, DeepPoints, FirstWidths, Frame
 from .creep import Rolling, RollingTable
 from .interface import PATCH_LIMIT, Inputs, Outputs, Parameters, PatchOutputs, Resolution, SideOutputs
 from .patch import (Equations, Forces, HertzTable, InfluenceTable, NodesOfRegions, Outline, Patch,
-                    SolvedStrips, StripOutputs, StripProblem, Waves, WearRuns)
+                    PatchTotals, SolvedStrips, StripOutputs, StripProblem, Waves, WearRuns)
 from .record import WIDTH, Float, To, record, size
-from .search import RollTrials, Scan, Sides, Starts
+from .search import ContactPoint, RollTrials, Scan, Sides, Starts
 
 
 @record
@@ -26,6 +26,9 @@ class Wheelset:
 
     roll: float                     # [rad]
     vertical_shift: float           # [m]
+    vertical_velocity: float        # and how fast both grow in elastic contact [m/s, rad/s],
+    roll_rate: float
+    settled: bool                   # with what the depth adds (wheelset/depth_rates.py)
     forces: Forces
 
 
@@ -39,6 +42,14 @@ class Support:
     friction_load: float            # what its normal forces are to carry, over the load of the inputs [-]
     load_before: float              # the one before [-],
     share_before: float             # and what share of the wanted force it has given [-]
+    low_load: float                 # loads that give less and more than that [-]; 0 where none is known
+    high_load: float
+    turns: float                    # in which these were found
+    residual: float                 # how much faster than the wheelset it comes down where it moves [m/s]
+    point: ContactPoint             # what is kept of the side while it is displaced
+    totals: PatchTotals
+    penetration: float              # [m]
+    patch_count: int
 
 
 #: Of the left and right side.
@@ -108,6 +119,8 @@ class Reference:
     """The vertical shift for which wheels are placed over rolled rails, while it is sought."""
 
     height: float                   # the last one [m]
+    low_load: float                 # loads that give less and more than that [-]; 0 where none is known
+    high_load: float
     residual: float                 # how much lower the contact was found [m]
     slope: float                    # how that follows the height [-]
     contacts: float                 # how many were found
@@ -233,6 +246,7 @@ class Work:
     sides: Sides
     contact: Contact
     supports: Supports
+    displaced: Inputs               # those of a wheelset that has moved on
     broyden: Broyden
     height_bracket: Bracket
     roll_bracket: Bracket

@@ -46,13 +46,20 @@ def hertz_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
         B = narrow_ellipse(pair.tables, region, A, B, force, prescribed, widest)
         half_length, half_width, stiffness, penetration = press_ellipse(pair.tables, region, A, B, force,
                                                                         prescribed)
-    load = stiffness * penetration * sqrt(penetration)
     region.stiffness = 1.5 * stiffness * sqrt(penetration)
-    region.carried = load
+    region.carried = stiffness * penetration * sqrt(penetration)
     region.moment = 0.0
     region.slant = 0.0
     region.local_penetration = penetration
+    if contact.filling:
+        fill_ellipse(side, region, half_length, half_width)
+    return penetration, 1, True
+
+
+def fill_ellipse(side: SideSearch, region: Region, half_length: float, half_width: float):
+    """Let the ellipse with these half-axes [m] be the only patch of a side."""
     clear_patches(side)
+    load = region.carried
     patch = side.patches[begin_patch(side, region, -half_width, 0, RULE_ELLIPSE)]
     add_load(patch, 0, load, 0.0)
     patch.totals.area = pi * half_length * half_width
@@ -62,7 +69,6 @@ def hertz_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
     patch.half_length_square = half_length * half_length
     finish_patch(side)
     finish_patches(side)
-    return penetration, 1, True
 
 
 def press_ellipse(tables: Tables, region: Region, A: float, B: float, force: float, prescribed: float):

@@ -132,7 +132,7 @@ def iterate(tables: Tables, work: Work, roll: float, height: float, left: float,
             return roll, NOT_CONVERGED
         if trial == 0:
             begin_derivatives(method, work.supports, arm, residual_rate(tables))
-        update(method, work.supports, height)
+        update(method, work.supports[0].height - height, work.supports[1].height - height)
         if not find_move(method, work.supports, arm, residual_rate(tables)):
             return roll, NOT_CONVERGED
         if fabs(method.move_height) < ELASTIC_SHARP and fabs(method.move_roll) < ELASTIC_SHARP:
@@ -178,12 +178,12 @@ def begin_derivatives(method: Broyden, supports: Supports, arm: float, rate: flo
 
 
 @seldom
-def update(method: Broyden, supports: Supports, height: float):
-    """The residuals of a trial at ``height`` [m], and the derivatives that the last move has shown."""
+def update(method: Broyden, left: float, right: float):
+    """The residuals of a trial, ``left`` and ``right``, and the derivatives that the last move has shown."""
     before_left = method.left
     before_right = method.right
-    method.left = supports[0].height - height
-    method.right = supports[1].height - height
+    method.left = left
+    method.right = right
     if fabs(method.move_height) + fabs(method.move_roll) > 0.0:
         method.left_height, method.left_roll = renewed(method, method.left_height, method.left_roll,
                                                        method.left - before_left)

@@ -44,16 +44,22 @@ def open_given_motion(tables: Tables, work: Work):
     set_rates(left, right, work.inputs.vertical_velocity, work.inputs.roll_rate)
 
 
+def move_wheelset(tables: Tables, work: Work):
+    """The velocities of the wheelset, if it rolls; in compliant contact vertical velocity and roll rate are
+    given, otherwise they follow from contact with both rails, without what the depth of an elastic wheelset
+    adds (depth_rates.py)."""
+    if is_rolling(tables, work.inputs):
+        open_given_motion(tables, work)
+        if tables.mode != MODE_COMPLIANT:
+            constrain_side(tables, work, 0)
+            constrain_side(tables, work, 1)
+            set_contact_rates(work.sides[0].motion, work.sides[1].motion)
+
+
 def move_patches(tables: Tables, work: Work):
-    """Creepages of all patches and their strips, if the wheelset rolls; in compliant contact vertical
-    velocity and roll rate are given, otherwise they follow from contact with both rails."""
+    """Creepages of all patches and their strips, if the wheelset rolls."""
     if not is_rolling(tables, work.inputs):
         return
-    open_given_motion(tables, work)
-    if tables.mode != MODE_COMPLIANT:
-        constrain_side(tables, work, 0)
-        constrain_side(tables, work, 1)
-        set_contact_rates(work.sides[0].motion, work.sides[1].motion)
     for index in range(2):
         move_side(tables, work.sides[index])
 

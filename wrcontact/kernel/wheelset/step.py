@@ -13,16 +13,17 @@ from ..elementary.runs import copy_run
 from ..patch.outline import row_size
 from ..search.roll import place_both
 from .compliant import solve_compliant
+from .depth_rates import follow_depths
 from .elastic import solve_elastic
 from .forces import sum_forces
-from .requested import (LOAD_MET, LOAD_MISSED, LOAD_PASSES, carries_friction, check_inputs, is_load_met,
-                        release_friction, requested_outcome, share_load, side_force)
+from .requested import check_inputs, requested_outcome, side_force
 from .leaning import (ELASTIC_MET, MEETINGS, is_leaning, next_reference, note_reference, open_reference,
                       set_reference)
-from .rubbing import move_patches, rub_patches
+from .rubbing import move_patches, move_wheelset, rub_patches
 from .report import report
 from .rigid import find_roll, keep_roll, solve_rigid
 from .trial import turn_to
+from .vertical_load import LOAD_PASSES, carries_friction, is_load_met, release_friction, share_load
 
 
 def evaluate(tables: Tables, work: Work, state: State):
@@ -41,22 +42,22 @@ def evaluate(tables: Tables, work: Work, state: State):
 
 def solve_with_friction(tables: Tables, work: Work, state: State, status: int):
     """Vertical loads of which friction carries a part: the wheelset again, until both are met; the status,
-    NOT_CONVERGED where friction jams a wheel."""
+    NOT_CONVERGED where no loads are found."""
     outcome = status
     for i in range(LOAD_PASSES):
-        if outcome > UNLOADED or is_load_met(work, LOAD_MET):
-            break
+        if outcome > UNLOADED or is_load_met(work):
+            return outcome
         share_load(work)
         outcome = solve_wheelset(tables, work, state)
-    if outcome <= UNLOADED and not is_load_met(work, LOAD_MISSED):
-        outcome = NOT_CONVERGED
-    return outcome
+    return NOT_CONVERGED
 
 
 def solve_wheelset(tables: Tables, work: Work, state: State):
     """Contact of both wheels, their patches' creepages and creep forces, and all forces; the status."""
     status = stand(tables, work, state)
     if status <= UNLOADED:
+        move_wheelset(tables, work)
+        follow_depths(tables, work)
         move_patches(tables, work)
         rub_patches(tables, work)
         sum_forces(tables, work)
