@@ -10,7 +10,7 @@ from tests.helpers.fmus import WARM_START, assert_same, evaluated
 from wrcontact import ContactSystem
 from wrcontact.interface import variables
 from wrcontact.interface.friction import FRICTION
-from wrcontact.interface.inputs import MOTION, RAILS, RATES
+from wrcontact.interface.inputs import DEFLECTIONS, MOTION, RAILS, RATES, TIME_STEP
 from wrcontact.interface.variables import INPUT, OUTPUT, PARAMETER, REFERENCE, VARIABLES
 from wrcontact.methods import CHOICES
 
@@ -43,7 +43,10 @@ def test_units_are_si_and_shown_as_engineers_read_them(description):
     assert exponents == {"m": {"m": 1}, "rad": {"rad": 1}, "N": {"kg": 1, "m": 1, "s": -2},
                          "N.m": {"kg": 1, "m": 2, "s": -2}, "W": {"kg": 1, "m": 2, "s": -3},
                          "Pa": {"kg": 1, "m": -1, "s": -2}, "m2": {"m": 2}, "1/m": {"m": -1}, "1": {},
-                         "m/s": {"m": 1, "s": -1}, "rad/s": {"rad": 1, "s": -1}, "s/m": {"m": -1, "s": 1}}
+                         "m/s": {"m": 1, "s": -1}, "rad/s": {"rad": 1, "s": -1}, "s/m": {"m": -1, "s": 1},
+                         "s": {"s": 1},
+                         "N/m": {"kg": 1, "s": -2}, "N.s/m": {"kg": 1, "s": -1},
+                         "W/m": {"kg": 1, "m": 1, "s": -3}}
     shown = {d.name: float(d.factor) for u in units for d in u.displayUnits}
     assert shown == {"mm": 1e3, "deg": 180 / math.pi, "kN": 1e-3, "kN.m": 1e-3, "kW": 1e-3, "MPa": 1e-6,
                      "mm2": 1e6}
@@ -61,7 +64,7 @@ def test_dependencies(description):
     # declared once for all methods: in elastic contact all that is read moves everything, velocities and
     # friction too, where friction carries a part of a vertical load
     read = {"lateral_shift", "yaw", "normal_force", "load_transfer", "vertical_shift_input", "roll_input",
-            *(row.name for row in (*RAILS, *MOTION, *FRICTION, *RATES))}
+            *(row.name for row in (*RAILS, *MOTION, *FRICTION, *RATES, TIME_STEP, *DEFLECTIONS))}
     for name, inputs in follows.items():
         given = {"vertical_shift_input", "roll_input"} if name.startswith("equilibrium.") else set()
         assert inputs == read - given, name
@@ -98,9 +101,12 @@ FREE = {"rigid": {"roll_guess": lambda name: True, "normal_force": is_geometry, 
 OF_WHEELS = {row.name for row in RATES}
 MOVING = {row.name for row in MOTION} | OF_WHEELS
 RUBBING = {row.name for row in FRICTION}
+#: Read where rails stand on springs (tests/fmu/test_springs.py).
+SPRUNG = {row.name for row in (TIME_STEP, *DEFLECTIONS)}
 #: Words in the names of what creep forces change, while friction carries no part of the load.
 OF_CREEP = ("tangential.", "stick_share", "max_shear", "friction_power", "saturation", "wear_number",
-            "shear[", "slip[", "driving_torque", "force.x", "force.y", "force.z", "moment.x", "moment.y",
+            "shear[", "slip[", "driving_torque", "derailment_quotient",
+            "force.x", "force.y", "force.z", "moment.x", "moment.y",
             "moment.z")
 #: Methods under which dependencies are tried: contact mode, and others.
 METHODS = {"rigid": {}, "elastic": {}, "compliant": {},
@@ -115,6 +121,8 @@ METHODS = {"rigid": {}, "elastic": {}, "compliant": {},
 def does_not_follow(mode, methods, moved, name):
     """Whether the output ``name`` has nothing of the input ``moved``."""
     creep = "tangential_model" in methods
+    if moved in SPRUNG:
+        return True         # the rails are rigid
     if moved in ("vertical_velocity", "roll_rate") and mode != "compliant":
         return True         # they follow from contact
     if moved in ({"wheel_rate"} if "independent_wheels" in methods else OF_WHEELS):
@@ -136,11 +144,13 @@ def test_declared_dependencies_hold(case):
     system = ContactSystem(contact_mode=mode, **methods)
     pose = {"lateral_shift": 1.3e-3, "yaw": 2e-3, "roll_guess": 0.0, "normal_force": 78.5e3,
             "load_transfer": 0.05, "vertical_shift_input": 0.2e-3, "roll_input": -7e-5, "speed": 20.0,
-            **dict.fromkeys((row.name for row in (*MOTION[1:], *RAILS, *RATES)), 0.0), "free_rolling": 1.0,
+            **dict.fromkeys((row.name for row in (*MOTION[1:], *RAILS, *RATES, TIME_STEP, *DEFLECTIONS)), 0.0),
+            "free_rolling": 1.0,
             **dict.fromkeys(RUBBING, 0.3)}
     changes = {"lateral_shift": 1e-4, "yaw": 1e-3, "roll_guess": 1e-3, "normal_force": 1e3,
                "load_transfer": 0.01, "vertical_shift_input": 1e-6, "roll_input": 1e-6,
-               **{row.name: 0.1 * row.nominal for row in (*MOTION, *RAILS, *FRICTION, *RATES)},
+               **{row.name: 0.1 * row.nominal for row in (*MOTION, *RAILS, *FRICTION, *RATES, TIME_STEP,
+                                                     *DEFLECTIONS)},
                "free_rolling": -1.0}
     assert set(changes) == set(INPUT_NAMES)
     present = evaluated(pose, system.stepper())

@@ -169,14 +169,12 @@ def test_wanted_values_are_those_of_the_full_evaluation(model, outputs, side):
 
 @pytest.mark.parametrize("model", ["analyn", "analyn_strip"])
 def test_geometry_costs_no_normal_contact(model):
-    """One normal gap a wheel, for its curvatures; no force solve, no strips, and no
-    more than Hertz's search."""
+    """No normal gap, no force solve, no strips, and no more than Hertz's search."""
     rows = random_rows(300)
     found = cost(model, rows, outputs="geometry")
-    assert found["node"] == 2.0 and found["solve"] == found["strip"] == 0.0
+    assert found["node"] == found["solve"] == found["strip"] == 0.0
     assert {name: found[name] for name in ("gap", "scan", "roll")} == {
         name: cost("hertz", rows)[name] for name in ("gap", "scan", "roll")}
-    assert cost(model, rows, side="right", outputs="geometry")["node"] == 1.0
 
 
 @pytest.mark.parametrize("model", ["analyn", "analyn_strip"])

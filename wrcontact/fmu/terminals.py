@@ -4,9 +4,9 @@ from xml.etree.ElementTree import Element, SubElement
 
 from ..conventions import SIDES
 from ..interface.friction import FRICTION as FRICTION_INPUTS
+from ..interface.inputs import DEFLECTIONS, RATES, TIME_STEP
 from ..interface.inputs import MOTION as MOTION_INPUTS
 from ..interface.inputs import RAILS as RAIL_INPUTS
-from ..interface.inputs import RATES
 from ..interface.variables import INPUT, OUTPUT, VARIABLES
 from .archive import SOURCES
 from .description import xml_file
@@ -15,7 +15,7 @@ from .variants import WHEELSET
 #: Inputs by what they are called in a connection: an axle's pose has no variable "roll_input".
 POSE = {"lateral_shift": "lateral_shift", "vertical_shift": "vertical_shift_input", "roll": "roll_input",
         "yaw": "yaw", "roll_guess": "roll_guess"}
-RAILS = {row.name: row.name for row in RAIL_INPUTS}
+RAILS = {row.name: row.name for row in (*RAIL_INPUTS, TIME_STEP, *DEFLECTIONS)}
 MOTION = {row.name: row.name for row in (*MOTION_INPUTS, *RATES)}
 FRICTION = {row.name: row.name for row in FRICTION_INPUTS}
 LOAD = {"normal_force": "normal_force", "load_transfer": "load_transfer"}

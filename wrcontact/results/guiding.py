@@ -12,15 +12,12 @@
 """
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..methods.numbers import is_plain
-
-if TYPE_CHECKING:
-    from ..state import WheelsetState
 
 
 class GuidingForces(NamedTuple):
@@ -38,7 +35,7 @@ class GuidingForces(NamedTuple):
     sum_y: float
 
 
-def guiding_forces(state: "WheelsetState[Any, Any, Any]") -> GuidingForces:
+def guiding_forces(state: Any) -> GuidingForces:
     """Y and Q of EN 14363 of a state or a table: :class:`GuidingForces`.
 
     They are those of ``left.force`` and ``right.force``, which act on the wheels, in the axes of the track;
