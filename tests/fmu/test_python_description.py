@@ -144,7 +144,8 @@ def test_declared_dependencies_hold(case):
     system = ContactSystem(contact_mode=mode, **methods)
     pose = {"lateral_shift": 1.3e-3, "yaw": 2e-3, "roll_guess": 0.0, "normal_force": 78.5e3,
             "load_transfer": 0.05, "vertical_shift_input": 0.2e-3, "roll_input": -7e-5, "speed": 20.0,
-            **dict.fromkeys((row.name for row in (*MOTION[1:], *RAILS, *RATES, TIME_STEP, *DEFLECTIONS)), 0.0),
+            **dict.fromkeys((row.name for row in (*MOTION[1:], *RAILS, *RATES)), 0.0),
+            **dict.fromkeys(SPRUNG, 0.0),
             "free_rolling": 1.0,
             **dict.fromkeys(RUBBING, 0.3)}
     changes = {"lateral_shift": 1e-4, "yaw": 1e-3, "roll_guess": 1e-3, "normal_force": 1e3,

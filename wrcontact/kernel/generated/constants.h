@@ -1396,6 +1396,7 @@ static const double normal_contact__STRIP_RATE = 1.35;
 static const int64_t strip_contact__FIRST_SWEEPS = INT64_C(2);
 static const int64_t strip_contact__SMOOTH_SWEEPS = INT64_C(4);
 static const double strip_contact__SUNK_DEEPER = 1.15;
+static const double strip_contact__SUNK_LESS = 0.5;
 static const int64_t strip_contact__SINKINGS = INT64_C(4);
 
 /* normal/strip_lengths.py */

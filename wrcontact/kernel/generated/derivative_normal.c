@@ -3138,96 +3138,121 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
  */
 
 /* Derivative of ``strip_contact``. */
-static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, lanes* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
+static inline int64_t derivative_strip_contact__strip_contact_t(double* penetration, lanes* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t)
 {
     bool by_penetration;
-    int64_t sweeps;
     int64_t n1;
-    int64_t count;
     double v2;
     lanes v2_t;
-    lanes penetration_t;
-    double penetration;
     double v3;
     lanes v3_t;
-    int64_t repeat;
     lanes estimate_t;
     double estimate;
-    int64_t n4;
-    int64_t n5;
-    double v6;
-    lanes v6_t;
-    double v7;
-    lanes v7_t;
-    bool satisfied;
+    bool known;
     by_penetration = isfinite(prescribed);
-    sweeps = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
         n1 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
-        count = n1;
+        (*count) = n1;
         derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
-        derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, sweeps, force, force_t, by_penetration);
-        EACH_LANE each(penetration_t) = each(v2_t);
-        penetration = v2;
+        derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))), force, force_t, by_penetration);
+        EACH_LANE each((*penetration_t)) = each(v2_t);
+        (*penetration) = v2;
+    }
+    else if (by_penetration)
+    {
+        derivative_strip_contact__sink_strips_t(penetration, penetration_t, count, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t, 1);
     }
     else
     {
-        EACH_LANE each(penetration_t) = each(prescribed_t);
-        penetration = prescribed;
-        if (!by_penetration)
+        derivative_estimate__first_penetration_t(&v3, &v3_t, tables, work, work_t, pair, force, force_t);
+        EACH_LANE each(estimate_t) = each(v3_t);
+        estimate = v3;
+        derivative_strip_contact__sink_strips_t(penetration, penetration_t, count, tables, work, work_t, pair, side, force, force_t, estimate, estimate_t, 0);
+        if (((*count) > INT64_C(0)) && ((*penetration) < strip_contact__SUNK_LESS * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))))
         {
-            derivative_estimate__first_penetration_t(&v3, &v3_t, tables, work, work_t, pair, force, force_t);
-            EACH_LANE each(penetration_t) = each(v3_t);
-            penetration = v3;
-        }
-        count = INT64_C(0);
-        for (repeat = INT64_C(0); repeat < strip_contact__SINKINGS; repeat += INT64_C(1))
-        {
-            EACH_LANE each(estimate_t) = each(penetration_t);
-            estimate = penetration;
-            n4 = derivative_pressed_regions__sink_wheel_t(tables, work, work_t, pair, side, estimate, estimate_t);
-            if (n4 == INT64_C(0))
+            derivative_analyn_contact__solve_analyn_t(&estimate, &estimate_t, count, &known, tables, work, work_t, pair, side, force, force_t, prescribed, prescribed_t);
+            if (known)
             {
-                (*result_0_0001) = estimate;
-                EACH_LANE each((*result_1_0001)) = each(estimate_t);
-                (*result_2) = INT64_C(0);
-                (*result_3) = 0;
-                return 0;
-            }
-            n5 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
-            count = n5;
-            if (by_penetration)
-            {
-                break;
-            }
-            derivative_strip_runs__deepen_levels_t(&v6, &v6_t, work, work_t, force, force_t);
-            EACH_LANE each(penetration_t) = each(estimate_t) + each(v6_t);
-            penetration = estimate + v6;
-            if (penetration < strip_contact__SUNK_DEEPER * estimate)
-            {
-                break;
+                derivative_strip_contact__sink_strips_t(penetration, penetration_t, count, tables, work, work_t, pair, side, force, force_t, estimate, estimate_t, 0);
             }
         }
-        derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
-        derivative_strip_contact__sweep_strips_t(&v7, &v7_t, tables, work, work_t, pair, sweeps, force, force_t, by_penetration);
-        EACH_LANE each(penetration_t) = each(v7_t);
-        penetration = v7;
     }
-    satisfied = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
-    if (satisfied)
+    if ((*count) == INT64_C(0))
     {
-        derivative_strip_patches__add_stiffness_t(work, work_t, tables, count);
+        (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+        EACH_LANE each((*penetration_t)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
+        (*count) = INT64_C(0);
+        (*satisfied) = 0;
+        return 0;
+    }
+    if (!((*penetration) > 0.0))
+    {
+        EACH_LANE each((*penetration_t)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
+        (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    }
+    (*satisfied) = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
+    if ((*satisfied))
+    {
+        derivative_strip_patches__add_stiffness_t(work, work_t, tables, (*count));
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
         {
-            derivative_frame__locate_along_track_t(tables, work, work_t, pair, count);
-            derivative_strip_patches__fill_from_strips_t(work, work_t, tables, side, count);
+            derivative_frame__locate_along_track_t(tables, work, work_t, pair, (*count));
+            derivative_strip_patches__fill_from_strips_t(work, work_t, tables, side, (*count));
         }
     }
-    (*result_0_0001) = penetration;
-    EACH_LANE each((*result_1_0001)) = each(penetration_t);
+    return 0;
+}
+
+/* Derivative of ``sink_strips``. */
+static inline int64_t derivative_strip_contact__sink_strips_t(double* result_0_0001, lanes* result_1_0001, int64_t* result_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double estimate, lanes estimate_t, bool by_penetration)
+{
+    lanes penetration_t;
+    double penetration;
+    int64_t count;
+    int64_t repeat;
+    int64_t n1;
+    int64_t n2;
+    double v3;
+    lanes v3_t;
+    lanes deeper_t;
+    double deeper;
+    double v4;
+    lanes v4_t;
+    EACH_LANE each(penetration_t) = each(estimate_t);
+    penetration = estimate;
+    count = INT64_C(0);
+    for (repeat = INT64_C(0); repeat < strip_contact__SINKINGS; repeat += INT64_C(1))
+    {
+        n1 = derivative_pressed_regions__sink_wheel_t(tables, work, work_t, pair, side, penetration, penetration_t);
+        if (n1 == INT64_C(0))
+        {
+            (*result_0_0001) = penetration;
+            EACH_LANE each((*result_1_0001)) = each(penetration_t);
+            (*result_2) = INT64_C(0);
+            return 0;
+        }
+        n2 = derivative_strip_contact__open_zones_t(tables, work, work_t, pair);
+        count = n2;
+        if (by_penetration)
+        {
+            break;
+        }
+        derivative_strip_runs__deepen_levels_t(&v3, &v3_t, work, work_t, force, force_t);
+        EACH_LANE each(deeper_t) = each(penetration_t) + each(v3_t);
+        deeper = penetration + v3;
+        if (deeper < strip_contact__SUNK_DEEPER * penetration)
+        {
+            break;
+        }
+        EACH_LANE each(penetration_t) = each(deeper_t);
+        penetration = deeper;
+    }
+    derivative_strip_contact__start_runs_t(tables, work, work_t, pair);
+    derivative_strip_contact__sweep_strips_t(&v4, &v4_t, tables, work, work_t, pair, (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))), force, force_t, by_penetration);
+    (*result_0_0001) = v4;
+    EACH_LANE each((*result_1_0001)) = each(v4_t);
     (*result_2) = count;
-    (*result_3) = satisfied;
     return 0;
 }
 
@@ -3243,6 +3268,11 @@ static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetra
     derivative_strip_contact__sweep_strips_t(&v2, &v2_t, tables, work, work_t, pair, strip_contact__FIRST_SWEEPS, force, force_t, 0);
     EACH_LANE each((*penetration_t)) = each(v2_t);
     (*penetration) = v2;
+    if (!((*penetration) > 0.0))
+    {
+        EACH_LANE each((*penetration_t)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH)));
+        (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    }
     (*satisfied) = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
     if ((*satisfied))
     {
@@ -3279,20 +3309,22 @@ static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tab
 }
 
 /* Derivative of ``sweep_strips``. */
-static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetration, lanes* penetration_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t sweeps, double force, lanes force_t, bool by_penetration)
+static inline int64_t derivative_strip_contact__sweep_strips_t(double* found, lanes* found_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t sweeps, double force, lanes force_t, bool by_penetration)
 {
     bool yawed;
+    lanes penetration_t;
+    double penetration;
     int64_t sweep;
     bool last;
     bool given;
     double v1;
     lanes v1_t;
-    lanes found_t;
-    double found;
     double share;
     yawed = frame__is_yawed(work);
-    EACH_LANE each((*penetration_t)) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)));
-    (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    EACH_LANE each(penetration_t) = each((*lanes_at(&work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION)));
+    penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    EACH_LANE each((*found_t)) = each(penetration_t);
+    (*found) = penetration;
     for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
     {
         if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) == INT64_C(0))
@@ -3307,12 +3339,12 @@ static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetrati
         }
         derivative_strip_runs__lay_strips_t(tables, work, work_t, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))), sweep >= sweeps - strip_contact__SMOOTH_SWEEPS);
         derivative_strip_pressures__solve_pressures_t(&v1, &v1_t, work, work_t, tables, force, force_t, given, yawed);
-        EACH_LANE each(found_t) = each(v1_t);
-        found = v1;
-        if (found > 0.0)
+        EACH_LANE each((*found_t)) = each(v1_t);
+        (*found) = v1;
+        if ((*found) > 0.0)
         {
-            EACH_LANE each((*penetration_t)) = each(found_t);
-            (*penetration) = found;
+            EACH_LANE each(penetration_t) = each((*found_t));
+            penetration = (*found);
         }
         if ((!last) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
         {
@@ -3321,7 +3353,7 @@ static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetrati
             {
                 share = 1.0;
             }
-            derivative_strip_lengths__correct_lengths_t(work, work_t, tables, (*penetration), (*penetration_t), yawed, share, all_lanes(0.0));
+            derivative_strip_lengths__correct_lengths_t(work, work_t, tables, penetration, penetration_t, yawed, share, all_lanes(0.0));
         }
         if (!last)
         {

@@ -431,8 +431,9 @@ static inline int64_t derivative_stiffness__stiffnesses_at_t(double* along, lane
 /* derivative_strip_contact.py */
 static inline int64_t derivative_strip_contact__open_zones_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
 static inline int64_t derivative_strip_contact__start_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair);
-static inline int64_t derivative_strip_contact__sweep_strips_t(double* penetration, lanes* penetration_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t sweeps, double force, lanes force_t, bool by_penetration);
-static inline int64_t derivative_strip_contact__strip_contact_t(double* result_0_0001, lanes* result_1_0001, int64_t* result_2, bool* result_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
+static inline int64_t derivative_strip_contact__sweep_strips_t(double* found, lanes* found_t, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t sweeps, double force, lanes force_t, bool by_penetration);
+static inline int64_t derivative_strip_contact__sink_strips_t(double* result_0_0001, lanes* result_1_0001, int64_t* result_2, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double estimate, lanes estimate_t, bool by_penetration);
+static inline int64_t derivative_strip_contact__strip_contact_t(double* penetration, lanes* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
 static inline int64_t derivative_strip_contact__coarse_contact_t(double* penetration, lanes* penetration_t, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t);
 
 /* derivative_strip_lengths.py */

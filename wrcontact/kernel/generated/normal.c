@@ -93,7 +93,8 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
 static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline int64_t strip_contact__start_runs(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline double strip_contact__sweep_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t sweeps, double force, bool by_penetration);
-static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
+static inline int64_t strip_contact__sink_strips(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double estimate, bool by_penetration);
+static inline int64_t strip_contact__strip_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, double force);
 
 /* normal/strip_lengths.py */
@@ -2318,72 +2319,96 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
 /* Fill the patches of a side by strips if they are wanted; penetration [m], number of regions, and
  * whether the force is satisfied.
  *
- * A wheel that just touches is sunk to an estimated penetration first, and then to the one that the strips
- * have found there.
+ * A wheel that just touches is sunk to an estimated penetration first.
  */
-static inline int64_t strip_contact__strip_contact(double* result_0_0001, int64_t* result_1, bool* result_2, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
+static inline int64_t strip_contact__strip_contact(double* penetration, int64_t* count, bool* satisfied, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed)
 {
     bool by_penetration;
-    int64_t sweeps;
-    int64_t count;
-    double penetration;
-    int64_t repeat;
     double estimate;
-    bool satisfied;
+    bool known;
     by_penetration = isfinite(prescribed);
-    sweeps = (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS)));
     if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_PRESSED)) == 1.0)
     {
-        count = strip_contact__open_zones(tables, work, pair);
+        (*count) = strip_contact__open_zones(tables, work, pair);
         strip_contact__start_runs(tables, work, pair);
-        penetration = strip_contact__sweep_strips(tables, work, pair, sweeps, force, by_penetration);
+        (*penetration) = strip_contact__sweep_strips(tables, work, pair, (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))), force, by_penetration);
+    }
+    else if (by_penetration)
+    {
+        strip_contact__sink_strips(penetration, count, tables, work, pair, side, force, prescribed, 1);
     }
     else
     {
-        penetration = prescribed;
-        if (!by_penetration)
+        estimate = estimate__first_penetration(tables, work, pair, force);
+        strip_contact__sink_strips(penetration, count, tables, work, pair, side, force, estimate, 0);
+        if (((*count) > INT64_C(0)) && ((*penetration) < strip_contact__SUNK_LESS * (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH))))
         {
-            penetration = estimate__first_penetration(tables, work, pair, force);
-        }
-        count = INT64_C(0);
-        for (repeat = INT64_C(0); repeat < strip_contact__SINKINGS; repeat += INT64_C(1))
-        {
-            estimate = penetration;
-            if (pressed_regions__sink_wheel(tables, work, pair, side, estimate) == INT64_C(0))
+            analyn_contact__solve_analyn(&estimate, count, &known, tables, work, pair, side, force, prescribed);
+            if (known)
             {
-                /* it overlaps most at the end of a profile */
-                (*result_0_0001) = estimate;
-                (*result_1) = INT64_C(0);
-                (*result_2) = 0;
-                return 0;
-            }
-            count = strip_contact__open_zones(tables, work, pair);
-            if (by_penetration)
-            {
-                break;
-            }
-            penetration = estimate + strip_runs__deepen_levels(work, force);
-            if (penetration < strip_contact__SUNK_DEEPER * estimate)
-            {
-                break;
+                strip_contact__sink_strips(penetration, count, tables, work, pair, side, force, estimate, 0);
             }
         }
-        strip_contact__start_runs(tables, work, pair);
-        penetration = strip_contact__sweep_strips(tables, work, pair, sweeps, force, by_penetration);
     }
-    satisfied = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
-    if (satisfied)
+    if ((*count) == INT64_C(0))
     {
-        strip_patches__add_stiffness(work, tables, count);
+        (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+        (*count) = INT64_C(0);
+        (*satisfied) = 0;
+        return 0;
+    }
+    if (!((*penetration) > 0.0))
+    {
+        /* strips of picometres on a straight gap can ask for less than nothing */
+        (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    }
+    (*satisfied) = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
+    if ((*satisfied))
+    {
+        strip_patches__add_stiffness(work, tables, (*count));
         if ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0)
         {
-            frame__locate_along_track(tables, work, pair, count);
-            strip_patches__fill_from_strips(work, tables, side, count);
+            frame__locate_along_track(tables, work, pair, (*count));
+            strip_patches__fill_from_strips(work, tables, side, (*count));
         }
     }
-    (*result_0_0001) = penetration;
+    return 0;
+}
+
+/* Penetration [m] and number of regions of a wheel that is sunk to an ``estimate`` [m] of it, and then to
+ * the one that ANALYN's levels have there; no region where it overlaps most at the end of a profile.
+ */
+static inline int64_t strip_contact__sink_strips(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double estimate, bool by_penetration)
+{
+    double penetration;
+    int64_t count;
+    int64_t repeat;
+    double deeper;
+    penetration = estimate;
+    count = INT64_C(0);
+    for (repeat = INT64_C(0); repeat < strip_contact__SINKINGS; repeat += INT64_C(1))
+    {
+        if (pressed_regions__sink_wheel(tables, work, pair, side, penetration) == INT64_C(0))
+        {
+            (*result_0) = penetration;
+            (*result_1) = INT64_C(0);
+            return 0;
+        }
+        count = strip_contact__open_zones(tables, work, pair);
+        if (by_penetration)
+        {
+            break;
+        }
+        deeper = penetration + strip_runs__deepen_levels(work, force);
+        if (deeper < strip_contact__SUNK_DEEPER * penetration)
+        {
+            break;
+        }
+        penetration = deeper;
+    }
+    strip_contact__start_runs(tables, work, pair);
+    (*result_0) = strip_contact__sweep_strips(tables, work, pair, (int64_t)((*cspan_at(&tables, layout__TABLES_SWEEPS))), force, by_penetration);
     (*result_1) = count;
-    (*result_2) = satisfied;
     return 0;
 }
 
@@ -2395,6 +2420,10 @@ static inline int64_t strip_contact__coarse_contact(double* penetration, int64_t
     (*count) = strip_contact__open_zones(tables, work, pair);
     strip_contact__start_runs(tables, work, pair);
     (*penetration) = strip_contact__sweep_strips(tables, work, pair, strip_contact__FIRST_SWEEPS, force, 0);
+    if (!((*penetration) > 0.0))
+    {
+        (*penetration) = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH));
+    }
     (*satisfied) = (int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) > INT64_C(0);
     if ((*satisfied))
     {
@@ -2427,7 +2456,7 @@ static inline int64_t strip_contact__start_runs(array_double_1d tables, array_do
     return INT64_C(0);
 }
 
-/* Make so many sweeps; penetration [m].
+/* Make so many sweeps; penetration [m], which may be less than nothing.
  *
  * Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries
  * that, the strips are those of a wheel that is pressed so deep.  The last correction is for the patches
@@ -2436,14 +2465,15 @@ static inline int64_t strip_contact__start_runs(array_double_1d tables, array_do
 static inline double strip_contact__sweep_strips(array_double_1d tables, array_double_1d work, int64_t pair, int64_t sweeps, double force, bool by_penetration)
 {
     bool yawed;
+    double penetration;
     int64_t sweep;
     bool last;
     bool given;
-    double found;
     double share;
-    double penetration;
+    double found;
     yawed = frame__is_yawed(work);
     penetration = (*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_PENETRATION));
+    found = penetration;
     for (sweep = INT64_C(0); sweep < sweeps; sweep += INT64_C(1))
     {
         if ((int64_t)((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT))) == INT64_C(0))
@@ -2460,7 +2490,6 @@ static inline double strip_contact__sweep_strips(array_double_1d tables, array_d
         found = strip_pressures__solve_pressures(work, tables, force, given, yawed);
         if (found > 0.0)
         {
-            /* strips of picometres on a straight gap can ask for less than nothing */
             penetration = found;
         }
         if ((!last) || ((*cspan_at(&work, layout__WORK_CONTACT + layout__CONTACT_FILLING)) == 1.0))
@@ -2478,7 +2507,7 @@ static inline double strip_contact__sweep_strips(array_double_1d tables, array_d
             strip_runs__renew_runs(tables, work, (int64_t)((*cspan_at(&tables, layout__TABLES_WAVES))));
         }
     }
-    return penetration;
+    return found;
 }
 
 

@@ -23,6 +23,7 @@ from ..contact.deep_points import deepest_entry
 from ..contact.frame import is_yawed, locate_along_track
 from ..contact.pressed_regions import gather_overlaps, sink_wheel
 from ..layout import Contact, Pair, SideSearch
+from .analyn_contact import solve_analyn
 from .estimate import first_penetration
 from .strip_lengths import RELAXED, correct_lengths
 from .strip_patches import add_stiffness, fill_from_strips
@@ -37,6 +38,9 @@ SMOOTH_SWEEPS: Final[int] = 4
 #: A wheel that just touched is sunk anew where it stands deeper than this many times its estimate, at most so
 #: often: the patch may reach farther than its strips do.
 SUNK_DEEPER: Final[float] = 1.15
+#: One that needs less than this share of it stood at a wrong depth, where it overlaps its rail at another place
+#: by far more.
+SUNK_LESS: Final[float] = 0.5
 SINKINGS: Final[int] = 4
 
 
@@ -44,33 +48,27 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
     """Fill the patches of a side by strips if they are wanted; penetration [m], number of regions, and
     whether the force is satisfied.
 
-    A wheel that just touches is sunk to an estimated penetration first, and then to the one that the strips
-    have found there.
+    A wheel that just touches is sunk to an estimated penetration first.
     """
     by_penetration = isfinite(prescribed)
-    sweeps = pair.tables.sweeps
     if contact.frame.pressed:
         count = open_zones(pair, contact)
         start_runs(pair, contact)
-        penetration = sweep_strips(pair, contact, sweeps, force, by_penetration)
+        penetration = sweep_strips(pair, contact, pair.tables.sweeps, force, by_penetration)
+    elif by_penetration:
+        penetration, count = sink_strips(pair, contact, side, force, prescribed, True)
     else:
-        penetration = prescribed
-        if not by_penetration:
-            penetration = first_penetration(pair, contact, force)
-        count = 0
-        for repeat in range(SINKINGS):
-            estimate = penetration
-            if sink_wheel(pair, contact.frame, contact.overlap, side, estimate) == 0:
-                # it overlaps most at the end of a profile
-                return estimate, 0, False
-            count = open_zones(pair, contact)
-            if by_penetration:
-                break
-            penetration = estimate + deepen_levels(contact.strip_problem, force)
-            if penetration < SUNK_DEEPER * estimate:
-                break
-        start_runs(pair, contact)
-        penetration = sweep_strips(pair, contact, sweeps, force, by_penetration)
+        estimate = first_penetration(pair, contact, force)
+        penetration, count = sink_strips(pair, contact, side, force, estimate, False)
+        if count > 0 and penetration < SUNK_LESS * contact.frame.depth:
+            estimate, count, known = solve_analyn(pair, contact, side, force, prescribed)
+            if known:
+                penetration, count = sink_strips(pair, contact, side, force, estimate, False)
+    if count == 0:
+        return contact.frame.depth, 0, False
+    if not penetration > 0.0:
+        # strips of picometres on a straight gap can ask for less than nothing
+        penetration = contact.frame.depth
     satisfied = contact.strip_problem.count > 0
     if satisfied:
         add_stiffness(pair.tables, contact.regions, contact.strip_problem, contact.equations, count)
@@ -80,12 +78,34 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
     return penetration, count, satisfied
 
 
+def sink_strips(pair: Pair, contact: Contact, side: SideSearch, force: float, estimate: float,
+                by_penetration: bool):
+    """Penetration [m] and number of regions of a wheel that is sunk to an ``estimate`` [m] of it, and then to
+    the one that ANALYN's levels have there; no region where it overlaps most at the end of a profile."""
+    penetration = estimate
+    count = 0
+    for repeat in range(SINKINGS):
+        if sink_wheel(pair, contact.frame, contact.overlap, side, penetration) == 0:
+            return penetration, 0
+        count = open_zones(pair, contact)
+        if by_penetration:
+            break
+        deeper = penetration + deepen_levels(contact.strip_problem, force)
+        if deeper < SUNK_DEEPER * penetration:
+            break
+        penetration = deeper
+    start_runs(pair, contact)
+    return sweep_strips(pair, contact, pair.tables.sweeps, force, by_penetration), count
+
+
 def coarse_contact(pair: Pair, contact: Contact, force: float):
     """As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first sweeps alone
     and without patches: about a per cent off."""
     count = open_zones(pair, contact)
     start_runs(pair, contact)
     penetration = sweep_strips(pair, contact, FIRST_SWEEPS, force, False)
+    if not penetration > 0.0:
+        penetration = contact.frame.depth
     satisfied = contact.strip_problem.count > 0
     if satisfied:
         add_stiffness(pair.tables, contact.regions, contact.strip_problem, contact.equations, count)
@@ -111,7 +131,7 @@ def start_runs(pair: Pair, contact: Contact):
 
 
 def sweep_strips(pair: Pair, contact: Contact, sweeps: int, force: float, by_penetration: bool):
-    """Make so many sweeps; penetration [m].
+    """Make so many sweeps; penetration [m], which may be less than nothing.
 
     Of a wheel that stands where it is pressed, the force counts in the last sweep only: where it carries
     that, the strips are those of a wheel that is pressed so deep.  The last correction is for the patches
@@ -121,6 +141,7 @@ def sweep_strips(pair: Pair, contact: Contact, sweeps: int, force: float, by_pen
     problem = contact.strip_problem
     yawed = is_yawed(contact.frame)
     penetration = problem.penetration
+    found = penetration
     for sweep in range(sweeps):
         if problem.count == 0:
             break
@@ -131,7 +152,6 @@ def sweep_strips(pair: Pair, contact: Contact, sweeps: int, force: float, by_pen
         lay_strips(problem, tables.waves, sweep >= sweeps - SMOOTH_SWEEPS)
         found = solve_pressures(tables, problem, contact.equations, force, given, yawed)
         if found > 0.0:
-            # strips of picometres on a straight gap can ask for less than nothing
             penetration = found
         if not last or contact.filling:
             share = RELAXED
@@ -141,4 +161,4 @@ def sweep_strips(pair: Pair, contact: Contact, sweeps: int, force: float, by_pen
             correct_lengths(tables, problem, penetration, yawed, share)
         if not last:
             renew_runs(problem, tables.waves)
-    return penetration
+    return found
