@@ -38,8 +38,8 @@ SMOOTH_SWEEPS: Final[int] = 4
 #: A wheel that just touched is sunk anew where it stands deeper than this many times its estimate, at most so
 #: often: the patch may reach farther than its strips do.
 SUNK_DEEPER: Final[float] = 1.15
-#: One that needs less than this share of it stood at a wrong depth, where it overlaps its rail at another place
-#: by far more.
+#: One that needs less than this share of it stood at a wrong depth, where it overlaps its rail at another
+#: place by far more.
 SUNK_LESS: Final[float] = 0.5
 SINKINGS: Final[int] = 4
 
