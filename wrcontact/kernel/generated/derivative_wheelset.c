@@ -946,6 +946,8 @@ static inline int64_t derivative_report__report_wear_t(array_double_1d tables, a
     first = layout__WORK_OUTPUTS + outline__wear_place(tables);
     found = first + runs * index;
     strips = first + INT64_C(2) * runs + layout__WEAR_STRIPS * index;
+    (*lanes_at(&work_t, first + INT64_C(2) * runs + INT64_C(2) * layout__WEAR_STRIPS)) = all_lanes(0.0);
+    (*cspan_at(&work, first + INT64_C(2) * runs + INT64_C(2) * layout__WEAR_STRIPS)) = 0.0;
     if (!requested)
     {
         for (i = INT64_C(0); i < runs; i += INT64_C(1))

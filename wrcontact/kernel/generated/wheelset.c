@@ -1922,6 +1922,7 @@ static OUT_OF_LINE int64_t report__report_wear(array_double_1d tables, array_dou
     first = layout__WORK_OUTPUTS + outline__wear_place(tables);
     found = first + runs * index;
     strips = first + INT64_C(2) * runs + layout__WEAR_STRIPS * index;
+    (*cspan_at(&work, first + INT64_C(2) * runs + INT64_C(2) * layout__WEAR_STRIPS)) = 0.0;
     if (!requested)
     {
         for (i = INT64_C(0); i < runs; i += INT64_C(1))

@@ -213,6 +213,7 @@ def report_wear(tables: Tables, work: Work, index: int, requested: bool):
     first = offset(work.outputs, work) + wear_place(tables)
     found = WearRuns.at(work, first + runs * index)
     strips = first + 2 * runs + WEAR_STRIPS * index
+    work[first + 2 * runs + 2 * WEAR_STRIPS] = 0.0
     if not requested:
         for i in range(runs):
             found.numbers[i] = tables.absent
