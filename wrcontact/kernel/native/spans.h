@@ -116,8 +116,8 @@ static ALWAYS_INLINE int64_t runs__copy_run(array_double_1d source, int64_t firs
                                             int64_t place, int64_t count)
 {
     if (count > 0) {
-        cspan_at(&source, first + count - 1);
-        cspan_at(&to, place + count - 1);
+        (void)cspan_at(&source, first + count - 1);
+        (void)cspan_at(&to, place + count - 1);
         memcpy(cspan_at(&to, place), cspan_at(&source, first), (size_t)count * sizeof(double));
     }
     return count;
