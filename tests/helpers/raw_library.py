@@ -20,7 +20,10 @@ INPUTS = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer",
           "roll_input", "speed", "lateral_velocity", "vertical_velocity", "yaw_rate", "roll_rate",
           "wheel_rate", "track_curvature", *(f"{side}.rail_{part}{kind}" for side in ("left", "right")
                                for part in ("lateral", "vertical", "roll") for kind in ("", "_velocity")),
-          "left.friction", "right.friction", "left.wheel_rate", "right.wheel_rate")
+          "left.friction", "right.friction", "left.wheel_rate", "right.wheel_rate",
+          "rail_time_step",
+          *(f"{side}.rail_deflection_{part}_before" for side in ("left", "right")
+            for part in ("lateral", "vertical")))
 NOWHERE = 0x10      # an address that nothing may look at
 
 

@@ -46,7 +46,9 @@ UNIT_OF_INPUT = {"lateral_shift": " m", "yaw": " rad", "roll_guess": " rad", "no
                  "lateral_velocity": " m/s", "vertical_velocity": " m/s", "yaw_rate": " rad/s",
                  "roll_rate": " rad/s", "wheel_rate": " rad/s", "track_curvature": " 1/m",
                  "left.friction": "", "right.friction": "",
-                 "left.wheel_rate": " rad/s", "right.wheel_rate": " rad/s",
+                 "left.wheel_rate": " rad/s", "right.wheel_rate": " rad/s", "rail_time_step": " s",
+                 **{f"{side}.rail_deflection_{part}_before": " m" for side in ("left", "right")
+                    for part in ("lateral", "vertical")},
                  **{f"{side}.rail_{part}_velocity": unit for side in ("left", "right")
                     for part, unit in (("lateral", " m/s"), ("vertical", " m/s"), ("roll", " rad/s"))},
                  **{f"{side}.rail_{part}": unit for side in ("left", "right")
