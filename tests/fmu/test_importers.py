@@ -20,7 +20,8 @@ from tests.helpers.platforms import needs_importer
 from wrcontact.interface.variables import OUTPUT, REAL, VARIABLES
 
 SAME = 1e-9  # [relative]
-ARRAYS = ("station[", "half_length[", "pressure[", "shear[", "slip[")  # FMI 3 has arrays
+ARRAYS = ("station[", "half_length[", "pressure[", "shear[", "slip[", "wheel_place[", "rail_place[", "power[",
+          "patch_of[")  # FMI 3 has arrays
 NAMES = [v.name for v in VARIABLES if v.causality == OUTPUT and v.type == REAL
          and not any(a in v.name for a in ARRAYS)]
 pytestmark = pytest.mark.skipif(not has_compiler(),
