@@ -9,8 +9,8 @@ from wrcontact.kernel.binding.files import PLATFORMS, host_platform
 
 REFERENCE = "x86_64-linux"      # the platform that others are compared with
 KERNEL_EXPORTS = {f"wrcontact_{name}" for name in (
-    "abi", "step", "step_many", "cut_patch", "solve_creep_force", "derivative", "derivative_room", "prepare",
-    "prepare_room")}
+    "abi", "step", "step_many", "cut_patch", "solve_creep_force", "derivative", "derivative_room", "jacobian",
+    "jacobian_room", "prepare", "prepare_room")}
 
 
 def needs(condition, reason):
