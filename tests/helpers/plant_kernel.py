@@ -62,9 +62,11 @@ def translated(modules, pairs):
 def spliced(tool, there, tree, modules, pairs, raw, number):
     """The files of a copy that differ from those that are ``there``: rooms in which a module is exchanged,
     the constants' header and the unit with the fingerprint."""
+    from transpile.lanes import in_lanes, parameter_kinds
     from transpile.tidy import tidy_code
     from transpile.units import constants_header, step_unit
 
+    kinds = parameter_kinds(there["derivatives.h"])
     kernel = tree / "wrcontact" / "kernel"
     plain = [module for module in modules if not module.derivative]
     files = {"constants.h": constants_header(kernel, plain), "unit.c": step_unit(kernel, plain)}
@@ -74,6 +76,8 @@ def spliced(tool, there, tree, modules, pairs, raw, number):
         old = tidy_code(was, raw[was.name][1])
         new = tidy_code(module, raw[f"{module.name}_v{number}"][1].replace(f"{module.name}_v{number}",
                                                                            module.name))
+        if module.derivative:
+            old, new = in_lanes(old, kinds), in_lanes(new, kinds)
         if text.count(old) != 1:
             raise tool.Refused(f"{name} is not what the kernel's Python gives; run tools/transpile_kernel.py")
         files[name] = text.replace(old, new)

@@ -26,12 +26,13 @@ def parameter_kinds(prototypes):
 
 
 def parameters(text):
-    """(type, name, whether it is a rate) of the parameters in a prototype."""
+    """(type, name, whether it is a rate) of the parameters in a prototype, which may be in lanes itself."""
     found, results = [], 0
     for part in text.split(", "):
         kind, name = part.rsplit(" ", 1)
-        results += kind == "double*"
+        results += kind in ("double*", "lanes*")
         is_rate = results % 2 == 0 if kind == "double*" else kind == "double" and name.endswith("_t")
+        is_rate = is_rate or kind in ("lanes", "lanes*")
         found.append((kind, name, is_rate))
     return found
 
