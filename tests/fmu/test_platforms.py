@@ -21,7 +21,7 @@ from tests.helpers.cases import INPUT_NAMES, REAL_INPUT_NAMES, RUNS, stored
 from tests.helpers.fmus import header_functions
 from tests.helpers.paths import HELPERS
 from tests.helpers.platforms import (
-    KERNEL_EXPORTS,
+    FMU_KERNEL_EXPORTS,
     REFERENCE,
     check_library,
     needs,
@@ -142,7 +142,7 @@ def test_libraries_need_the_c_library_alone_and_export_the_standard(fmus, versio
 @needs_lief
 @pytest.mark.parametrize("name", share(PLATFORMS, ("x86_64-linux", "x86_64-windows")))
 def test_kernels_need_the_c_library_alone(kernels, name):
-    check_library(kernels(name), name, f"_wrcontact_kernel-{name}", KERNEL_EXPORTS)
+    check_library(kernels(name), name, f"_wrcontact_kernel-{name}", FMU_KERNEL_EXPORTS)
 
 
 # --- values on other machines ---------------------------------------------------------------------

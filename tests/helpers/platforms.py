@@ -11,6 +11,8 @@ REFERENCE = "x86_64-linux"      # the platform that others are compared with
 KERNEL_EXPORTS = {f"wrcontact_{name}" for name in (
     "abi", "step", "step_many", "cut_patch", "solve_creep_force", "derivative", "derivative_room", "jacobian",
     "jacobian_room", "prepare", "prepare_room")}
+#: Those of the kernel in a Python FMU, which has no derivatives along many directions.
+FMU_KERNEL_EXPORTS = {name for name in KERNEL_EXPORTS if "jacobian" not in name}
 
 
 def needs(condition, reason):
