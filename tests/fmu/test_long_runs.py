@@ -121,8 +121,8 @@ ELASTIC, RIGID = 1, 21
 def test_a_native_walk_with_motion_and_creep_forces(hosts, variant, steps):
     """Two different sides, rails that are displaced, lean and move, speeds of either sign, friction.
 
-    One step in 100 has no solution here, where friction jams a wheel or a flange has 250 kN and more: it
-    keeps the outputs.
+    Some steps have no solution here, 44 of 3 000 elastic and 9 of 5 000 rigid ones, where friction jams a
+    wheel or a flange has 250 kN and more: they keep the outputs.
     """
     [walk], [resumed] = together(*([hosts[2], way, SEED, steps, variant] for way in ("walk", "resumed")))
     assert walk["bad"] == resumed["bad"] < 0.02 * steps, walk["first_bad"]

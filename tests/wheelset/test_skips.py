@@ -175,6 +175,7 @@ def test_geometry_costs_no_normal_contact(model):
     assert found["node"] == found["solve"] == found["strip"] == 0.0
     assert {name: found[name] for name in ("gap", "scan", "roll")} == {
         name: cost("hertz", rows)[name] for name in ("gap", "scan", "roll")}
+    assert cost(model, rows, side="right", outputs="geometry")["node"] == 0.0
 
 
 @pytest.mark.parametrize("model", ["analyn", "analyn_strip"])

@@ -39,8 +39,8 @@ static inline int64_t depth_rates__follow_depths(array_double_1d tables, array_d
 /* wheelset/elastic.py */
 static OUT_OF_LINE int64_t elastic__first_estimate(double* height, double* move, array_double_1d tables, array_double_1d work);
 static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, double arm, double rate);
-static OUT_OF_LINE int64_t elastic__renewed(double* result_0, double* result_1, array_double_1d work, double by_height, double by_roll, double change);
-static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double left, double right);
+static OUT_OF_LINE int64_t elastic__renewed(double* result_0, double* result_1, array_double_1d work, double by_height, double by_roll, double change, bool near);
+static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double left, double right, bool near);
 static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, double rate);
 static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d tables, array_double_1d work, double roll);
 static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right);
@@ -840,7 +840,7 @@ static OUT_OF_LINE int64_t depth_rates__settle_rates(array_double_1d tables, arr
     {
         if ((!settled) && depth_rates__find_residuals(tables, work, vertical, roll_rate, depth_rates__DISPLACED / speed, i > INT64_C(0)))
         {
-            elastic__update(work, (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_RESIDUAL)), (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESIDUAL)));
+            elastic__update(work, (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_RESIDUAL)), (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_RESIDUAL)), 0);
             if (elastic__find_move(work, (*cspan_at(&tables, layout__TABLES_ARM)), normal_contact__residual_rate(tables)))
             {
                 vertical += (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
@@ -1133,7 +1133,7 @@ static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* resu
         {
             elastic__begin_derivatives(work, arm, normal_contact__residual_rate(tables));
         }
-        elastic__update(work, (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height, (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)) - height);
+        elastic__update(work, (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - height, (*cspan_at(&work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * INT64_C(1) + layout__SUPPORT_HEIGHT)) - height, fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) < elastic__NEAR);
         if (!elastic__find_move(work, arm, normal_contact__residual_rate(tables)))
         {
             (*result_0_0001) = roll;
@@ -1206,8 +1206,10 @@ static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, doub
     return INT64_C(0);
 }
 
-/* The residuals of a trial, ``left`` and ``right``, and the derivatives that the last move has shown. */
-static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double left, double right)
+/* The residuals of a trial, ``left`` and ``right``, and the derivatives that the last move has shown;
+ * ``near`` says whether that was a small one.
+ */
+static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double left, double right, bool near)
 {
     double before_left;
     double before_right;
@@ -1217,26 +1219,24 @@ static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double left, do
     (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) = right;
     if (fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) > 0.0)
     {
-        elastic__renewed(cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT), cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL), work, (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) - before_left);
-        elastic__renewed(cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT), cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL), work, (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) - before_right);
+        elastic__renewed(cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT), cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL), work, (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT)) - before_left, near);
+        elastic__renewed(cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT), cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL), work, (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)), (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT)) - before_right, near);
     }
     return INT64_C(0);
 }
 
 /* A side's derivatives, by which the last move changes its residual by as much as it has. */
-static OUT_OF_LINE int64_t elastic__renewed(double* result_0, double* result_1, array_double_1d work, double by_height, double by_roll, double change)
+static OUT_OF_LINE int64_t elastic__renewed(double* result_0, double* result_1, array_double_1d work, double by_height, double by_roll, double change, bool near)
 {
     double height;
     double roll;
     double expected;
-    bool near;
     double factor;
     double size;
     double off;
     height = by_height * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT));
     roll = by_roll * (*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL));
     expected = height + roll;
-    near = fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT))) + fabs((*cspan_at(&work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL))) < elastic__NEAR;
     if (near && (fabs(expected) > elastic__CLEAR_SHARE * (fabs(height) + fabs(roll))))
     {
         factor = change / expected;

@@ -66,7 +66,7 @@ def settle_rates(tables: Tables, work: Work, speed: float):
     settled = False
     for i in range(PASSES):
         if not settled and find_residuals(tables, work, vertical, roll_rate, DISPLACED / speed, i > 0):
-            update(method, work.supports[0].residual, work.supports[1].residual)
+            update(method, work.supports[0].residual, work.supports[1].residual, False)
             if find_move(method, work.supports, tables.arm, residual_rate(tables)):
                 vertical += method.move_height
                 roll_rate += method.move_roll / tables.arm

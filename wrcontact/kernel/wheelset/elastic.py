@@ -132,7 +132,8 @@ def iterate(tables: Tables, work: Work, roll: float, height: float, left: float,
             return roll, NOT_CONVERGED
         if trial == 0:
             begin_derivatives(method, work.supports, arm, residual_rate(tables))
-        update(method, work.supports[0].height - height, work.supports[1].height - height)
+        update(method, work.supports[0].height - height, work.supports[1].height - height,
+               fabs(method.move_height) + fabs(method.move_roll) < NEAR)
         if not find_move(method, work.supports, arm, residual_rate(tables)):
             return roll, NOT_CONVERGED
         if fabs(method.move_height) < ELASTIC_SHARP and fabs(method.move_roll) < ELASTIC_SHARP:
@@ -178,26 +179,26 @@ def begin_derivatives(method: Broyden, supports: Supports, arm: float, rate: flo
 
 
 @seldom
-def update(method: Broyden, left: float, right: float):
-    """The residuals of a trial, ``left`` and ``right``, and the derivatives that the last move has shown."""
+def update(method: Broyden, left: float, right: float, near: bool):
+    """The residuals of a trial, ``left`` and ``right``, and the derivatives that the last move has shown;
+    ``near`` says whether that was a small one."""
     before_left = method.left
     before_right = method.right
     method.left = left
     method.right = right
     if fabs(method.move_height) + fabs(method.move_roll) > 0.0:
         method.left_height, method.left_roll = renewed(method, method.left_height, method.left_roll,
-                                                       method.left - before_left)
+                                                       method.left - before_left, near)
         method.right_height, method.right_roll = renewed(method, method.right_height, method.right_roll,
-                                                         method.right - before_right)
+                                                         method.right - before_right, near)
 
 
 @seldom
-def renewed(method: Broyden, by_height: float, by_roll: float, change: float):
+def renewed(method: Broyden, by_height: float, by_roll: float, change: float, near: bool):
     """A side's derivatives, by which the last move changes its residual by as much as it has."""
     height = by_height * method.move_height
     roll = by_roll * method.move_roll
     expected = height + roll
-    near = fabs(method.move_height) + fabs(method.move_roll) < NEAR
     if near and fabs(expected) > CLEAR_SHARE * (fabs(height) + fabs(roll)):
         factor = change / expected
         if factor > SMALLEST_FACTOR and factor * SMALLEST_FACTOR < 1.0:
