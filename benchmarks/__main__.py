@@ -4,9 +4,9 @@
     python -m benchmarks --write [KIND or PART ...]     measure, keep in benchmarks/measured, write the pages
 
 Kinds are errors (quick, the same in every run), times and studies (long); without any, all is measured.
-docs/benchmarks.md explains what is measured.  The unit of times is that of ``np.sqrt`` of 2000 doubles, so
-that results of two machines can be compared.  A time is the smallest of several rounds, since disturbances
-only add time.
+docs/evidence/benchmarks.md explains what is measured.  The unit of times is that of ``np.sqrt`` of 2000
+doubles, so that results of two machines can be compared.  A time is the smallest of several rounds, since
+disturbances only add time.
 """
 
 import argparse
@@ -48,7 +48,7 @@ def main(arguments=None):
 
 def parsed(arguments):
     parser = argparse.ArgumentParser("python -m benchmarks",
-                                     description="Run time and error; see docs/benchmarks.md.")
+                                     description="Run time and error; see docs/evidence/benchmarks.md.")
     parser.add_argument("what", nargs="*", metavar="KIND or PART",
                         help=f"{', '.join(parts.KINDS)}, or: {', '.join(parts.PARTS)}")
     parser.add_argument("--write", action="store_true",

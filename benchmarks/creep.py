@@ -1,5 +1,5 @@
 """Errors of the models of creep forces against the complete theory of steady rolling, patch by patch
-(docs/rolling.md), quoted errors of CONTACT's fast methods, and what the models cost.
+(docs/theory/rolling.md), quoted errors of CONTACT's fast methods, and what the models cost.
 
     python -m benchmarks tangential_errors tangential_times
     python -m benchmarks.creep       writes data/creep/held_out.json, about two minutes

@@ -121,7 +121,8 @@ def rigid(system):
     return {"roll": np.max(np.abs(table.roll - run["roll"])), "position": place * 1e3}
 
 
-# ------------------------------------------- other preparations of ANALYN's input (docs/method.md, section 8)
+# ------------------------------------------- other preparations of ANALYN's input (docs/theory/method.md,
+# section 8)
 
 
 CHOICE_SHIFTS = {"1 mm (tread)": 1e-3, "6 mm (flange root)": 6e-3, "6.5 mm (flange)": 6.5e-3}  # [m]
@@ -144,7 +145,8 @@ def choice_changes():
     return {name: dict(zip(CHOICE_SHIFTS, 100 * (values / usual - 1))) for name, values in found.items()}
 
 
-# ---------------------------------------------------------------------- stations of the outline (docs/fmu.md)
+# ---------------------------------------------------------------------- stations of the outline
+# (docs/guides/fmu.md)
 
 
 STATION_NUMBERS = (31, 61, 201)
@@ -165,7 +167,8 @@ def station_errors():
     return found
 
 
-# ----------------------------------------------------------- elastic equilibrium (docs/method.md, section 11)
+# ----------------------------------------------------------- elastic equilibrium (docs/theory/method.md,
+# section 11)
 
 
 TRIAL_POSES = 500
@@ -230,7 +233,8 @@ def manchester():
     return rows
 
 
-# ---------------------------------------------------------------------- patches that turn (docs/conformal.md)
+# ---------------------------------------------------------------------- patches that turn
+# (docs/theory/conformal.md)
 
 
 TURNING_SHIFTS = (1e-3, 6e-3, 6.25e-3)  # [m]

@@ -4,7 +4,7 @@
     <!-- end: NAME -->
 
 and is written anew from benchmarks/measured; what is between them by hand is lost.  Below a table of
-docs/benchmarks.md stands of which commit its numbers are and how they were measured.
+docs/evidence/benchmarks.md stands of which commit its numbers are and how they were measured.
 
 Beside the tables stand pictures of time against error: of the models, with quoted programs as bars from
 shortest to longest time; and of the models of creep forces, on the cases that are held out, with quoted
@@ -85,9 +85,9 @@ def short_table(parts):
                  [name, time, "", *errors]])
 
 
-README, BENCHMARKS, METHOD = "README.md", "docs/benchmarks.md", "docs/method.md"
-CHECK, FMU, STUDY = "docs/check.md", "docs/fmu.md", "docs/source_study.md"
-CONFORMAL = "docs/conformal.md"
+README, BENCHMARKS, METHOD = "README.md", "docs/evidence/benchmarks.md", "docs/theory/method.md"
+CHECK, FMU, STUDY = "docs/guides/check.md", "docs/guides/fmu.md", "docs/evidence/source_study.md"
+CONFORMAL = "docs/theory/conformal.md"
 MODEL_PARTS = ("model_errors", "halfspace", "model_times")
 ERRORS = f"Errors in {tables.TRIPLE}."
 MACHINE = f"The unit is the time of {UNIT}; `benchmarks/measured` has commit, machine and noise."
@@ -109,9 +109,9 @@ TABLES = {
     "creep_errors": Table(BENCHMARKS, ("tangential_errors",), tables.creep_force_table),
     "creep_moments": Table(BENCHMARKS, ("tangential_errors",), tables.creep_moment_table),
     "creep_times": Table(BENCHMARKS, ("tangential_times",), tables.creep_time_table),
-    "creep_short": Table("docs/rolling.md", tables.CREEP_PARTS, tables.creep_short_table,
+    "creep_short": Table("docs/theory/rolling.md", tables.CREEP_PARTS, tables.creep_short_table,
                          tables.CREEP_NOTE),
-    "creep_models": Table("docs/models.md", tables.CREEP_PARTS, tables.creep_model_table,
+    "creep_models": Table("docs/choose.md", tables.CREEP_PARTS, tables.creep_model_table,
                           tables.CREEP_NOTE),
     "curvature": Table(METHOD, ("curvature",), tables.curvature_table, ERRORS),
     "choices": Table(METHOD, ("choices",), tables.choice_table, f"Changes in {tables.TRIPLE}."),
@@ -127,7 +127,7 @@ TABLES = {
                       f"{studies.SPACING} mm."),
     "en15302": Table(CHECK, ("en15302",), tables.benchmark_table),
     "stations": Table(FMU, ("stations", "station_times"), tables.station_table),
-    "noise": Table("docs/profiles.md", ("profile_noise",), tables.noise_table),
+    "noise": Table("docs/guides/profiles.md", ("profile_noise",), tables.noise_table),
     "searches": Table(STUDY, ("source_searches",), tables.source_tables),
     "figures": Table(STUDY, ("source_figures",), tables.figure_table),
 }

@@ -1,7 +1,7 @@
 """Studies of single pages: equivalent conicity of standard profiles, also with measurement noise, and the
-benchmark of EN 15302 (docs/check.md); the effect of noise on ANALYN's contacts after smoothing
-(docs/profiles.md), of profiles that data/noisy_profiles.py makes; and the source's searches side by side
-(docs/source_study.md): error, steps and cost over a set of poses, and where they fail.
+benchmark of EN 15302 (docs/guides/check.md); the effect of noise on ANALYN's contacts after smoothing
+(docs/guides/profiles.md), of profiles that data/noisy_profiles.py makes; and the source's searches side by
+side (docs/evidence/source_study.md): error, steps and cost over a set of poses, and where they fail.
 
     python -m benchmarks source_searches
 

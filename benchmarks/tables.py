@@ -362,7 +362,7 @@ def creep_short_table(parts):
 
 
 def creep_model_table(parts):
-    """The models as docs/models.md has them."""
+    """The models as docs/choose.md has them."""
     errors, times = (parts[name]["rows"] for name in CREEP_PARTS)
     rows = []
     for model in TangentialModel.family.methods:

@@ -3,8 +3,8 @@
 Wheels are cones, exact in space; rails are cylinders along x.  The tangent plane of a cone along the
 generator whose normal has no part along x touches the cylinder along a line, so that the contact is there in
 closed form.  Normal forces are Hertz's, creep forces Kalker's linear theory.  Frames and signs are those of
-docs/conventions.md.  Equations of motion are those of the wheelset in examples/hunting_wheelset, written
-anew.
+docs/reference/conventions.md.  Equations of motion are those of the wheelset in examples/hunting_wheelset,
+written anew.
 """
 
 from dataclasses import dataclass

@@ -1,4 +1,5 @@
-"""Measure the closed loop anew and write its tables and pictures into docs/closed_loop.md and docs/img.
+"""Measure the closed loop anew and write its tables and pictures into docs/guides/closed_loop.md and
+docs/img.
 
     python docs/make_closed_loop.py [klingel] [critical] [hunting] [energy] [curve] [long] [master] [exchange]
                                     [manchester]
@@ -32,7 +33,7 @@ from examples.hunting_wheelset import (  # noqa: E402
 from examples.hunting_wheelset.stability import LINEAR, LINEAR_FRICTION, Linear  # noqa: E402
 from wrcontact.plots.style import save  # noqa: E402
 
-PAGE, IMAGES = ROOT / "docs" / "closed_loop.md", ROOT / "docs" / "img"
+PAGE, IMAGES = ROOT / "docs" / "guides" / "closed_loop.md", ROOT / "docs" / "img"
 MODELS = wrcontact.methods.TangentialModel.family.names(python=False)[1:]
 
 

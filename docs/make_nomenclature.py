@@ -1,4 +1,4 @@
-"""Write docs/nomenclature.md: ``python docs/make_nomenclature.py``.
+"""Write docs/reference/nomenclature.md: ``python docs/make_nomenclature.py``.
 
 Inputs, parameters and outputs are those of the table in wrcontact/interface; their symbols, and the table of
 symbols that only the kernel has, are declared here.
@@ -14,10 +14,10 @@ from wrcontact.interface.variables import STATUS, VARIABLES
 from wrcontact.kernel import layout
 from wrcontact.methods import FAMILIES
 
-PAGE = Path(__file__).resolve().with_name("nomenclature.md")
+PAGE = Path(__file__).resolve().parent / "reference" / "nomenclature.md"
 
-#: Symbols of rows of the table, as in docs/method.md, by the name of the row; those of a patch begin with
-#: "patch.".
+#: Symbols of rows of the table, as in docs/theory/method.md, by the name of the row; those of a patch begin
+#: with "patch.".
 SYMBOLS = {
     "lateral_shift": "y", "yaw": "ψ", "roll": "θ", "roll_input": "θ", "normal_force": "N",
     "load_transfer": "λ", "vertical_shift": "z", "vertical_shift_input": "z", "nominal_radius": "r₀",
@@ -27,7 +27,7 @@ SYMBOLS = {
 }
 
 #: Symbols of the kernel: symbol, name in code (``Record.field`` where it is a field), unit, meaning, equation
-#: of docs/method.md.
+#: of docs/theory/method.md.
 KERNEL = (
     ("r(y), z(y)", "tables.height_slope", "m",
      "radius of the wheel and height of the rail along their profiles", ""),
@@ -111,8 +111,8 @@ def page():
         "# Nomenclature": [
             "Inputs, parameters, methods and outputs, in SI, with the names that FMUs and Python have for "
             "them. `docs/make_nomenclature.py` writes this page from `wrcontact/interface`. Frames and signs "
-            "are in [conventions.md](conventions.md), equations in [method.md](method.md); the page in each "
-            "FMU, `documentation/index.html`, also has limits and value references."],
+            "are in [conventions.md](conventions.md), equations in [method.md](../theory/method.md); the "
+            "page in each FMU, `documentation/index.html`, also has limits and value references."],
         "## Inputs": table(headings, of_table(INPUTS)),
         "## Parameters": table((*headings[:3], "default", "meaning"), of_parameters()),
         "## Methods": table(("parameter", "string", "object", "meaning"), of_methods()),

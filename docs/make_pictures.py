@@ -1,12 +1,12 @@
 """Draw the pictures of the documentation: ``python docs/make_pictures.py [frames] [demo] ...`` writes
 docs/img/*.png.
 
-    frames      frames and signs (docs/conventions.md)
+    frames      frames and signs (docs/reference/conventions.md)
     demo        the picture of ``wrcontact demo`` (README)
-    check       the picture of ``wrcontact check`` (docs/check.md)
+    check       the picture of ``wrcontact check`` (docs/guides/check.md)
     models      the pressures of examples/compare_models.py (README)
-    conformal   planar against conformal theory (docs/conformal.md)
-    source_5_8, source_7_14     two figures of ``wrcontact figures`` (docs/source_study.md)
+    conformal   planar against conformal theory (docs/theory/conformal.md)
+    source_5_8, source_7_14     two figures of ``wrcontact figures`` (docs/evidence/source_study.md)
 
 Wheel and rail are the real S1002 and UIC60 in their real positions; roll and yaw of the sketches are
 exaggerated.

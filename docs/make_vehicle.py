@@ -1,4 +1,5 @@
-"""Run the examples in exudyn anew and write their tables and picture into docs/vehicle.md and docs/img.
+"""Run the examples in exudyn anew and write their tables and picture into docs/guides/vehicle.md and
+docs/img.
 
     pip install exudyn
     python docs/make_vehicle.py
@@ -20,7 +21,7 @@ from examples.vehicle import hunting, runs, theory  # noqa: E402
 from examples.vehicle import manchester as vehicle  # noqa: E402
 from wrcontact.plots.style import save  # noqa: E402
 
-PAGE, IMAGES = ROOT / "docs" / "vehicle.md", ROOT / "docs" / "img"
+PAGE, IMAGES = ROOT / "docs" / "guides" / "vehicle.md", ROOT / "docs" / "img"
 MODELS = ("strips", "fastsim")
 
 

@@ -42,7 +42,7 @@ def check(system):
     """Check the pair of profiles of a ``system``: a :class:`~wrcontact.conditioning.Conditioning`.
 
     It reports jumps of the contact, sensitivities, conformal zones, quality of the profiles and equivalent
-    conicity (docs/check.md); see :func:`wrcontact.conditioning.check`.
+    conicity (docs/guides/check.md); see :func:`wrcontact.conditioning.check`.
     """
     from . import conditioning  # not part of an FMU
 

@@ -1,1 +1,1 @@
-"""A wheelset on its primary suspension runs on the contact FMU: docs/closed_loop.md."""
+"""A wheelset on its primary suspension runs on the contact FMU: docs/guides/closed_loop.md."""

@@ -51,7 +51,7 @@ class Rolling:
 
     def wavelength(self, amplitude, rolls=True):
         """Klingel's 2 pi sqrt(b r0 / tan(gamma)) [m]; with ``rolls``, of a wheelset that also rolls about its
-        x axis (docs/conventions.md): 1 - r0 dq/dy more under the root."""
+        x axis (docs/reference/conventions.md): 1 - r0 dq/dy more under the root."""
         slope = np.interp(amplitude, self.shift, self.roll) / amplitude if rolls else 0.0
         return 2 * np.pi * np.sqrt(self.arm * RADIUS * (1 - RADIUS * slope) / self.conicity(amplitude))
 

@@ -2,7 +2,7 @@
 
 PythonFMU executes this file for every instance, so that it needs nothing but numpy and PythonFMU.  The bogie
 frame runs along the middle of the track with a constant speed.  The wheelset moves across the track and down,
-rolls and yaws, and turns about its axle; it has the frames and signs of docs/conventions.md:
+rolls and yaws, and turns about its axle; it has the frames and signs of docs/reference/conventions.md:
 
     m y'' + (1 - c) (W/g) V^2 k    = F_y - K_y y - D_y y'
     m z''                      = F_z + W - K_z (z - z_0) - D_z z'

@@ -1,1 +1,1 @@
-"""A bogie and a railway vehicle in exudyn, a multibody program, on wrcontact (docs/vehicle.md)."""
+"""A bogie and a railway vehicle in exudyn, a multibody program, on wrcontact (docs/guides/vehicle.md)."""

@@ -1,4 +1,4 @@
-"""The runs of docs/vehicle.md with the whole vehicle, and their picture."""
+"""The runs of docs/guides/vehicle.md with the whole vehicle, and their picture."""
 
 import numpy as np
 

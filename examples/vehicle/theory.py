@@ -2,7 +2,7 @@
 
 Seven coordinates: y and yaw of both wheelsets; y, yaw and roll of the frame.  Wheelsets roll as their cones
 say, in proportion to y.  Hertz's patches (Johnson 1985, 4.26) and Kalker's coefficients.  Frames and signs
-are those of docs/conventions.md.
+are those of docs/reference/conventions.md.
 """
 
 import numpy as np

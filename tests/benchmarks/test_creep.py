@@ -109,8 +109,8 @@ def test_strips_are_nearer_than_every_published_method():
 
 
 def test_what_the_page_says_of_the_strips():
-    """docs/benchmarks.md, results: shares of the error of the next best method, and of the equivalent
-    ellipse's."""
+    """docs/evidence/benchmarks.md, results: shares of the error of the next best method, and of the
+    equivalent ellipse's."""
     found = kept()
 
     def share(name, label):

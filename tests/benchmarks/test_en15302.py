@@ -68,6 +68,6 @@ def test_a_shift_that_is_wrong_is_seen():
 
 
 def test_the_table_is_that_of_today():
-    """docs/check.md; if this fails: ``python -m benchmarks --write en15302``."""
+    """docs/guides/check.md; if this fails: ``python -m benchmarks --write en15302``."""
     found, kept = record.short(studies.en15302_rows()), record.load("en15302")["rows"]
     assert differences(found, kept, absolute=2e-5) == []

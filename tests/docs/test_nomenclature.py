@@ -1,4 +1,4 @@
-"""docs/nomenclature.md is what its script writes, and what it names exists."""
+"""docs/reference/nomenclature.md is what its script writes, and what it names exists."""
 
 import runpy
 

@@ -12,7 +12,7 @@ from wrcontact.fmu.description3 import variable_blocks
 from wrcontact.interface.variables import FIRST_OUTPUT, OUTPUT, REAL, STATUS, VARIABLES
 from wrcontact.kernel import layout
 
-PAGES = sorted(["README.md", *(f"docs/{path.name}" for path in ROOT.glob("docs/*.md"))])
+PAGES = sorted(["README.md", *(path.relative_to(ROOT).as_posix() for path in ROOT.glob("docs/**/*.md"))])
 MM = 1e-3
 
 
@@ -49,14 +49,15 @@ def test_version():
 
 
 def test_bytes_of_a_row():
-    all_of_it, one = numbers("docs/usage.md", r"([\d.]+) kB a row for all outputs, (\d+) bytes for one")
+    all_of_it, one = numbers("docs/guides/usage.md",
+                             r"([\d.]+) kB a row for all outputs, (\d+) bytes for one")
     assert all_of_it == pytest.approx(8e-3 * layout.OUTPUT_COUNT, abs=0.05)
     assert one == 8
 
 
 def test_value_references_of_fmi_3():
     names = {block.name: block.reference for block in variable_blocks()}
-    page = "docs/fmu.md"
+    page = "docs/guides/fmu.md"
     assert numbers(page, r"fmi3ValueReference stations = (\d+), pressure = (\d+);") == [
         names["stations"], names["left.pressure"]]
     assert numbers(page, r"In FMI 3.0 `time` is (\d+), `stations` (\d+), `lateral_shift` (\d+)") == [
@@ -67,7 +68,7 @@ def test_where_the_contact_jumps():
     """Those of usage.md and of method.md; data/README.md has more digits, of another search."""
     jumps = wrcontact.check(ContactSystem()).jumps
     found = [jump.lateral_shift / MM for jump in jumps if jump.side == "right"]
-    first, second, third = numbers("docs/usage.md",
+    first, second, third = numbers("docs/guides/usage.md",
                                    r"at a lateral shift of ([\d.]+), ([\d.]+) and ([\d.]+) mm")
     assert found[:2] == pytest.approx([first, second], abs=0.005)
     assert found[2:] and found[2:] == pytest.approx([third] * len(found[2:]), abs=0.005)
@@ -75,7 +76,7 @@ def test_where_the_contact_jumps():
 
 def test_conformal_zones():
     """Of S1002 on 60E1, on the right."""
-    wide, jump, root = numbers("docs/check.md",
+    wide, jump, root = numbers("docs/guides/check.md",
                                r"centred position \((\d+) mm\), at the jump to the flange root "
                                r"\((\d+)°\) and in the root before the flange \((\d+)°\)")
     zones = [zone for zone in wrcontact.check(ContactSystem(rail="60E1")).conformal if zone.side == "right"]
@@ -86,7 +87,7 @@ def test_conformal_zones():
 
 def test_a_rail_that_is_inclined_twice():
     """The peak pressure [MPa] in the centred position; three digits."""
-    twice, once = numbers("docs/profiles.md", r"UIC60 has (\d+) instead of (\d+) MPa under S1002")
+    twice, once = numbers("docs/guides/profiles.md", r"UIC60 has (\d+) instead of (\d+) MPa under S1002")
     for value, inclination in ((once, 1 / 40), (twice, 2 / 40)):
         found = ContactSystem(rail_inclination=inclination).evaluate().right.max_pressure
         assert found / 1e6 == pytest.approx(value, rel=2e-3)
@@ -95,8 +96,9 @@ def test_a_rail_that_is_inclined_twice():
 def test_forces_and_contact_angles_at_1_mm():
     """The example in conventions.md: what the loads would give along the contact points' normals, and force.y
     [N]; how far the right patch's centre of load lies from its contact point [mm]."""
-    sides, force = numbers("docs/conventions.md", r"over the wheels is (-\d+) N, and `force\.y` is (-\d+) N")
-    away, = numbers("docs/conventions.md", r"load lies ([\d.]+) mm to the field side")
+    sides, force = numbers("docs/reference/conventions.md",
+                           r"over the wheels is (-\d+) N, and `force\.y` is (-\d+) N")
+    away, = numbers("docs/reference/conventions.md", r"load lies ([\d.]+) mm to the field side")
     state = ContactSystem().evaluate(1e-3)
     total = sum(sign * side.normal_force * math.sin(side.contact_angle)
                 for sign, side in ((1, state.left), (-1, state.right)))

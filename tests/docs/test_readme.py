@@ -15,7 +15,7 @@ from wrcontact.kernel.binding.files import PLATFORMS
 from wrcontact.profiles.catalogue import BUILDERS
 
 DOCS = ROOT / "docs"
-PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(DOCS.glob("*.md"))]
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(DOCS.rglob("*.md"))]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
@@ -67,17 +67,17 @@ TOOLS = {"fmpy": "validate_fmu", "fmutool": '"fmutool"', "fmucontainer": '"fmuco
 
 def test_tools_that_are_said_to_run_are_run():
     """Every row with a "yes" names the tests that run the tool."""
-    page = (DOCS / "fmu.md").read_text(encoding="utf-8")
+    page = (DOCS / "guides" / "fmu.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| (.+?) \|(.*\byes\b.*)\|(.*)\|$", page, re.MULTILINE)
     assert len(rows) >= len(TOOLS)
     for tool, _, tests in rows:
-        sources = [(DOCS / link).read_text(encoding="utf-8") for link in re.findall(r"\]\((.*?)\)", tests)]
+        sources = [(DOCS / "guides" / link).read_text(encoding="utf-8") for link in re.findall(r"\]\((.*?)\)", tests)]
         word = next((word for name, word in TOOLS.items() if tool.startswith(name)), tool.split(",")[0])
         assert sources and all(word in source for source in sources), tool
 
 
 def test_the_page_on_fmus_names_what_there_is(capsys):
-    page = pages.PATTERN.sub("", (ROOT / "docs" / "fmu.md").read_text(encoding="utf-8"))   # without tables
+    page = pages.PATTERN.sub("", (ROOT / "docs" / "guides" / "fmu.md").read_text(encoding="utf-8"))
     for name in (*PLATFORMS, *BUILDERS):
         assert name in page, name
     wildcards = re.search(r"-ffp-contract=off (.*) -o WheelsetContact", page)[1].split()
@@ -92,7 +92,7 @@ def test_the_page_on_fmus_names_what_there_is(capsys):
 
 def test_every_input_and_parameter_is_in_a_table():
     """And every choice of every method."""
-    page = (DOCS / "nomenclature.md").read_text(encoding="utf-8")
+    page = (DOCS / "reference" / "nomenclature.md").read_text(encoding="utf-8")
     for variable in VARIABLES:
         if variable.causality != OUTPUT:
             assert re.search(rf"^\|.*`{variable.name}`[^|]* \|", page, re.MULTILINE), variable.name
@@ -104,7 +104,7 @@ def test_every_input_and_parameter_is_in_a_table():
 def test_the_model_of_one_s_own_is_a_model():
     """The one of own_model.md, uncompiled: linear theory where creepages are small (1 %), friction times load
     where they are large."""
-    text = (DOCS / "own_model.md").read_text(encoding="utf-8")
+    text = (DOCS / "guides" / "own_model.md").read_text(encoding="utf-8")
     blocks = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
     code = next(block for block in blocks if "def solve_" in block)
     module = {"__package__": "wrcontact.kernel.creep"}

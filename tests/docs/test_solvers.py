@@ -1,4 +1,4 @@
-"""docs/solvers.md: its first example runs, and its table is what the example of solvers gives."""
+"""docs/guides/solvers.md: its first example runs, and its table is what the example of solvers gives."""
 
 import re
 
@@ -11,7 +11,7 @@ from wrcontact.kernel.binding.library import default_kernel
 
 pytestmark = pytest.mark.skipif(not default_kernel().compiled,
                                 reason="the derivatives are those of the compiled library, and none is here")
-PAGE = (ROOT / "docs" / "solvers.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "guides" / "solvers.md").read_text(encoding="utf-8")
 
 
 def test_the_examples_run():

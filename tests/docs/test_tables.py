@@ -25,16 +25,16 @@ def test_pages_are_what_is_kept(page):
 
 
 def test_every_table_stands_once_in_its_page():
-    texts = ["README.md", *(f"docs/{path.name}" for path in ROOT.glob("docs/*.md"))]
+    texts = ["README.md", *(path.relative_to(ROOT).as_posix() for path in ROOT.glob("docs/**/*.md"))]
     written = [(page, name) for page in texts for name in pages.names(page)]
     assert sorted(written) == sorted((table.page, name) for name, table in TABLES.items())
 
 
 def test_the_readme_is_short():
-    """120 lines, one table of seven rows; where its numbers are from is said in docs/benchmarks.md."""
+    """120 lines, one table of seven rows; docs/evidence/benchmarks.md says where its numbers are from."""
     assert (ROOT / "README.md").read_text(encoding="utf-8").count("\n") <= 120
     assert pages.names("README.md") == ["short"]
-    elsewhere = {part for table in TABLES.values() if table.page == "docs/benchmarks.md"
+    elsewhere = {part for table in TABLES.values() if table.page == "docs/evidence/benchmarks.md"
                  for part in table.parts}
     assert set(TABLES["short"].parts) <= elsewhere
 
@@ -45,8 +45,8 @@ def test_every_part_is_in_a_table_and_kept():
 
 
 def test_tables_say_of_which_commit_they_are():
-    """And, with times, the unit and how noisy the run was; on docs/benchmarks.md, where a reader looks for
-    it."""
+    """And, with times, the unit and how noisy the run was; on docs/evidence/benchmarks.md, where a reader
+    looks for it."""
     for page in {table.page for table in TABLES.values()}:
         text = (ROOT / page).read_text(encoding="utf-8")
         for found in pages.PATTERN.finditer(text):

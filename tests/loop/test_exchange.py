@@ -71,7 +71,8 @@ def test_the_motion_is_that_of_small_steps(archives, exchange):
 
 
 def test_fewer_calls_for_a_smaller_error(archives, exchange):
-    """A row of the table in docs/closed_loop.md again: its calls within 10 %, which rounding may move; about
+    """A row of the table in docs/guides/closed_loop.md again: its calls within 10 %, which rounding may
+    move; about
     half as many as by explicit steps of 0.1 ms, and less than a tenth of the error.  Largest status 1, a
     wheel without load for moments."""
     pair = archives[0], exchange
@@ -79,6 +80,6 @@ def test_fewer_calls_for_a_smaller_error(archives, exchange):
     assert run.evaluations < 0.6 * fixed.evaluations
     assert error(run, finest) < 0.1 * error(fixed, finest)
     assert run.worst_status <= 1 and np.ptp(run.motion[:, 0]) > 12e-3
-    page = (ROOT / "docs" / "closed_loop.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "guides" / "closed_loop.md").read_text(encoding="utf-8")
     steps, calls = map(int, re.search(r"CVode, tolerance 1e-04 \| (\d+) \| (\d+)", page).groups())
     assert run.steps == pytest.approx(steps, rel=0.1) and run.evaluations == pytest.approx(calls, rel=0.1)

@@ -1,4 +1,4 @@
-"""The vehicle of docs/vehicle.md in exudyn: weight, hunting against linear theory, bulge, curve."""
+"""The vehicle of docs/guides/vehicle.md in exudyn: weight, hunting against linear theory, bulge, curve."""
 
 import re
 from importlib.util import find_spec
@@ -16,7 +16,7 @@ from wrcontact.kernel.binding.library import default_kernel
 exudyn = pytest.mark.skipif(not find_spec("exudyn"), reason="exudyn is not installed")
 compiled = pytest.mark.skipif(not default_kernel().compiled,
                               reason="the derivatives are those of the compiled library, and none is here")
-PAGE = (ROOT / "docs" / "vehicle.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "guides" / "vehicle.md").read_text(encoding="utf-8")
 
 
 def test_places_on_a_circle():

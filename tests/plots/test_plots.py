@@ -275,7 +275,7 @@ def test_number(value, digits, text):
 
 
 def test_jumps_of_the_documentation(swept):
-    page = (ROOT / "docs" / "conventions.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "reference" / "conventions.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| ([\d.]+) \| (\S+) → (\S+) \|", page, re.MULTILINE)
     rows = [[float(cell.replace("\N{MINUS SIGN}", "-")) for cell in row] for row in rows]
     told = np.array(told_jumps(swept, "right")) / MM

@@ -50,7 +50,7 @@ def test_noise_in_z_alone_counts_less_on_flanks():
 
 
 #: Noise [mm]; median and 90 % of: contact position [mm], patch area, largest pressure. About twice what
-#: docs/profiles.md tabulates, the most that a share of its seeds has shown.
+#: docs/guides/profiles.md tabulates, the most that a share of its seeds has shown.
 ACCURACY = {1e-3: (0.25, 0.7, 0.012, 0.04, 0.05, 0.12), 1e-2: (0.8, 2.4, 0.07, 0.2, 0.13, 0.45),
             5e-2: (3.0, 8.0, 0.26, 0.7, 0.45, 1.5)}
 

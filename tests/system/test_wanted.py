@@ -1,5 +1,5 @@
 """One rule for all contact modes, models and doors on what is NaN with one side or a part of the outputs, and
-on what the status is that of (docs/conventions.md)."""
+on what the status is that of (docs/reference/conventions.md)."""
 
 import math
 import pickle

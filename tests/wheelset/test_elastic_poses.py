@@ -96,7 +96,7 @@ STEEP = {"separation": {"separation": "vertical"}, "basic": {"longitudinal_curva
          "default": {}}
 #: Vertical distances beside the rail's side, 0.4 mm deep: the half-width of the region, and with it the place
 #: of its nodes, jumps between heights 5 um apart, and the load from 56 to 560 kN.
-VERTICAL_SIDE = "a rare pose where elastic and compliant form differ (docs/reliability.md, What remains)"
+VERTICAL_SIDE = "a rare pose where elastic and compliant form differ (docs/evidence/reliability.md)"
 ONCE_TOO_STEEP = [
     ("default", (-0.006441960288928336, -0.01931160209022382, 191217.56157863978, -0.9453709409738588)),
     ("basic", (0.006434177935025435, 0.021933914269399883, 190255.06901448508, 0.43692107314968576)),

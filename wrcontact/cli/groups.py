@@ -21,7 +21,7 @@ METHODS_OF_CURVATURE = {"longitudinal_curvature", "lateral_curvature"}
 USUAL = {"lateral_shift", "yaw", "normal_force", "load_transfer", "wheel", "rail", "rail_inclination",
          "gauge", "nominal_radius", "contact_mode", "normal_model", "tangential_model", "speed",
          "left_friction", "right_friction"}
-FROM_FILE = "or the path of a file of points (docs/profiles.md)"
+FROM_FILE = "or the path of a file of points (docs/guides/profiles.md)"
 #: Help texts that differ from those of the FMU.
 WORDS = {
     "wheel": f"Wheel profile: {', '.join(WHEELS)}, {FROM_FILE}",

@@ -1,4 +1,5 @@
-"""Conditioning of a pair of profiles: what to know about it before a simulation relies on it (docs/check.md).
+"""Conditioning of a pair of profiles: what to know about it before a simulation relies on it
+(docs/guides/check.md).
 
 >>> import wrcontact
 >>> report = wrcontact.check(wrcontact.ContactSystem(rail="60E1"))

@@ -53,7 +53,8 @@ class Method(Checked):
 
     A direct subclass is a family: it has ``parameter``, ``constant`` and ``decides`` (see :class:`Family`).
     A class below it that has a ``name`` is a method, and is registered in ``family``; its fields are its
-    numbers, each with default, range, unit and words (numbers.py).  docs/own_model.md shows how to add one.
+    numbers, each with default, range, unit and words (numbers.py).  docs/guides/own_model.md shows how to
+    add one.
 
     Attributes
     ----------
@@ -62,7 +63,8 @@ class Method(Checked):
     name : its string there.
     kernel_number : by which the kernel knows it.  It is in FMUs and saved states: it never moves, and a new
         method gets the next one.
-    words : what it does, a clause for the user: in the FMU, the command's help and docs/nomenclature.md.
+    words : what it does, a clause for the user: in the FMU, the command's help and
+    docs/reference/nomenclature.md.
     python_only : whether an FMU and the command line do not have it.
     needs : what else must be chosen with it: {reason: {parameter: name}}.
     """

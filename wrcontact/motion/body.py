@@ -23,7 +23,7 @@ def motion_of(position: ArrayLike, rotation: ArrayLike, velocity: ArrayLike, ang
         yaw_rate = (e_x de_y - e_y de_x) / (e_x^2 + e_y^2),   roll_rate = de_z / cos roll
         wheel_rate = yaw_rate e_z - w . e
 
-    All is in the axes of the track frame, x forward, y to the right, z down (docs/conventions.md).
+    All is in the axes of the track frame, x forward, y to the right, z down (docs/reference/conventions.md).
 
     Parameters
     ----------

@@ -1,7 +1,8 @@
 """Points from the text of a profile file: plain columns, and Simpack's .prw and .prr.
 
 MiniProf's and Vampire's files are read in readers.py, which also chooses the reader.  Each
-reader's docstring and docs/profiles.md describe what is read.  A reader returns the points of the file, with
+reader's docstring and docs/guides/profiles.md describe what is read.  A reader returns the points of the
+file, with
 the unit, shift and mirror that the file itself states; everything that must be guessed is left to repair.py.
 """
 

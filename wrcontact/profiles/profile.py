@@ -82,7 +82,7 @@ class Profile:
     @classmethod
     def from_file(cls, path: str | PathLike[str], kind: str, smoothing: float | None = None,
                   **options: Any) -> "Profile":
-        """The profile in a file of points or a prepared file (docs/profiles.md).
+        """The profile in a file of points or a prepared file (docs/guides/profiles.md).
 
         Parameters
         ----------

@@ -21,7 +21,7 @@ ALWAYS = ("roll", "vertical_shift")
 #: The outcome of a step, which every table has; who asks for it by name gets that of the whole contact.
 STATUS = "status"
 PERMITTED = ("; permitted are 'all', 'patches', 'geometry', or names such as 'right.area', 'right.patch' and "
-             "'roll' (docs/nomenclature.md)")
+             "'roll' (docs/reference/nomenclature.md)")
 RUNS = tuple(row.name for row in SIDE if isinstance(row, Run))
 #: Runs that are there with wear_outputs only.
 WEAR_RUNS = tuple(row.name for row in WEAR)

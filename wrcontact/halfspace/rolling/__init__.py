@@ -6,7 +6,8 @@
 >>> f"{forces.force_x / 24e3:.2f} of the friction limit, {forces.stick_share:.2f} of the area sticks"
 '0.60 of the friction limit, 0.62 of the area sticks'
 
-The equations (R1) ... are those of docs/rolling.md.  Lengths in m, pressures in Pa, forces in N; arrays are
+The equations (R1) ... are those of docs/theory/rolling.md.  Lengths in m, pressures in Pa, forces in N;
+arrays are
 (ny, nx), x along the rolling direction.  Python only; the models of the kernel are measured against it.
 """
 

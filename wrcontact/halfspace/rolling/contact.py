@@ -2,7 +2,7 @@
 
 Tractions are constant on each cell.  Their displacements are Cerruti's (Johnson 1985, section 3.6),
 integrated over a cell in closed form, and summed by fast Fourier transforms.  Equations (R3) ... (R5) of
-docs/rolling.md.
+docs/theory/rolling.md.
 """
 
 import math

@@ -3,7 +3,7 @@ generalised minimal residuals (Saad and Schultz 1986).
 
 Friction says of every cell's traction p, bound g and slip s:  |p| <= g;  |p| < g and s = 0;  or
 p = -g s/|s|.  With any c > 0 this is one equation, p = P(p - c s), where P cuts a vector to the length g.
-(R6), (R7) of docs/rolling.md.
+(R6), (R7) of docs/theory/rolling.md.
 """
 
 import numpy as np
