@@ -367,18 +367,21 @@ class ContactSystem:
         them."""
         given = input_values(arguments, inputs)
         try:
-            columns = np.broadcast_arrays(*(np.atleast_1d(np.asarray(column, dtype=float))
-                                            for column in given))
+            columns = [np.asarray(column, dtype=float) for column in given]
+            shape = np.broadcast_shapes((1,), *(column.shape for column in columns))
         except (TypeError, ValueError):
             raise wrong_input(given, array=True) from None
-        if columns[0].ndim != 1:
+        if len(shape) != 1:
             raise wrong_input(given, array=True)
         warn_of_inputs(columns, self._told)
         stepper = self._new_stepper()
         wanted = selected(side, outputs, len(stepper.outputs))
         stepper.want(wanted.side, wanted.depth)
         stepper.prescribe(penetration)
-        return np.ascontiguousarray(np.stack(columns, axis=1)), wanted, stepper
+        rows = np.empty((*shape, len(columns)))
+        for place, column in enumerate(columns):
+            rows[:, place] = column
+        return rows, wanted, stepper
 
 
 def _rebuilt(kind, parameters, profiles):

@@ -29,6 +29,8 @@ ONE = 0.21e-3
 STEP = 0.05e-3
 #: Number of steps in a chord, 1 mm, that gives the wheel's direction; noise changes it little.
 CHORD = 20
+#: Points to each side of a contact, 10 mm, among which the ends of a close stretch are sought first.
+REACH = 200
 
 
 @dataclass(frozen=True)
@@ -63,20 +65,42 @@ class Outlines:
         self.z_rail = evaluate_table(rail, self.y_rail)[0]
 
     def near(self, shift, roll, contact_angle, y_wheel):
-        """Length [m] and change of direction [rad] of the close stretch of a right wheel in contact at
-        ``y_wheel`` [m]."""
-        sine, cosine = math.sin(roll), math.cos(roll)
-        across = shift + (self.arm + self.y) * cosine - (self.radius + self.z) * sine
-        down = (self.arm + self.y) * sine + (self.radius + self.z) * cosine
-        gap = np.interp(across - self.rail_y, self.y_rail, self.z_rail, left=np.inf, right=np.inf) - down
-        contact = int(np.clip(np.searchsorted(self.y, y_wheel), 1, len(self.y) - 2))
-        apart = (gap - np.min(gap[contact - 1:contact + 2])) * math.cos(contact_angle) > NEAR
-        low = contact - int(np.argmax(apart[contact::-1])) if apart[:contact + 1].any() else -1
-        high = contact + int(np.argmax(apart[contact:])) if apart[contact:].any() else len(self.y)
-        low, high = low + 1, max(high - 1, low + 1)
-        angle = self.angle[low:high - CHORD + 1]
-        return (self.length[high] - self.length[low], np.max(angle) - np.min(angle) if high - low >= CHORD
-                else 0.0)
+        """Length [m] and change of direction [rad] (2, n) of the close stretches of a right wheel in contact
+        at ``y_wheel`` (n,) [m]."""
+        pose = np.array([shift, *(list(map(function, angles)) for function, angles in (
+            (math.sin, roll), (math.cos, roll), (math.cos, contact_angle)))])
+        contact = np.clip(np.searchsorted(self.y, y_wheel), 1, len(self.y) - 2)
+        low, high = self._ends(contact, pose)
+        turn = [np.ptp(self.angle[first:last - CHORD + 1]) if last - first >= CHORD else 0.0
+                for first, last in zip(low, high)]
+        return np.array([self.length[high] - self.length[low], turn])
+
+    def _ends(self, contact, pose):
+        """First and last index (2, n) of the stretches around ``contact`` (n,), in a window that is doubled
+        until it holds them."""
+        ends, left, reach = np.empty((2, len(contact)), dtype=int), np.arange(len(contact)), REACH
+        while len(left):
+            middle = contact[left]
+            apart = self._apart(middle, reach, pose[:, left])
+            before, after = apart[:, reach::-1], apart[:, reach:]
+            down, up = np.argmax(before, axis=1), np.argmax(after, axis=1)
+            closed = before.any(axis=1), after.any(axis=1)
+            low = np.where(closed[0], middle - down + 1, 0)
+            ends[:, left] = low, np.maximum(np.where(closed[1], middle + up, len(self.y)) - 1, low)
+            left = left[~((closed[0] | (middle <= reach)) & (closed[1] | (middle + reach >= len(self.y) - 1)))]
+            reach *= 2
+        return ends
+
+    def _apart(self, contact, reach, pose):
+        """Which points are no longer close to the rail (n, 2 reach + 1), around each ``contact`` (n,)."""
+        at = np.clip(contact[:, None] + np.arange(-reach, reach + 1), 0, len(self.y) - 1)
+        shift, sine, cosine, lean = pose[:, :, None]
+        y, z = self.arm + self.y[at], self.radius + self.z[at]
+        across = shift + y * cosine - z * sine
+        gap = np.interp(across - self.rail_y, self.y_rail, self.z_rail, left=np.inf, right=np.inf)
+        gap -= y * sine + z * cosine
+        least = np.min(gap[:, reach - 1:reach + 2], axis=1, keepdims=True)
+        return (gap - least) * lean > NEAR
 
 
 def near_stretches(system, lateral_shift, table):
@@ -85,9 +109,10 @@ def near_stretches(system, lateral_shift, table):
     found = {}
     for side, sign in zip(SIDES, (MIRROR[0], 1.0)):
         outlines, wheel = Outlines(system, side), getattr(table, side)
-        rows = zip(sign * lateral_shift, sign * table.roll, wheel.contact_angle, wheel.contact.y_wheel)
-        found[side] = np.array([outlines.near(*row) if math.isfinite(row[1]) else (math.nan, math.nan)
-                                for row in rows]).T
+        rows = (sign * lateral_shift, sign * table.roll, wheel.contact_angle, wheel.contact.y_wheel)
+        touching = np.isfinite(table.roll)
+        found[side] = np.full((2, len(lateral_shift)), math.nan)
+        found[side][:, touching] = outlines.near(*(row[touching] for row in rows))
     return found
 
 

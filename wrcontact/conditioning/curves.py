@@ -78,7 +78,7 @@ def geometry(system, lateral_shift, yaw=0.0):
     """States at ``lateral_shift`` (n,) [m] and ``yaw`` [rad], geometry only: of a rigid wheelset, or of a
     compliant one at zero roll."""
     return system.evaluate_many(lateral_shift=lateral_shift, yaw=yaw, vertical_shift_input=LIFTED,
-                                outputs="geometry")
+                                outputs="geometry", threads=1)     # their blocks would decide last bits
 
 
 def radius_difference(system, lateral_shift):

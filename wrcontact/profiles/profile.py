@@ -1,6 +1,7 @@
 """A wheel or rail profile: height, slope and curvature as functions of the lateral coordinate."""
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from os import PathLike
 from typing import Any
 
@@ -12,6 +13,7 @@ from .definition import definition
 from .files import read_profile, zones_through
 from .options import ProfileFile
 from .remarks import Reading
+from .zones import Chain
 
 #: Largest height step that a published profile may have at a joint [mm].  EN 13715's S1002 has 1.2e-4 by
 #: rounding.
@@ -138,12 +140,20 @@ class Profile:
         # ``start`` and ``stop`` in metres need not come back to the same millimetres
         y_mm = np.where((y >= self.start) & (y <= self.stop),
                         np.clip(y / MM, self.zones[0].start, self.zones[-1].stop), np.nan)
+        if self._chain:
+            z, slope, bend = self._chain(y_mm)
+            return z * MM, slope, bend / MM
         result = np.full((3,) + y_mm.shape, np.nan)
         for zone in self.zones:
             inside = (y_mm >= zone.start) & (y_mm <= zone.stop)
             if np.any(inside):
                 result[:, inside] = zone(y_mm[inside])
         return result[0] * MM, result[1], result[2] / MM
+
+    @cached_property
+    def _chain(self):
+        """The zones of a file of points at once; None where one is an arc."""
+        return Chain.of(self.zones)
 
     def height(self, y: ArrayLike) -> NDArray[Any]:
         """Height z(y) [m], positive down, at ``y`` [m]; array in, array out, NaN outside the profile."""

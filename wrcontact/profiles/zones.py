@@ -28,6 +28,35 @@ class Polynomial:
                      for part in (c, first, second))
 
 
+class Chain:
+    """Polynomials in a row, evaluated together, with the bits of each one by itself; where two of them
+    meet, the later one counts."""
+
+    def __init__(self, zones):
+        self.start, self.stop, self.origin = np.array([(z.start, z.stop, z.origin) for z in zones]).T
+        most = max(3, max(len(zone.coefficients) for zone in zones))
+        c = np.array([(*zone.coefficients, *[0.0] * (most - len(zone.coefficients))) for zone in zones])
+        first = c[:, 1:] * np.arange(1, c.shape[1])
+        second = first[:, 1:] * np.arange(1, first.shape[1])
+        self.parts = c, first, second
+
+    @classmethod
+    def of(cls, zones):
+        """The chain of these ``zones``, by rising y; None if one is no polynomial."""
+        return cls(zones) if all(type(zone) is Polynomial for zone in zones) else None
+
+    def __call__(self, y):
+        """Height, slope and second derivative at ``y`` [mm] between both ends, (3,) and y's shape; NaN in
+        a hole."""
+        at = np.maximum(np.searchsorted(self.start, y, side="right") - 1, 0)
+        u, found = y - self.origin[at], np.zeros((3, *np.shape(y)))
+        for k, part in enumerate(self.parts):
+            for coefficients in part.T[::-1]:
+                found[k] = found[k] * u + coefficients[at]
+        found[:, ~(y <= self.stop[at])] = np.nan
+        return found
+
+
 @dataclass(frozen=True)
 class Arc:
     """Part of the circle around (y_centre, z_centre); ``side`` +1 is its lower half (larger z), -1 its upper
