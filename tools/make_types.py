@@ -108,7 +108,7 @@ def _input(name, row, typed):
 def exports():
     """Lines of what ``import wrcontact`` offers."""
     for name in wrcontact.__all__:
-        if name != "check":
+        if name not in ("check", "check_fleet"):
             yield f"from .{getattr(wrcontact, name).__module__.partition('.')[2]} import {name} as {name}"
 
 

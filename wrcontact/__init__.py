@@ -20,12 +20,12 @@ from .wheel import WheelContact, WheelState
 __version__ = "0.2.0.dev0"
 __all__ = ["ContactSystem", "CreepForces", "CreepPatch", "Friction", "GuidingForces", "Material", "Profile",
            "ProfileFile", "ProfileWarning", "Status", "Stepper", "Track", "UnusualValueWarning",
-           "WheelContact", "WheelState", "Wheelset", "WheelsetState", "check", "creep_forces",
+           "WheelContact", "WheelState", "Wheelset", "WheelsetState", "check", "check_fleet", "creep_forces",
            "elliptic_patch", "explain", "guiding_forces", "low_pass", "motion_of", "outlined_patch",
            "patch_of", "sliding_mean", *_methods]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
-_LATER = frozenset({"conditioning", "halfspace", "plots", "study"})
+_LATER = frozenset({"conditioning", "fleet", "halfspace", "plots", "study"})
 
 
 def __getattr__(name):
@@ -47,3 +47,11 @@ def check(system):
     from . import conditioning  # not part of an FMU
 
     return conditioning.check(system)
+
+
+def check_fleet(wheels, rails, output=None, **options):
+    """Check every wheel on every rail, in folders or lists, and write a report: a
+    :class:`~wrcontact.fleet.Fleet` (docs/guides/fleets.md); see :func:`wrcontact.fleet.check_fleet`."""
+    from . import fleet  # not part of an FMU
+
+    return fleet.check_fleet(wheels, rails, output, **options)

@@ -1,11 +1,17 @@
 # Written by tools/make_types.py; do not edit.
 """Wheel-rail contact of a wheelset on its track: contact positions, roll, patches and creep forces."""
 
+from collections.abc import Sequence
+from os import PathLike
+from typing import Any, Literal
+
 from . import conditioning as conditioning
+from . import fleet as fleet
 from . import halfspace as halfspace
 from . import plots as plots
 from . import study as study
 from .conditioning import Conditioning
+from .fleet import Fleet
 from .system import ContactSystem as ContactSystem
 from .creep.forces import CreepForces as CreepForces
 from .creep.patch import CreepPatch as CreepPatch
@@ -60,3 +66,10 @@ from .methods.tangential import HalfspaceRolling as HalfspaceRolling
 __version__: str
 
 def check(system: ContactSystem) -> Conditioning: ...
+
+_Profiles = str | PathLike[str] | Profile | ProfileFile
+
+def check_fleet(wheels: _Profiles | Sequence[_Profiles], rails: _Profiles | Sequence[_Profiles],
+                output: str | PathLike[str] | None = None, *, pictures: Literal["remarks", "all", "none"] = "remarks",
+                processes: int | None = None, scheduler: Any = None, smoothing: float | None = None,
+                **parameters: Any) -> Fleet: ...

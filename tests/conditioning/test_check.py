@@ -15,6 +15,7 @@ from data.noisy_profiles import even_points, noisy_points
 from tests.helpers.cases import MM
 from wrcontact import ContactSystem, Profile
 from wrcontact.conditioning.conicity import OFF_PROFILE
+from wrcontact.conditioning.text import check_text
 from wrcontact.plots import check_figure
 from wrcontact.profiles.zones import Polynomial
 
@@ -81,6 +82,11 @@ def test_left_is_the_mirror_of_right(uic60):
             np.testing.assert_allclose(left, right[::-1], atol=1e-9)
         else:
             np.testing.assert_allclose(left, sign * right[::-1], rtol=1e-5, atol=1e-7, err_msg=field.name)
+
+
+def test_a_check_has_the_same_bits_again(uic60):
+    """Threads that shared long tables decided last digits by which of them was first."""
+    assert check_text(wrcontact.check(ContactSystem())) == check_text(uic60)
 
 
 # --- profiles, ranges, files ----------------------------------------------------------------------

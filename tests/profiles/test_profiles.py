@@ -1,9 +1,12 @@
 """Profiles: definitions, joints, placement on the track, and the kernel's tables of them."""
 
+import warnings
+
 import numpy as np
 import pytest
 
 import wrcontact
+from data.noisy_profiles import noisy_points
 from wrcontact.kernel.layout import PIECE_SIZE, offset
 from wrcontact.kernel.layout import Profile as Table
 from wrcontact.kernel.surface import tables
@@ -12,7 +15,7 @@ from wrcontact.profiles.catalogue import find_profile, standard_name
 from wrcontact.profiles.compiled import evaluate_table
 from wrcontact.profiles.files import prepared_text
 from wrcontact.profiles.placement import place_rail
-from wrcontact.profiles.zones import Polynomial
+from wrcontact.profiles.zones import Chain, Polynomial
 
 MM = 1e-3
 
@@ -193,3 +196,31 @@ def test_names_are_read_without_regard_to_case(name):
 def test_cones_have_the_conicity_of_their_slope(name, slope):
     conicity = wrcontact.check(wrcontact.ContactSystem(wheel=name)).conicity
     np.testing.assert_allclose(conicity.level, slope, rtol=1e-3)
+
+
+@pytest.mark.parametrize("smoothing", [None, 0.0])
+def test_polynomials_in_a_row_are_each_by_itself(tmp_path, smoothing):
+    """Bit for bit, also where two meet, and just outside."""
+    y, z = noisy_points("wheel", 0.2, 5e-3, 3)
+    np.savetxt(tmp_path / "wheel.txt", np.column_stack([y, z]), fmt="%.5f")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        profile = Profile.from_file(tmp_path / "wheel.txt", "wheel", smoothing)
+    ends = [end for zone in profile.zones for end in (zone.start, zone.stop)]
+    y = np.concatenate([np.linspace(profile.start / MM - 1.0, profile.stop / MM + 1.0, 2001), ends])
+    expected = np.full((3, len(y)), np.nan)
+    for zone in profile.zones:
+        inside = (y >= zone.start) & (y <= zone.stop)
+        expected[:, inside] = zone(y[inside])
+    chain = Chain.of(profile.zones)
+    within = np.isfinite(expected[0])
+    np.testing.assert_array_equal(chain(y[within]), expected[:, within])
+    assert not within.all() and Chain.of(standard_profile("S1002").zones) is None
+    np.testing.assert_array_equal(np.isnan(profile.height(y * MM)[:2001]), ~within[:2001])
+
+
+def test_polynomials_of_several_degrees_in_a_row():
+    zones = Polynomial(-70, -9, (-0.045, -0.055), -9.0), Polynomial(-9, 60, (-0.045, -0.05, 1e-3, 2e-5), 3.0)
+    for zone in zones:
+        y = np.linspace(zone.start, zone.stop - 1e-9, 101)
+        np.testing.assert_array_equal(Chain.of(zones)(y), zone(y))

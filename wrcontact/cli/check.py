@@ -1,20 +1,24 @@
-"""``wrcontact check``: the report on a pair of profiles, as text and as JSON."""
+"""``wrcontact check``: the report on a pair of profiles, as text, and that on a fleet."""
 
-import dataclasses
-import json
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
+import typer
 from rich import box
 from rich.table import Table
 
+from ..conditioning import check
 from ..conditioning.conformal import NEAR
 from ..conditioning.curves import merged_jumps
 from ..conditioning.report import differing_left
-from ..interface.parameters import GEOMETRY, LEFT, SIDED
+from ..conditioning.text import check_text
+from ..progress import working
 from ..results.words import fixed
-from .report import console, plain
+from ..storage.atomic import write_atomically
+from .door import Refused, check_folder, sentences
+from .report import console
 from .typed import typed
 
 #: Lateral shifts of the printed table [mm].
@@ -48,6 +52,49 @@ READINGS = (
     ("noise", "um", 1e6, 2, lambda reading: reading.noise),
     ("smoothing", "um", 1e6, 2, lambda reading: reading.smoothing),
 )
+
+
+def check_one(system, output, file):
+    """Check the pair of a ``system``, print the report, and write its picture to ``output`` and its JSON to
+    ``file``, if that is not None."""
+    from ..plots import check_figure, save
+
+    with working("checking the pair", 2) as advance:
+        report = check(system)
+        advance(words="drawing the picture")
+        pictures = {output: check_figure(report)}
+        if not system.equal_sides:
+            pictures[output.with_stem(output.stem + "_left")] = check_figure(report, side="left")
+    print_check(report)
+    with sentences():
+        if file:
+            write_atomically(file, check_text(report).encode())
+        for target, figure in pictures.items():
+            save(figure, target)
+    print(f"\npicture written to {' and '.join(map(str, pictures))}")
+    if not report.usable:
+        raise typer.Exit(1)
+
+
+def check_many(geometry, batch, output, chosen):
+    """Check every wheel on every rail and write the report to the folder ``output``; ``batch`` are both,
+    which ``geometry`` may have as ProfileFiles, and ``chosen`` other arguments of check_fleet."""
+    from ..fleet import check_fleet
+    from ..fleet.page import summary
+
+    check_folder(output)
+    wheels, rails = (geometry.pop(kind, given) for kind, given in zip(("wheel", "rail"), batch))
+    if chosen["smoothing"] is not None:
+        chosen["smoothing"] /= 1e6
+    with sentences(typed):
+        try:
+            fleet = check_fleet(wheels, rails, output, **chosen, **geometry)
+        except RuntimeError as wrong:
+            raise Refused(str(wrong), code=1) from None
+    print(summary(fleet), *(row["error"] for row in fleet.broken), sep="\n")
+    print(f"report written to {Path(fleet.report)}")
+    if not all(row["usable"] for row in fleet):
+        raise typer.Exit(1)
 
 
 def print_check(report):
@@ -161,19 +208,3 @@ def zone_table(report, side="right"):
             table.add_row(*(_shown(y, 1e3, 2) for y in (zone.start, zone.stop)), *(_shown(y, 1e3, 1) for y in
                           (zone.y_low, zone.y_high, zone.width)), _shown(zone.turn, math.degrees(1), 1))
     return table
-
-
-# --- JSON ------------------------------------------------------------------------------------------
-
-
-def check_text(report):
-    """A :class:`~wrcontact.conditioning.Conditioning` as JSON in SI with its attribute names; null for
-    NaN."""
-    right, left = report.system.parameters, report.system.side_parameters("left")
-    fields = {field.name: getattr(report, field.name) for field in dataclasses.fields(report)}
-    system = {"wheel": report.wheel.name, "rail": report.rail.name,
-              **{name: right[name] for name in GEOMETRY}}
-    if not report.system.equal_sides:
-        system |= {"left_wheel": report.left_wheel.name, "left_rail": report.left_rail.name,
-                   **{LEFT + name: left[name] for name in SIDED if name in GEOMETRY}}
-    return json.dumps(plain({**fields, "system": system}), indent=1)

@@ -17,7 +17,6 @@ from ..profiles.files import SMOOTHING
 from ..profiles.remarks import remarks_in_lines
 from ..progress import in_lines, working
 from ..status import Status
-from ..storage.atomic import write_atomically
 from .door import Door, Refused, check_file, check_folder, sentences
 from .groups import FILES
 from .help import Command, with_all
@@ -263,11 +262,22 @@ def plot(pose, system,
 @reads_files
 @takes(geometry=GEOMETRY)
 def check(geometry,
-          output: Annotated[Path, typer.Option(
-              metavar="FILE", help="File of the picture: .png, .svg or .pdf")]
-          = Path("check.png"),
+          output: Annotated[Path | None, typer.Option(
+              metavar="FILE", show_default=False,
+              help="File of the picture: .png, .svg or .pdf; with --batch a folder (default: check.png, "
+                   "wrcontact-fleet)")] = None,
           file: Annotated[Path | None, typer.Option(
               "--json", metavar="FILE", help="Write all results to this file as JSON, in SI units")] = None,
+          batch: Annotated[tuple[str, str] | None, typer.Option(
+              metavar="WHEELS RAILS",
+              help="Check every wheel on every rail: folders with files, patterns in quotes, or names; "
+                   "interrupted, the same command continues")] = None,
+          pictures: Annotated[str | None, typer.Option(
+              metavar="remarks|all|none",
+              help="With --batch: which pairs are drawn (default: remarks)")] = None,
+          scheduler: Annotated[str | None, typer.Option(
+              metavar="ADDRESS", help="With --batch: address of a dask scheduler whose workers do the work")]
+          = None,
           smoothing: Smoothing = None):
     """Check a pair of profiles before a simulation relies on it.
 
@@ -276,31 +286,27 @@ def check(geometry,
     to 8 mm (EN 15302). The exit code is 1 if the pair has no contact within 1 mm of the centred position.
     Where the left side differs, its picture is written beside that of the right one, as check_left.png.
 
+    With --batch it checks all pairs of two folders and writes a report.
+
     Example: wrcontact check --wheel worn.whl --rail 60E1 --output worn.png
     """
-    from .. import conditioning
-    from ..plots import check_figure, save
-    from .check import check_text, print_check
+    from .check import check_many, check_one
 
+    if batch:
+        if file:
+            raise Refused("--json is given; it is permitted only without --batch, which writes one for each "
+                          "pair")
+        check_many(geometry, batch, output or Path("wrcontact-fleet"),
+                   {"pictures": pictures or "remarks", "scheduler": scheduler, "smoothing": smoothing})
+        return
+    for name, value in (("pictures", pictures), ("scheduler", scheduler)):
+        if value is not None:
+            raise Refused(f"--{name} is given; it is permitted only with --batch")
+    output = output or Path("check.png")
     _refuse_no_picture(output)
     for target in (output, *([file] if file else [])):
         check_file(target)
-    system = _system(geometry, smoothing)
-    with working("checking the pair", 2) as advance:
-        report = conditioning.check(system)
-        advance(words="drawing the picture")
-        pictures = {output: check_figure(report)}
-        if not system.equal_sides:
-            pictures[output.with_stem(output.stem + "_left")] = check_figure(report, side="left")
-    print_check(report)
-    with sentences():
-        if file:
-            write_atomically(file, check_text(report).encode())
-        for target, figure in pictures.items():
-            save(figure, target)
-    print(f"\npicture written to {' and '.join(map(str, pictures))}")
-    if not report.usable:
-        raise typer.Exit(1)
+    check_one(_system(geometry, smoothing), output, file)
 
 
 @main.command(cls=Command, rich_help_panel=STUDY)

@@ -16,10 +16,15 @@ KINDS = ("wheel", "rail")
 
 def reads_files(command):
     """Decorator that adds these options to a command with ``--wheel`` and ``--rail``; the command receives a
-    :class:`~wrcontact.ProfileFile` if one of them is given."""
+    :class:`~wrcontact.ProfileFile` if one of them is given.  Where the command has ``--batch``, they may be
+    those of its files."""
 
     @wraps(command)
     def with_options(**given):
+        if given.get("batch"):
+            if given["wheel"] or given["rail"]:
+                raise Refused("--wheel or --rail is given; permitted is that only without --batch")
+            given["wheel"], given["rail"] = given["batch"]
         for kind in KINDS:
             chosen = {name: given.pop(f"{kind}_{name}") for name in _names(kind)}
             chosen = {name: value for name, value in chosen.items() if value is not None}

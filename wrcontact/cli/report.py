@@ -1,6 +1,5 @@
 """Output of the command line: one state, and a sweep."""
 
-import dataclasses
 import json
 import math
 from operator import attrgetter
@@ -14,7 +13,7 @@ from ..conventions import SIDES
 from ..interface.outputs import PATCH, SIDE
 from ..interface.rows import single_numbers
 from ..kernel import layout
-from ..results.words import shown, unit_name
+from ..results.words import plain, shown, unit_name
 from ..status import Status, explain
 from .typed import SWEEP, Typed
 
@@ -140,19 +139,6 @@ def state_text(system, state):
     content = state.to_dict()
     words = sentence(state.status, state.inputs, is_compliant(system))
     return json.dumps(plain({"status": content.pop("status"), "explanation": words, **content}), indent=2)
-
-
-def plain(value):
-    """``value`` for JSON, in terms of dicts, lists and plain numbers; None for NaN and infinity."""
-    if dataclasses.is_dataclass(value):
-        return {field.name: plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
-    if isinstance(value, dict):
-        return {name: plain(entry) for name, entry in value.items()}
-    if isinstance(value, (list, tuple, np.ndarray)):
-        return [plain(entry) for entry in value]
-    if isinstance(value, float):
-        return float(value) if math.isfinite(value) else None
-    return value
 
 
 # --- sweeps --------------------------------------------------------------------------------------

@@ -87,7 +87,8 @@ class Outlines:
             closed = before.any(axis=1), after.any(axis=1)
             low = np.where(closed[0], middle - down + 1, 0)
             ends[:, left] = low, np.maximum(np.where(closed[1], middle + up, len(self.y)) - 1, low)
-            left = left[~((closed[0] | (middle <= reach)) & (closed[1] | (middle + reach >= len(self.y) - 1)))]
+            ended = middle <= reach, middle + reach >= len(self.y) - 1
+            left = left[~((closed[0] | ended[0]) & (closed[1] | ended[1]))]
             reach *= 2
         return ends
 

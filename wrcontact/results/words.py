@@ -1,7 +1,7 @@
 """Values as text in display units, short texts of results, and tables in HTML."""
 
 import math
-from dataclasses import fields
+from dataclasses import fields, is_dataclass
 from html import escape
 
 import numpy as np
@@ -55,6 +55,19 @@ def short(value):
         return "nan"
     low, high = f"{finite.min():.5g}", f"{finite.max():.5g}"
     return low if low == high else f"{low} ... {high}"
+
+
+def plain(value):
+    """``value`` for JSON, in terms of dicts, lists and plain numbers; None for NaN and infinity."""
+    if is_dataclass(value):
+        return {field.name: plain(getattr(value, field.name)) for field in fields(value)}
+    if isinstance(value, dict):
+        return {name: plain(entry) for name, entry in value.items()}
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return [plain(entry) for entry in value]
+    if isinstance(value, float):
+        return float(value) if math.isfinite(value) else None
+    return value
 
 
 class ShortText:
