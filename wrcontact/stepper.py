@@ -21,6 +21,7 @@ from .methods.numbers import check_choice
 from .motion.names import differentiated_inputs, differentiated_outputs, is_computed, listed, place_of
 from .motion.reaction import rail_reaction
 from .results.columns import output_names
+from .results.saved import check_mark, version_mark
 
 #: What of an evaluation can be wanted: sides and depth of the outputs, with the kernel's numbers.
 SIDES = {"both": layout.SIDES_BOTH, "left": layout.SIDES_LEFT, "right": layout.SIDES_RIGHT}
@@ -72,7 +73,7 @@ class Stepper:
         self._wanted = ("both", "all")
 
     def __reduce__(self):
-        return _restored, (self._tables, self._bind, (self.inputs, self.outputs, self.state),
+        return _restored, (version_mark(), self._tables, self._bind, (self.inputs, self.outputs, self.state),
                            self._penetration, self._wanted)
 
     @property
@@ -246,8 +247,9 @@ class Stepper:
         self._wanted = (side, outputs)
 
 
-def _restored(tables, bind, arrays, penetration, wanted):
-    """A stepper that continues where another one is."""
+def _restored(mark, tables, bind, arrays, penetration, wanted):
+    """A stepper that continues where another one is, if that is of this version."""
+    check_mark(mark, "the stepper")
     stepper = Stepper(tables, bind)
     for own, kept in zip((stepper.inputs, stepper.outputs, stepper.state), arrays):
         own[:] = kept

@@ -42,8 +42,11 @@ def test_numbers_of_outputs(page):
 
 
 def test_version():
-    """The same in both places, and none of a release while there are changes since: FMUs carry it."""
-    assert f'\nversion = "{wrcontact.__version__}"\n' in (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    """In one place, and none of a release while there are changes since: FMUs carry it."""
+    texts = {name: (ROOT / name).read_text(encoding="utf-8")
+             for name in ("pyproject.toml", "CITATION.cff", "wrcontact/__init__.py", "tools/release.py")}
+    assert [name for name, text in texts.items() if wrcontact.__version__ in text] == ["wrcontact/__init__.py"]
+    assert 'version = {attr = "wrcontact.__version__"}' in texts["pyproject.toml"]
     parts = re.findall(r"^## (.*)$", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)
     assert (parts[0] == "Unreleased") == (wrcontact.__version__ not in parts)
 

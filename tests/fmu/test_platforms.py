@@ -112,8 +112,10 @@ def fmus(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def kernels():
-    """The kernel's library of a platform by its name, compiled once."""
-    return cache(compile_kernel)
+    """The kernel's library of a platform by its name, compiled once; or that in the folder
+    WRCONTACT_TEST_KERNELS, for the wheels of a release."""
+    given = os.environ.get("WRCONTACT_TEST_KERNELS")
+    return (lambda name: Path(given, library_name(name)).read_bytes()) if given else cache(compile_kernel)
 
 
 def share(names, chosen):

@@ -7,6 +7,7 @@ import numpy as np
 from ..interface.rows import AXES
 from . import words as text
 from .inputs import number
+from .saved import check_mark, version_mark
 
 
 class View:
@@ -20,6 +21,16 @@ class View:
     def __init__(self, values, offset):
         self._values = values
         self._offset = offset
+
+    def __getstate__(self):
+        names = [name for kind in type(self).__mro__ for name in getattr(kind, "__slots__", ())]
+        return version_mark(), {name: getattr(self, name) for name in names}
+
+    def __setstate__(self, saved):
+        mark, values = saved
+        check_mark(mark, f"the {type(self).__name__}")
+        for name, value in values.items():
+            setattr(self, name, value)
 
     def __repr__(self):
         shown = [f"{name}={text.short(getattr(self, name))}" for name in self._shown or self._members]
