@@ -21,7 +21,7 @@ state = wrcontact.ContactSystem().evaluate(lateral_shift=5e-3, yaw=1e-3)
 print(library.__file__, kernel.compiled, wrcontact.__version__, state.right.penetration.hex())
 """
 #: Settings of the build that the caller may have for himself.
-OWN = ("WRCONTACT_PLATFORM", "WRCONTACT_KERNEL", "PYTHONPATH")
+OWN = ("WRCONTACT_PLATFORM", "WRCONTACT_KERNEL")
 
 
 class ReleaseProblem(Exception):
@@ -37,6 +37,11 @@ def run(*words, **settings):
         last = "\n".join((done.stdout + done.stderr).splitlines()[-20:])
         raise ReleaseProblem(f"{' '.join(map(str, words))} ended with code {done.returncode}:\n{last}")
     return done.stdout
+
+
+def run_there(program, *words):
+    """Run a program of another environment, without the packages of this one."""
+    return run(program, *words, PYTHONPATH="")
 
 
 def build_packages(folder, platforms, kept):
@@ -61,11 +66,11 @@ def try_packages(folder, scratch):
     archive, = folder.glob("wrcontact-*.tar.gz")
     python = environment(scratch / "wheel", wheel)
     words = [tried(python, f"{wheel.name} in a new environment")]
-    run(python.with_name("wrcontact"), "demo", "--output", scratch / "demo")
+    run_there(python.with_name("wrcontact"), "demo", "--output", scratch / "demo")
     words.append(f"wrcontact demo of {wheel.name}: all its checks hold")
     run(sys.executable, "-m", "venv", scratch / "builder")
     builder = interpreter(scratch / "builder")
-    run(builder, "-m", "pip", "wheel", "-q", "--no-deps", "--wheel-dir", scratch / "built", archive)
+    run_there(builder, "-m", "pip", "wheel", "-q", "--no-deps", "--wheel-dir", scratch / "built", archive)
     built, = (scratch / "built").iterdir()
     python = environment(scratch / "source", built)
     return [*words, tried(python, f"{archive.name}, built as {built.name}")]
@@ -84,13 +89,13 @@ def interpreter(folder):
 def environment(folder, wheel):
     """A new environment with a ``wheel`` and what it needs; its interpreter."""
     run(sys.executable, "-m", "venv", folder)
-    run(interpreter(folder), "-m", "pip", "install", "-q", wheel)
+    run_there(interpreter(folder), "-m", "pip", "install", "-q", wheel)
     return interpreter(folder)
 
 
 def tried(python, what):
     """A sentence, once an installed package has evaluated a pose as this one does."""
-    file, compiled, version, found = run(python, "-I", "-W", "error", "-c", EVALUATE).split()
+    file, compiled, version, found = run_there(python, "-I", "-W", "error", "-c", EVALUATE).split()
     expected = ContactSystem().evaluate(lateral_shift=5e-3, yaw=1e-3).right.penetration.hex()
     if not Path(file).is_relative_to(python.parents[1]) or (compiled, found) != ("True", expected):
         raise ReleaseProblem(f"{what}: {file}, compiled {compiled}, version {version}, gives {found} and not "
@@ -104,7 +109,8 @@ def try_kernels(folder, platforms, scratch):
     place.mkdir()
     for name in platforms:
         with zipfile.ZipFile(wheel_of(folder, name)) as archive:
-            library, = (entry for entry in archive.namelist() if entry.startswith("wrcontact/kernel/_wrcontact"))
+            library, = (entry for entry in archive.namelist()
+                        if entry.startswith("wrcontact/kernel/_wrcontact"))
             place.joinpath(Path(library).name).write_bytes(archive.read(library))
     told = run(sys.executable, "-m", "pytest", "-q", "-rs", "-m", "", "-p", "no:cacheprovider",
                "tests/fmu/test_platforms.py", "-k", "test_kernel_on_other_machines",
