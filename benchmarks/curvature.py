@@ -1,8 +1,8 @@
 """Which lateral curvature?  ANALYN with different ones compared with the half-space.
 
-    python -m benchmarks --write curvature        the table of docs/theory/method.md
+    python -m benchmarks --write curvature        the table of docs/theory
 
-What was found is in docs/theory/method.md, section 8; the model that takes any curvature is in
+What was found is in docs/theory/curvature.md; the model that takes any curvature is in
 curvature_model.py.
 A curvature is a function of a measured region that returns B [1/m] at its stations: in 1 + beta (where the
 patch ends), in 1 + alpha (how long it is) and in n r (what it carries).

@@ -85,7 +85,8 @@ def short_table(parts):
                  [name, time, "", *errors]])
 
 
-README, BENCHMARKS, METHOD = "README.md", "docs/evidence/benchmarks.md", "docs/theory/method.md"
+README, BENCHMARKS = "README.md", "docs/evidence/benchmarks.md"
+CURVATURE, ELASTIC = "docs/theory/curvature.md", "docs/theory/elastic.md"
 CHECK, FMU, STUDY = "docs/guides/check.md", "docs/guides/fmu.md", "docs/evidence/source_study.md"
 CONFORMAL = "docs/theory/conformal.md"
 MODEL_PARTS = ("model_errors", "halfspace", "model_times")
@@ -113,15 +114,15 @@ TABLES = {
                          tables.CREEP_NOTE),
     "creep_models": Table("docs/choose.md", tables.CREEP_PARTS, tables.creep_model_table,
                           tables.CREEP_NOTE),
-    "curvature": Table(METHOD, ("curvature",), tables.curvature_table, ERRORS),
-    "choices": Table(METHOD, ("choices",), tables.choice_table, f"Changes in {tables.TRIPLE}."),
-    "manchester": Table(METHOD, ("manchester",), tables.manchester_table),
-    "elastic": Table(METHOD, ("elastic_times",), tables.elastic_table),
-    "trials": Table(METHOD, ("elastic_trials",), tables.trial_table),
+    "curvature": Table(CURVATURE, ("curvature",), tables.curvature_table, ERRORS),
+    "choices": Table(CURVATURE, ("choices",), tables.choice_table, f"Changes in {tables.TRIPLE}."),
+    "manchester": Table(ELASTIC, ("manchester",), tables.manchester_table),
+    "elastic": Table(ELASTIC, ("elastic_times",), tables.elastic_table),
+    "trials": Table(ELASTIC, ("elastic_trials",), tables.trial_table),
     "poses": Table(CONFORMAL, ("conformal",), tables.turning_table),
     "contact": Table(CONFORMAL, ("conformal",), tables.conformal_table),
-    "roll": Table(METHOD, ("elastic_roll",), tables.roll_table),
-    "derivatives": Table(METHOD, ("derivative_times",), tables.derivative_table),
+    "roll": Table(ELASTIC, ("elastic_roll",), tables.roll_table),
+    "derivatives": Table("docs/theory/derivatives.md", ("derivative_times",), tables.derivative_table),
     "conicity": Table(CHECK, ("conicity", "conicity_noise"), tables.conicity_table,
                       f"Noise: {1e3 * studies.NOISE:g} µm in y and z of points every "
                       f"{studies.SPACING} mm."),

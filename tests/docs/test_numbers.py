@@ -65,7 +65,7 @@ def test_value_references_of_fmi_3():
 
 
 def test_where_the_contact_jumps():
-    """Those of usage.md and of method.md; data/README.md has more digits, of another search."""
+    """Those of usage.md; data/README.md has more digits, of another search."""
     jumps = wrcontact.check(ContactSystem()).jumps
     found = [jump.lateral_shift / MM for jump in jumps if jump.side == "right"]
     first, second, third = numbers("docs/guides/usage.md",

@@ -71,7 +71,8 @@ def test_tools_that_are_said_to_run_are_run():
     rows = re.findall(r"^\| (.+?) \|(.*\byes\b.*)\|(.*)\|$", page, re.MULTILINE)
     assert len(rows) >= len(TOOLS)
     for tool, _, tests in rows:
-        sources = [(DOCS / "guides" / link).read_text(encoding="utf-8") for link in re.findall(r"\]\((.*?)\)", tests)]
+        files = [DOCS / "guides" / link for link in re.findall(r"\]\((.*?)\)", tests)]
+        sources = [file.read_text(encoding="utf-8") for file in files]
         word = next((word for name, word in TOOLS.items() if tool.startswith(name)), tool.split(",")[0])
         assert sources and all(word in source for source in sources), tool
 
