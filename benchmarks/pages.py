@@ -127,7 +127,7 @@ TABLES = {
                       f"Noise: {1e3 * studies.NOISE:g} µm in y and z of points every "
                       f"{studies.SPACING} mm."),
     "en15302": Table(CHECK, ("en15302",), tables.benchmark_table),
-    "stations": Table(FMU, ("stations", "station_times"), tables.station_table),
+    "stations": Table("docs/guides/fmu_hosts.md", ("stations", "station_times"), tables.station_table),
     "noise": Table("docs/guides/profiles.md", ("profile_noise",), tables.noise_table),
     "searches": Table(STUDY, ("source_searches",), tables.source_tables),
     "figures": Table(STUDY, ("source_figures",), tables.figure_table),
