@@ -20,7 +20,7 @@ import numpy as np
 from wrcontact.plots import style
 from wrcontact.plots.style import INK, QUIET
 
-from . import record, studies, tables
+from . import record, studies, tables, validation
 from .creep import EQUIVALENT, GRIDS, HERTZ, MODELS, NEW_ELLIPSES, NEW_PATCHES, QUOTED, TIMED
 from .record import UNIT
 from .rows import DEFAULT_ROW, FMU_ROW, FULL, HALFSPACE_FORM, NATIVE_ROW, STRIP_ROW, SWEEPS, all_rows
@@ -114,6 +114,7 @@ TABLES = {
                          tables.CREEP_NOTE),
     "creep_models": Table("docs/choose.md", tables.CREEP_PARTS, tables.creep_model_table,
                           tables.CREEP_NOTE),
+    "validation": Table("docs/evidence/validation.md", validation.PARTS, validation.validation_table),
     "curvature": Table(CURVATURE, ("curvature",), tables.curvature_table, ERRORS),
     "choices": Table(CURVATURE, ("choices",), tables.choice_table, f"Changes in {tables.TRIPLE}."),
     "manchester": Table(ELASTIC, ("manchester",), tables.manchester_table),

@@ -62,7 +62,7 @@ def shown(source):
     path = ROOT / source
     if path.is_dir():
         names = sorted(file.name for file in path.iterdir() if not file.name.startswith(("_", ".")))
-        return "\n".join([f"# {source}", "", "A folder of the project:", "", *(f"* `{one}`" for one in names)])
+        return f"# {source}\n\nA folder of the project:\n\n" + "\n".join(f"* `{name}`" for name in names)
     text = path.read_text(encoding="utf-8")
     if path.suffix == ".md":
         return re.sub(r"!?\[([^\]]*)\]\((?!http)[^)]*\)", r"\1", text)       # without links to other files
