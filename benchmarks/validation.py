@@ -36,8 +36,8 @@ def random(found):
     wheels = 2 * found["poses"]["count"]
     for name, model in ((ANALYN, "analyn"), (STRIPS, "analyn_strip")):
         row = found[model]
-        yield ["penetration / area / peak pressure [%]", "wrcontact's half-space", f"{wheels} random wheels", name, three(row["mean"]),
-               f"{three(row['worst'])}; 99 of 100: {three(row['99 of 100'])}"]
+        yield ["penetration / area / peak pressure [%]", "wrcontact's half-space", f"{wheels} random wheels",
+               name, three(row["mean"]), f"{three(row['worst'])}; 99 of 100: {three(row['99 of 100'])}"]
 
 
 def conformal(found):

@@ -6,6 +6,7 @@ Sections become lists, examples become blocks of code, and Sphinx' roles become 
 
 import re
 from inspect import cleandoc
+from pathlib import Path
 
 import griffe
 
@@ -13,6 +14,9 @@ SECTION = re.compile(r"^([A-Z][A-Za-z ]+)\n-{3,}\n", re.MULTILINE)
 ENTRY = re.compile(r"^(\S[^\n]*?) : ", re.MULTILINE)
 ROLE = re.compile(r":(?:class|func|meth|mod|attr|data):`(~?)([\w.]+)`", re.ASCII)
 EXAMPLE = re.compile(r"(?:^>>> .*\n?(?:^(?!\s*$).*\n?)*)+", re.MULTILINE)
+#: What the page of the interface shows, and so can be linked.
+SHOWN = set(re.findall(r"^::: (\S+)", (Path(__file__).parent.parent / "docs/reference/api.md").read_text(
+    encoding="utf-8"), re.MULTILINE))
 LISTED = ("Parameters", "Attributes", "Returns", "Raises", "Other Parameters")
 
 
@@ -67,5 +71,5 @@ def links(text):
     """Roles as links to where the site has the object, or as code."""
     def link(match):
         name = match[2].rpartition(".")[2] if match[1] else match[2]
-        return f"[`{name}`][{match[2]}]" if match[2].startswith("wrcontact.") else f"`{name}`"
+        return f"[`{name}`][{match[2]}]" if match[2] in SHOWN else f"`{name}`"
     return ROLE.sub(link, text).replace("``", "`")
