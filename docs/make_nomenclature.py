@@ -119,8 +119,8 @@ def page():
         "## Methods": table(("parameter", "string", "object", "meaning"), of_methods()),
         "## Outputs of the wheelset": [*table(headings, of_table(WHEELSET)), *status],
         "## Outputs of a wheel": [
-            "In an FMU the names begin with `left.` or `right.`. The contact angle is γ in theory, where δ is "
-            "the penetration, and δ in [conventions.md](conventions.md).", "",
+            "In an FMU the names begin with `left.` or `right.`. The contact angle is γ in theory, where δ "
+            "is the penetration, and δ in [conventions.md](conventions.md).", "",
             *table(headings, of_table(SIDE))],
         "## Outputs of a patch": [
             "In an FMU the names begin with `left.patch[k].` or `right.patch[k].`.", "",
