@@ -80,7 +80,7 @@ def inside(match, page):
 
 def equations(text):
     """The text with MathML for LaTeX."""
-    return INLINE.sub(lambda match: mathml(match[1]), DISPLAYED.sub(displayed, text))
+    return INLINE.sub(lambda match: f"<span>{mathml(match[1])}</span>", DISPLAYED.sub(displayed, text))
 
 
 def displayed(match):
