@@ -20,6 +20,7 @@ INLINE = re.compile(r"(?<![\\$\w])\$(?![\s$])([^$\n]+?(?:\n[^$\n]+?)?)(?<![\s\\]
 TAG = re.compile(r"\\tag\{([^}]*)\}")
 CODE = re.compile(r"(^[ ]*```.*?^[ ]*```[ ]*$|`[^`\n]+`)", re.DOTALL | re.MULTILINE)
 LINK = re.compile(r"(\]\()((?:\.\./)+[^)#\s]+)(#[^)]*)?\)")
+FUNCTION = r"(<mi>(?:sin|cos|tan|ln|exp|arcsin|arccos|arctan)</mi>)(?!<mo)"        # "cos a" with a gap
 LANGUAGES = {".py": "python", ".c": "c", ".csv": "text", ".toml": "toml"}
 
 
@@ -93,4 +94,5 @@ def displayed(match):
 
 
 def mathml(formula, display="inline"):
-    return convert(" ".join(formula.split()), display=display)
+    drawn = convert(" ".join(formula.split()), display=display)
+    return re.sub(FUNCTION, r"\1<mspace width='0.17em'/>", drawn)
