@@ -1,8 +1,8 @@
 """Which lateral curvature?  ANALYN with different ones compared with the half-space.
 
-    python -m benchmarks --write curvature        the table of docs/theory/method.md
+    python -m benchmarks --write curvature        the table of docs/theory
 
-What was found is in docs/theory/method.md, section 8; the model that takes any curvature is in
+What was found is in docs/theory/curvature.md; the model that takes any curvature is in
 curvature_model.py.
 A curvature is a function of a measured region that returns B [1/m] at its stations: in 1 + beta (where the
 patch ends), in 1 + alpha (how long it is) and in n r (what it carries).
@@ -339,7 +339,7 @@ SCHEMES = {
     "slope secant g′/2s": before(one(share(slope_secant, 0.2))),
     "√(window · secant)": before(one(mean(share(windowed, 0.2), share(secant, 0.2)))),
     "√(window · slope secant)": before(one(mean(share(windowed, 0.2), share(slope_secant, 0.2)))),
-    "√(window · max(window, secant)), eq. (7.4)": before(one(kept)),
+    "√(window · max(window, secant))": before(one(kept)),
     "three B's, one region": replace(BEST, merge=inf),
     "three B's, regions without interaction": replace(BEST, push=None),
     "three B's, interaction of points": replace(BEST, push="point"),

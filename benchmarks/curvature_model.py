@@ -1,6 +1,6 @@
 """ANALYN on dense gap curves, for any lateral curvature; used by the curvature study.
 
-The recipe is that of wrcontact/kernel/normal/analyn_contact.py (docs/theory/method.md, section 7)::
+The recipe is that of wrcontact/kernel/normal/analyn_contact.py (docs/theory/analyn.md)::
 
     force -> estimated penetration -> regions, their half-widths -> curvatures (the scheme) -> levels -> patch
 

@@ -121,8 +121,7 @@ def rigid(system):
     return {"roll": np.max(np.abs(table.roll - run["roll"])), "position": place * 1e3}
 
 
-# ------------------------------------------- other preparations of ANALYN's input (docs/theory/method.md,
-# section 8)
+# ----------------------------- other preparations of ANALYN's input (docs/theory/curvature.md)
 
 
 CHOICE_SHIFTS = {"1 mm (tread)": 1e-3, "6 mm (flange root)": 6e-3, "6.5 mm (flange)": 6.5e-3}  # [m]
@@ -167,8 +166,7 @@ def station_errors():
     return found
 
 
-# ----------------------------------------------------------- elastic equilibrium (docs/theory/method.md,
-# section 11)
+# ------------------------------------------------- elastic equilibrium (docs/theory/elastic.md)
 
 
 TRIAL_POSES = 500

@@ -20,7 +20,7 @@ import numpy as np
 from wrcontact.plots import style
 from wrcontact.plots.style import INK, QUIET
 
-from . import record, studies, tables
+from . import record, studies, tables, validation
 from .creep import EQUIVALENT, GRIDS, HERTZ, MODELS, NEW_ELLIPSES, NEW_PATCHES, QUOTED, TIMED
 from .record import UNIT
 from .rows import DEFAULT_ROW, FMU_ROW, FULL, HALFSPACE_FORM, NATIVE_ROW, STRIP_ROW, SWEEPS, all_rows
@@ -85,7 +85,8 @@ def short_table(parts):
                  [name, time, "", *errors]])
 
 
-README, BENCHMARKS, METHOD = "README.md", "docs/evidence/benchmarks.md", "docs/theory/method.md"
+README, BENCHMARKS = "README.md", "docs/evidence/benchmarks.md"
+CURVATURE, ELASTIC = "docs/theory/curvature.md", "docs/theory/elastic.md"
 CHECK, FMU, STUDY = "docs/guides/check.md", "docs/guides/fmu.md", "docs/evidence/source_study.md"
 CONFORMAL = "docs/theory/conformal.md"
 MODEL_PARTS = ("model_errors", "halfspace", "model_times")
@@ -109,24 +110,25 @@ TABLES = {
     "creep_errors": Table(BENCHMARKS, ("tangential_errors",), tables.creep_force_table),
     "creep_moments": Table(BENCHMARKS, ("tangential_errors",), tables.creep_moment_table),
     "creep_times": Table(BENCHMARKS, ("tangential_times",), tables.creep_time_table),
-    "creep_short": Table("docs/theory/rolling.md", tables.CREEP_PARTS, tables.creep_short_table,
+    "creep_short": Table("docs/theory/creep.md", tables.CREEP_PARTS, tables.creep_short_table,
                          tables.CREEP_NOTE),
     "creep_models": Table("docs/choose.md", tables.CREEP_PARTS, tables.creep_model_table,
                           tables.CREEP_NOTE),
-    "curvature": Table(METHOD, ("curvature",), tables.curvature_table, ERRORS),
-    "choices": Table(METHOD, ("choices",), tables.choice_table, f"Changes in {tables.TRIPLE}."),
-    "manchester": Table(METHOD, ("manchester",), tables.manchester_table),
-    "elastic": Table(METHOD, ("elastic_times",), tables.elastic_table),
-    "trials": Table(METHOD, ("elastic_trials",), tables.trial_table),
+    "validation": Table("docs/evidence/validation.md", validation.PARTS, validation.validation_table),
+    "curvature": Table(CURVATURE, ("curvature",), tables.curvature_table, ERRORS),
+    "choices": Table(CURVATURE, ("choices",), tables.choice_table, f"Changes in {tables.TRIPLE}."),
+    "manchester": Table(ELASTIC, ("manchester",), tables.manchester_table),
+    "elastic": Table(ELASTIC, ("elastic_times",), tables.elastic_table),
+    "trials": Table(ELASTIC, ("elastic_trials",), tables.trial_table),
     "poses": Table(CONFORMAL, ("conformal",), tables.turning_table),
     "contact": Table(CONFORMAL, ("conformal",), tables.conformal_table),
-    "roll": Table(METHOD, ("elastic_roll",), tables.roll_table),
-    "derivatives": Table(METHOD, ("derivative_times",), tables.derivative_table),
+    "roll": Table(ELASTIC, ("elastic_roll",), tables.roll_table),
+    "derivatives": Table("docs/theory/derivatives.md", ("derivative_times",), tables.derivative_table),
     "conicity": Table(CHECK, ("conicity", "conicity_noise"), tables.conicity_table,
                       f"Noise: {1e3 * studies.NOISE:g} µm in y and z of points every "
                       f"{studies.SPACING} mm."),
     "en15302": Table(CHECK, ("en15302",), tables.benchmark_table),
-    "stations": Table(FMU, ("stations", "station_times"), tables.station_table),
+    "stations": Table("docs/guides/fmu_hosts.md", ("stations", "station_times"), tables.station_table),
     "noise": Table("docs/guides/profiles.md", ("profile_noise",), tables.noise_table),
     "searches": Table(STUDY, ("source_searches",), tables.source_tables),
     "figures": Table(STUDY, ("source_figures",), tables.figure_table),

@@ -16,18 +16,18 @@ from wrcontact.methods import FAMILIES
 
 PAGE = Path(__file__).resolve().parent / "reference" / "nomenclature.md"
 
-#: Symbols of rows of the table, as in docs/theory/method.md, by the name of the row; those of a patch begin
+#: Symbols of rows of the table, as in docs/theory, by the name of the row; those of a patch begin
 #: with "patch.".
 SYMBOLS = {
     "lateral_shift": "y", "yaw": "ψ", "roll": "θ", "roll_input": "θ", "normal_force": "N",
     "load_transfer": "λ", "vertical_shift": "z", "vertical_shift_input": "z", "nominal_radius": "r₀",
-    "youngs_modulus": "E", "poisson_ratio": "ν", "contact_angle": "δ", "rolling_radius": "r",
+    "youngs_modulus": "E", "poisson_ratio": "ν", "contact_angle": "γ", "rolling_radius": "r",
     "curvature_x": "1/R_x", "curvature_y": "1/R_y", "penetration": "δ", "max_pressure": "p₀", "station": "s",
     "half_length": "a", "pressure": "p", "patch.normal_force": "N", "patch.max_pressure": "p₀",
 }
 
 #: Symbols of the kernel: symbol, name in code (``Record.field`` where it is a field), unit, meaning, equation
-#: of docs/theory/method.md.
+#: of docs/theory.
 KERNEL = (
     ("r(y), z(y)", "tables.height_slope", "m",
      "radius of the wheel and height of the rail along their profiles", ""),
@@ -37,7 +37,8 @@ KERNEL = (
     ("gap(y)", "gap.vertical_gap", "m", "vertical distance of outline and rail", "3.1"),
     ("D(θ)", "roll.balance", "m", "smallest gap on the right minus that on the left", "4.1"),
     ("L", "Place.arm", "m", "distance of the wheel from the centre of the wheelset", "4.2"),
-    ("g(s)", "Nodes.gap", "m", "distance of outline and rail along the normal of the contact plane", "5"),
+    ("g(s)", "Nodes.gap", "m", "how much less the overlap is than at the region's deepest point",
+     "[geometry](../theory/geometry.md)"),
     ("A", "Nodes.A", "1/m", "half the longitudinal curvature, 1 / (2 R_x)", "5.1"),
     ("B", "Nodes.B", "1/m", "half the lateral curvature", "8.3"),
     ("E*", "Tables.contact_modulus", "Pa",
@@ -100,7 +101,7 @@ def of_kernel():
     for symbol, name, unit, meaning, equation in KERNEL:
         numbered = equation[-1:].isdigit() and "." in equation or equation[:1] == "S"
         yield (symbol, ", ".join(f"`{one}`" for one in name.split(", ") if one), unit, meaning,
-               f"({equation})" if numbered else equation and f"section {equation}")
+               f"({equation})" if numbered else equation)
 
 
 def page():
@@ -111,15 +112,16 @@ def page():
         "# Nomenclature": [
             "Inputs, parameters, methods and outputs, in SI, with the names that FMUs and Python have for "
             "them. `docs/make_nomenclature.py` writes this page from `wrcontact/interface`. Frames and signs "
-            "are in [conventions.md](conventions.md), equations in [method.md](../theory/method.md); the "
+            "are in [conventions.md](conventions.md), equations in [theory](../theory/index.md); the "
             "page in each FMU, `documentation/index.html`, also has limits and value references."],
         "## Inputs": table(headings, of_table(INPUTS)),
         "## Parameters": table((*headings[:3], "default", "meaning"), of_parameters()),
         "## Methods": table(("parameter", "string", "object", "meaning"), of_methods()),
         "## Outputs of the wheelset": [*table(headings, of_table(WHEELSET)), *status],
         "## Outputs of a wheel": [
-            "In an FMU the names begin with `left.` or `right.`. δ is the contact angle in sections 5 and 8 "
-            "of method.md, the penetration elsewhere.", "", *table(headings, of_table(SIDE))],
+            "In an FMU the names begin with `left.` or `right.`. The contact angle is γ in theory, where δ "
+            "is the penetration, and δ in [conventions.md](conventions.md).", "",
+            *table(headings, of_table(SIDE))],
         "## Outputs of a patch": [
             "In an FMU the names begin with `left.patch[k].` or `right.patch[k].`.", "",
             *table(headings, of_table(PATCH, "patch."))],

@@ -62,7 +62,8 @@ def release(folder: Annotated[Path, typer.Argument(help="New or empty folder for
         if set(names) - set(PLATFORMS):
             raise ReleaseProblem(f"--platforms is {platforms}; permitted are {', '.join(PLATFORMS)} and all")
         if not Path(wrcontact.__file__).is_relative_to(ROOT):
-            raise ReleaseProblem(f"{wrcontact.__file__} is not of {ROOT}; permitted is an editable installation")
+            raise ReleaseProblem(f"wrcontact is that of {wrcontact.__file__}; permitted is an editable "
+                                 f"installation of {ROOT}")
         with tempfile.TemporaryDirectory() as scratch:
             print(f"wrcontact {wrcontact.__version__} for {', '.join(names)}", flush=True)
             build_packages(folder, names, Path(scratch, "compiled"))

@@ -344,7 +344,7 @@ def test_tolerances_are_kept():
 
 def test_wheels_are_sorted_by_angle_and_number_of_patches():
     """S1002 on UIC60 1:40: the tread at 0 mm, the flange root at 6 mm and the flange at 7 mm of a right
-    wheel, which at 5 mm touches in two places (the table of positions of docs/theory/method.md)."""
+    wheel, which at 5 mm touches in two places (the table of positions of docs/theory)."""
     found = random_poses.zones([at(shift) for shift in (0.0, 5e-3, 6e-3, 7e-3)])
     right = [random_poses.ZONES[number] for number in found[1::2]]
     assert right == ["tread", "two places", "flange root", "flange"]

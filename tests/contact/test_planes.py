@@ -117,7 +117,7 @@ def test_the_flange_carries_what_hertz_says_at_its_own_normal(yaw, shift, force)
     ("UIC60", 1 / 40, 6.15e-3, 0.0175, 78.5e3), ("54E1", 1 / 20, 5.86e-3, -0.0312, 195e3),
     ("UIC60", 1 / 40, 5.5e-3, 0.049410464000100594, 66986.25868528389)])
 def test_patches_press_on_each_other_over_their_distance(rail, inclination, shift, yaw, force):
-    """Equations (E3) and (8.4) of docs/theory/method.md: 15 and more degrees apart the lead counts, 9
+    """Equations (E3) and (8.4) of docs/theory: 15 and more degrees apart the lead counts, 9
     degrees apart it does not."""
     stepper = system(rail=rail, rail_inclination=inclination).stepper()
     stepper.inputs[:7] = shift, yaw, 0.0, force, 0.0, 0.0, 0.0

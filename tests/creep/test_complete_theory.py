@@ -62,7 +62,7 @@ def apart(one, other):
 
 @pytest.mark.full
 # the models' pressures and their outlines of strips are good to some tenths of a per cent on the tread; the
-# coupled strips are within 1 % of the complete theory (docs/theory/method.md)
+# coupled strips are within 1 % of the complete theory (docs/theory)
 @pytest.mark.parametrize("normal, tangential, bound", [
     ("analyn_strip", "halfspace", 0.006), ("analyn_strip", "strips", 0.01), ("halfspace", "strips", 0.01),
     ("halfspace", "fastsim", 0.06)])

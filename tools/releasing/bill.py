@@ -56,8 +56,9 @@ def parts():
         Part("mingw-w64", "", "ZPL-2.1", "start-up code in libraries for Windows", WINDOWS),
         Part("compiler-rt", "", "MIT", "helpers of the compiler in libraries that zig links",
              rf"{BINARIES}|{KERNELS}"),
-        Part("benchmark of EN 15302", "2021", "MIT", "tables of the standard, transcribed by B_ECC", r"data/en15302/\w+\.csv", r".*\.tar\.gz", "data"),
-        Part("reference output of CONTACT", "25.2", "Apache-2.0", "the case A-2.2 of the Manchester benchmark",
+        Part("benchmark of EN 15302", "2021", "MIT", "tables of the standard, transcribed by B_ECC",
+             r"data/en15302/\w+\.csv", r".*\.tar\.gz", "data"),
+        Part("reference output of CONTACT", "25.2", "Apache-2.0", "case A-2.2 of the Manchester benchmark",
              r"data/manchester_a22_\w+\.csv", r".*\.tar\.gz", "data"),
     )
 

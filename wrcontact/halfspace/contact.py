@@ -8,7 +8,7 @@ between the undeformed bodies.
 >>> f"{found.penetration:.2e} m, {found.max_pressure:.2e} Pa"
 '2.43e-05 m, 6.54e+08 Pa'
 
-The bodies touch where the pressure p is positive; the equations (H1) ... are those of docs/theory/method.md:
+The bodies touch where the pressure p is positive; the equations (H1) ... are those of docs/theory:
 
     u + h - delta = 0 where p > 0, u + h - delta >= 0 where p = 0, sum of p dx ds = N (H1)
 

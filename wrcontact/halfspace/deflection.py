@@ -1,7 +1,7 @@
 """Deflection of two elastic bodies under pressures that are constant on each cell of a grid.
 
 Love (1929); Johnson (1985), section 3.3; the convolution by fast Fourier transform. Equations
-(H2), (H3), (H10) of docs/theory/method.md.
+(H2), (H3), (H10) of docs/theory.
 """
 
 import math

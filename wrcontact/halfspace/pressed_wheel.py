@@ -3,7 +3,7 @@ at one height.
 
 At a given roll each side has one height H at which it carries its load: the one at which it just touches,
 plus its penetration.  In equilibrium both are equal.  Where the roll changes under a constant load, a wheel
-turns about its force's line of action (docs/theory/method.md, section 10):
+turns about its force's line of action (docs/theory/halfspace.md):
 
     dH / droll = -M_x / F_z                                                                     (H16)
 """

@@ -2,7 +2,7 @@
 
 A rail point r is joined with the wheel's outline along the mean of both bodies' normals there; the middle of
 the joint is a point of the curve, and the curve's arc length is the station sigma (H8 of
-docs/theory/method.md). Seen along the track the patch lies on this curve.
+docs/theory). Seen along the track the patch lies on this curve.
 """
 
 import math

@@ -16,6 +16,7 @@ def version_mark():
 def check_mark(mark, what):
     """Refuse ``what`` was pickled with a ``mark`` that is not the one of this version, with a ValueError."""
     if mark != version_mark():
-        raise ValueError(f"{what} was saved by wrcontact {mark[0]}, this is {version_mark()[0]}"
-                         f"{', with other records' if mark[0] == version_mark()[0] else ''}; permitted is the "
-                         "same version: keep results as tables, to_pandas or to_xarray")
+        own, _ = version_mark()
+        raise ValueError(f"{what} was saved by wrcontact {mark[0]}, this is {own}"
+                         f"{', with other records' if mark[0] == own else ''}; permitted is the same version: "
+                         "keep results as tables, to_pandas or to_xarray")

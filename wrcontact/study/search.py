@@ -311,7 +311,7 @@ def lever_share(system, shift):
     takes, y_R - y_L; no yaw.
 
     By the envelope theorem it is the sum of y - z tan(delta) over both wheels, the contact at (y, z)
-    from the wheelset's centre (docs/theory/method.md, eq. 4.2); a step of eq. (4.6) multiplies the error
+    from the wheelset's centre (docs/theory, eq. 4.2); a step of eq. (4.6) multiplies the error
     that is left by 1 - K times the share.
     """
     state = system.evaluate(lateral_shift=shift, normal_force=0.0, outputs="geometry")

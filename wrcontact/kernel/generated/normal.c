@@ -192,7 +192,7 @@ static OUT_OF_LINE int64_t wear_places__place_wear(array_double_1d tables, array
  *
  * Regions press on each other: the local penetration of region i is the total penetration minus its smallest gap
  * minus its displacement by the loads of the others, sum_j N_j / (pi E* distance_ij) (Boussinesq;
- * docs/theory/method.md, (8.4)).  Where regions have planes of their own (:mod:`frame`), the penetration
+ * docs/theory, (8.4)).  Where regions have planes of their own (:mod:`frame`), the penetration
  * counts by its share along each normal, and a displacement by the cosine of the angle between the two.
  */
 
@@ -222,7 +222,7 @@ static inline double analyn__region_influence(array_double_1d work, array_double
  * planes form an angle of less than 15 degrees.
  *
  * A flange is 17 ... 31 mm ahead of the flange root and 7 mm beside it.  Between tread and flange root, 1
- * ... 3 mm in 10, the lead is left out: the upright patches (docs/theory/method.md, section 9) do without
+ * ... 3 mm in 10, the lead is left out: the upright patches (docs/theory/strips.md) do without
  * it, and the half-space agrees better.
  */
 static inline double analyn__region_lead(array_double_1d work, int64_t one, int64_t other)
@@ -731,14 +731,11 @@ static inline int64_t analyn_contact__solve_fine(double* result_0_0001, bool* re
  * where an exponent and a difference find the place, exact to 1e-12
  * (kernel/binding/exact_tables.py).
  *
- * ANALYN's coefficients at the nodes of a region follow from the longitudinal curvature and a lateral one.
- * Second differences over a window w (the curvature averaged with a triangle of half-width w) are smooth but
- * blind to what lies beyond; the secant g/s^2 knows how far the surfaces have parted but lags behind.  With B_t
- * and B_s these two,
- *
- *     B = sqrt(B_t max(B_t, B_s)),   B_t, B_s >= FLOOR A
- *
- * follows a sharp joint (B_t) and keeps a patch from growing where B_t falls to zero or below (B_s).
+ * ANALYN's coefficients at the nodes of a region follow from the longitudinal curvature and lateral ones.
+ * Second differences over a window (the curvature averaged with a triangle) are smooth but blind to what lies
+ * beyond; the secant g/t^2 knows how far the surfaces have parted but lags behind.  Each coefficient takes what
+ * it depends on: 1 + beta the secant of its side, 1 + alpha that of the node, n r a mean of both; equations
+ * (8.1) to (8.3) of docs/theory/curvature.md.
  *
  * That is the lateral curvature "adaptive".  "smooth" and "rough" are the source's, prepared for each profile
  * (:mod:`curvature`), one B in all three places; where it is below FLOOR A it counts as that.
@@ -2299,7 +2296,7 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
 /* ---- From normal/strip_contact.py; change that one.
  *
  * The strip model: strips of the rail that press on each other through the elastic half-space
- * (docs/theory/method.md, section 9).
+ * (docs/theory/strips.md).
  *
  * Each strip has a place s_j along the rail, a middle x_j and a half-length a_j along the track, and the
  * pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  Wheel and rail are traced once

@@ -10,7 +10,7 @@ Sichani, Enblom & Berg (2014).  In a region with local penetration D the strip a
 
 Regions press on each other: the local penetration of region i is the total penetration minus its smallest gap
 minus its displacement by the loads of the others, sum_j N_j / (pi E* distance_ij) (Boussinesq;
-docs/theory/method.md, (8.4)).  Where regions have planes of their own (:mod:`frame`), the penetration
+docs/theory, (8.4)).  Where regions have planes of their own (:mod:`frame`), the penetration
 counts by its share along each normal, and a displacement by the cosine of the angle between the two.
 """
 
@@ -63,7 +63,7 @@ def region_lead(one: Region, other: Region):
     planes form an angle of less than 15 degrees.
 
     A flange is 17 ... 31 mm ahead of the flange root and 7 mm beside it.  Between tread and flange root, 1
-    ... 3 mm in 10, the lead is left out: the upright patches (docs/theory/method.md, section 9) do without
+    ... 3 mm in 10, the lead is left out: the upright patches (docs/theory/strips.md) do without
     it, and the half-space agrees better.
     """
     lead = 0.0

@@ -23,7 +23,7 @@ from .coefficients import FLOOR, table_value, weigh_nodes
 from .patch_places import mean_normal
 
 #: Window of the lateral curvature as a share of the half-width of the interpenetration
-#: (docs/theory/method.md).
+#: (docs/theory).
 WINDOW: Final[float] = 4.0 / 15.0
 #: Tolerance of the abscissae: this share of the spacing, or this [m]. The residual is removed to second
 #: order, which leaves 1e-9 m of the gap where the curvature jumps within it, and less elsewhere.

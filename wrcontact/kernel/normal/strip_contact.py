@@ -1,5 +1,5 @@
 """The strip model: strips of the rail that press on each other through the elastic half-space
-(docs/theory/method.md, section 9).
+(docs/theory/strips.md).
 
 Each strip has a place s_j along the rail, a middle x_j and a half-length a_j along the track, and the
 pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  Wheel and rail are traced once

@@ -1,4 +1,4 @@
-"""What the strips of a run have from their number n alone; eqs. (S10) ... (S13) of docs/theory/method.md.
+"""What the strips of a run have from their number n alone; eqs. (S10) ... (S13) of docs/theory.
 
 Strip i lies at the angle t_i = (i + 1/2) pi / n along the run, s = middle - half cos t.  A smooth function of
 the run is a sum of the cosines cos(m t), m < n, through its values at the strips.

@@ -2,7 +2,7 @@
 
 The wheel is a surface of revolution, the rail a cylinder along x, so their common normal has no x component.
 That leaves one angle around the wheel for every profile point (Wang 1984; closed form in
-docs/theory/method.md):
+docs/theory):
 
     phi(y) = -atan t - asin w,   t = tan(yaw) sin(roll),   w = tan(yaw) cos(roll) r'(y) / sqrt(1 + t^2)
 

@@ -8,7 +8,7 @@ How a side's height follows the roll,
     d height / d roll = sum k_i cos(angle_i) G_i / sum k_i cos(angle_i),
 
 is the mean of its regions' rigid levers G_i = gap_per_roll, weighted by their stiffnesses k_i: Newton's
-slope, by the envelope theorem (docs/theory/method.md, section 11).
+slope, by the envelope theorem (docs/theory/elastic.md).
 
 Both unknowns are found by Newton's method, in trials (trial.py).  A wheel's residual depends on little more
 than how deep it stands, so that what a move has changed says by which factor its derivatives are wrong; where
