@@ -20,7 +20,6 @@ from .packages import ROOT, ReleaseProblem
 #: Folders and endings of libraries, as they stand in archives.
 BINARIES = r"binaries/[\w-]+/\w+\.(so|dll|dylib)"
 KERNELS = r"(resources/wrcontact_\w+|wrcontact)/kernel/_wrcontact_kernel-[\w-]+\.(so|dll|dylib)"
-WINDOWS = r"(binaries/(win64|x86_64-windows)/\w+\.dll|.*/_wrcontact_kernel-x86_64-windows\.dll)"
 #: What the builds make: descriptions, pages, texts of licences, tables of a model, metadata, libraries.
 MADE = re.compile("|".join((
     r"modelDescription\.xml", r"documentation/(index\.html|externalDependencies\.txt|licenses/[\w-]+\.txt)",
@@ -29,37 +28,46 @@ MADE = re.compile("|".join((
     r"resources/wheelset_contact_\w+\.py", r"resources/wrcontact_\w+/(__init__|interface/starts)\.py",
     r"wrcontact-[\w.]+\.dist-info/.*", r"(PKG-INFO|setup\.cfg)", r"wrcontact\.egg-info/.*",
     BINARIES, KERNELS)))
+#: Words of licences' texts, of packages that state none in their metadata.
+WORDS = (("2-clause bsd", "BSD-2-Clause"), ("3-clause bsd", "BSD-3-Clause"), ("mit license", "MIT"),
+         ("apache license, version 2", "Apache-2.0"))
 
 
 @dataclass(frozen=True)
 class Part:
-    """Something of others: name, version or "", licence by SPDX, what of it is there, and which entries of
-    which archives have it (regular expressions, of whole names)."""
+    """Something of others: name, version or "", licence by SPDX, what of it is there, and ``places``: which
+    entries of which archives have it, pairs of regular expressions for whole names."""
 
     name: str
     version: str
     licence: str
     what: str
-    entries: str
-    archives: str = r".*\.(fmu|whl)"
+    places: tuple
     kind: str = "library"
+
+    def entries(self, archive, names):
+        """Those of the ``names`` in an ``archive`` that have it."""
+        chosen = [entry for pattern, entry in self.places if re.fullmatch(pattern, archive)]
+        return [name for name in names if any(re.fullmatch(entry, name) for entry in chosen)]
 
 
 def parts():
     """Every :class:`Part` that may be in a release."""
+    native, python, source = r"Wheel\w+_native_\w+\.fmu", r"WheelsetContact\.fmu", r".*\.tar\.gz"
+    compiled = ((native, BINARIES), (python, KERNELS), (r".*\.whl", KERNELS))
     return (
         *(Part(f"FMI {number}.0 headers", f"{number}.0", "BSD-2-Clause", "declarations of FMI's functions",
-               "sources/(" + "|".join(map(re.escape, names)) + ")", r".*\.fmu")
+               ((native, "sources/(" + "|".join(map(re.escape, names)) + ")"),))
           for number, names in HEADERS.items()),
         Part("PythonFMU", version("pythonfmu"), "MIT", "the part of an FMU that starts Python",
-             rf"resources/pythonfmu/\w+\.py|{BINARIES}", r"WheelsetContact\.fmu"),
-        Part("mingw-w64", "", "ZPL-2.1", "start-up code in libraries for Windows", WINDOWS),
-        Part("compiler-rt", "", "MIT", "helpers of the compiler in libraries that zig links",
-             rf"{BINARIES}|{KERNELS}"),
+             ((python, rf"resources/pythonfmu/\w+\.py|{BINARIES}"),)),
+        Part("mingw-w64", "", "ZPL-2.1", "start-up code in libraries for Windows",
+             tuple((archive, rf"(?=.*(win64|windows)){entry}") for archive, entry in compiled)),
+        Part("compiler-rt", "", "MIT", "helpers of the compiler in libraries that zig links", compiled),
         Part("benchmark of EN 15302", "2021", "MIT", "tables of the standard, transcribed by B_ECC",
-             r"data/en15302/\w+\.csv", r".*\.tar\.gz", "data"),
+             ((source, r"data/en15302/\w+\.csv"),), "data"),
         Part("reference output of CONTACT", "25.2", "Apache-2.0", "case A-2.2 of the Manchester benchmark",
-             r"data/manchester_a22_\w+\.csv", r".*\.tar\.gz", "data"),
+             ((source, r"data/manchester_a22_\w+\.csv"),), "data"),
     )
 
 
@@ -90,14 +98,11 @@ def parts_in(archive):
     ReleaseProblem
         if an entry is neither a file of the checkout, nor made by the build, nor named by a part.
     """
-    found, unknown = {}, []
-    chosen = [part for part in parts() if re.fullmatch(part.archives, archive.name)]
-    for name, content in entries_of(archive).items():
-        theirs = [part for part in chosen if re.fullmatch(part.entries, name)]
-        for part in theirs:
-            found.setdefault(part, []).append(name)
-        if not theirs and not MADE.fullmatch(name) and content not in own_contents():
-            unknown.append(name)
+    contents = entries_of(archive)
+    found = {part: names for part in parts() if (names := part.entries(archive.name, contents))}
+    theirs = {name for names in found.values() for name in names}
+    unknown = [name for name, content in contents.items()
+               if name not in theirs and not MADE.fullmatch(name) and content not in own_contents()]
     if unknown:
         raise ReleaseProblem(f"{archive.name} has entries of unknown origin: {', '.join(unknown[:10])}")
     return found
@@ -128,9 +133,12 @@ def licence_of(package):
         return told
     classes = [line.rpartition(" :: ")[2] for line in package.metadata.get_all("Classifier") or ()
                if line.startswith("License :: ") and not line.endswith("OSI Approved")]
-    if not classes and not told:
+    texts = [told, *(file.read_text(encoding="utf-8") for file in package.files or ()
+                     if "licens" in file.name.lower())]
+    found = classes or [licence for words, licence in WORDS if words in " ".join(texts).lower()][:1]
+    if not found:
         raise ReleaseProblem(f"{package.metadata['Name']} states no licence")
-    return ", ".join(classes) or told.splitlines()[0]
+    return ", ".join(found)
 
 
 def bill(archives):

@@ -14,9 +14,9 @@ def version_mark():
 
 
 def check_mark(mark, what):
-    """Refuse ``what`` was pickled with a ``mark`` that is not the one of this version, with a ValueError."""
+    """Raise a ValueError, in a sentence, if the ``mark`` of ``what`` was pickled is not this version's."""
     if mark != version_mark():
         own, _ = version_mark()
-        raise ValueError(f"{what} was saved by wrcontact {mark[0]}, this is {own}"
-                         f"{', with other records' if mark[0] == own else ''}; permitted is the same version: "
-                         "keep results as tables, to_pandas or to_xarray")
+        other = ", with other records" if mark[0] == own else ""
+        raise ValueError(f"{what} was saved by wrcontact {mark[0]}, this is {own}{other}; permitted is the "
+                         "same version: keep results as tables, to_pandas or to_xarray")
