@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import re
+import shutil
 import sys
 from html import unescape
 from html.parser import HTMLParser
@@ -19,6 +20,8 @@ from wrcontact.fleet import table, workers
 from wrcontact.fleet.files import named_sources
 from wrcontact.fleet.page import COLUMNS
 from wrcontact.fleet.pair import examine
+
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
 
 @pytest.fixture(scope="module")
@@ -69,7 +72,7 @@ def test_every_pair_has_a_row_and_every_broken_file_one(fleet, files):
         wrcontact.ContactSystem(wheel=files[0] / "damaged.txt")
     assert row["error"] == str(alone.value) and (row["wheel"], row["rail"]) == ("damaged", "")
     assert not row["usable"] and all(row[name] is None for name in table.NUMBERS)
-    assert repr(fleet) == "Fleet(4 pairs, 4 of them usable; 1 rows with an error)"
+    assert repr(fleet) == "Fleet(4 pairs, 4 of them usable; rows with an error: 1)"
 
 
 def test_json_is_that_of_the_pair_alone(fleet, folder, files, run, tmp_path):
@@ -111,10 +114,16 @@ def test_columns_and_other_forms(fleet, folder):
         rows = list(csv.DictReader(file))
     assert [row["wheel"] for row in rows] == fleet["wheel"].tolist()
     assert float(rows[2]["nearest_jump"]) == fleet[2]["nearest_jump"]
+
+
+@pytest.mark.full
+def test_a_table_of_pandas_has_the_columns_of_the_file(fleet, folder):
     pandas = pytest.importorskip("pandas")
     frame = fleet.to_pandas()
-    assert isinstance(frame, pandas.DataFrame) and list(frame.columns) == list(rows[0])
-    np.testing.assert_array_equal(frame["conicity_3mm"], level)
+    written = pandas.read_csv(folder / "fleet.csv")
+    assert list(frame.columns) == list(written.columns) and len(frame) == len(written) == len(fleet)
+    np.testing.assert_array_equal(frame["conicity_3mm"], fleet["conicity_3mm"])
+    np.testing.assert_array_equal(written["conicity_3mm"], fleet["conicity_3mm"])
 
 
 # --- interrupted runs -----------------------------------------------------------------------------
@@ -202,8 +211,39 @@ def test_the_report_has_every_row_with_what_it_sorts_by(fleet, folder):
         assert unescape(text).count(row["error"]) >= 2      # it stands above the table, too
     assert set(read.addresses) == {row["json"] for row in fleet if row["json"]}     # and nothing from the net
     assert all((folder / address).is_file() for address in read.addresses)
-    assert "4 pairs of 2 wheels and 2 rails: 4 are usable" in unescape(text)
+    assert "4 pairs of 2 wheels and 2 rails: 4 usable" in unescape(text)
     assert not re.search(r"https?:", text)
+
+
+@pytest.mark.full
+def test_a_click_on_a_heading_sorts(fleet, folder):
+    """In a browser: empty cells last, a second click the other way round; and the text that is sought."""
+    playwright = pytest.importorskip("playwright.sync_api")
+    if CHROMIUM is None:
+        pytest.skip("chromium is not installed")
+    with playwright.sync_playwright() as running:
+        browser = running.chromium.launch(executable_path=CHROMIUM, args=[
+            "--no-sandbox", "--disable-gpu", "--disable-background-networking"])
+        page, wrong = browser.new_page(), []
+        page.on("pageerror", lambda error: wrong.append(str(error)))
+        page.on("request", lambda request: request.url.startswith("file:") or wrong.append(request.url))
+        page.goto((folder / "report.html").as_uri())
+        heads = page.query_selector_all("th")
+        for k, name in [(0, "wheel"), *((k + 4, row[0]) for k, row in enumerate(COLUMNS))]:
+            for back in (False, True):
+                heads[k].click()
+                shown = page.eval_on_selector_all(
+                    "tbody tr", f"rows => rows.map(row => row.cells[{k}].dataset.v ?? "
+                                f"row.cells[{k}].textContent)")
+                values = [row[name] for row in fleet if row[name] not in (None, "")]
+                there = [type(values[0])(text) for text in shown if text]
+                wanted = sorted(values, reverse=back)
+                assert there == (pytest.approx(wanted) if k else wanted), name
+                assert shown[len(values):] == [""] * (len(fleet) - len(values)), name
+        page.fill("input", "wheel01")
+        assert page.eval_on_selector_all("tbody tr", "rows => rows.filter(row => !row.hidden).length") == 2
+        browser.close()
+    assert not wrong
 
 
 def test_the_page_names_every_column():
@@ -255,7 +295,8 @@ def test_command(run, files, tmp_path):
     code, told, err = run("check", "--batch", f"{files[0]}/*[0d].txt", files[1] / "rail01.txt", "--output",
                           out, "--wheel-rotate-deg", "0.1", "--smoothing-um", "8")
     assert code == 1 and "damaged.txt" in told and f"report written to {out / 'report.html'}" in told
-    assert "1 pairs of 1 wheel and 1 rail: 1 are usable" in told and err == ""
+    assert "1 pair of 1 wheel and 1 rail: 1 usable" in told
+    assert "profile" not in err         # remarks stand in the report
     drawn = (out / "pairs" / "wheel00__rail01.png").read_bytes()
     assert drawn.startswith(b"\x89PNG") and len(drawn) > 100_000
     row = json.loads((out / "fleet.jsonl").read_text(encoding="utf-8"))["row"]

@@ -95,8 +95,8 @@ def summary(fleet):
     pairs = [row for row in fleet.rows if not row["error"]]
     wheels, rails = (len({row[kind] for row in pairs}) for kind in ("wheel", "rail"))
     near = sum(row["nearest_jump"] is not None and row["nearest_jump"] < 1e-3 for row in pairs)
-    words = [f"{len(pairs)} pairs of {_counted(wheels, 'wheel')} and {_counted(rails, 'rail')}: "
-             f"{sum(row['usable'] for row in pairs)} are usable, {near} jump within 1 mm of the centred "
+    words = [f"{_counted(len(pairs), 'pair')} of {_counted(wheels, 'wheel')} and {_counted(rails, 'rail')}: "
+             f"{sum(row['usable'] for row in pairs)} usable, {near} with a jump within 1 mm of the centred "
              "position."]
     level = sorted(row["conicity_3mm"] for row in pairs if row["conicity_3mm"] is not None)
     if level:

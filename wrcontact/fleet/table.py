@@ -106,7 +106,7 @@ class Fleet:
     def __repr__(self):
         wrong = len(self.broken)
         return (f"Fleet({len(self) - wrong} pairs, {int(self['usable'].sum())} of them usable"
-                f"{f'; {wrong} rows with an error' if wrong else ''})")
+                f"{f'; rows with an error: {wrong}' if wrong else ''})")
 
     @property
     def broken(self):
