@@ -12,8 +12,10 @@ from pathlib import Path
 
 import pytest
 
+import wrcontact
 from tests.helpers.paths import ROOT
 from tests.helpers.platforms import KERNEL_EXPORTS, check_library, needs, needs_build, needs_zig
+from tools.releasing import bill
 from wrcontact import ContactSystem
 from wrcontact.kernel.binding.compiler import KEPT, find_compiler
 from wrcontact.kernel.binding.files import LIBRARY_NAME, PLATFORMS, host_platform, library_name
@@ -117,14 +119,17 @@ print(library.__file__, kernel.compiled, state.right.penetration.hex())
 @pytest.mark.parametrize("name", ("x86_64-linux", *(pytest.param(name, marks=pytest.mark.complete)
                                                     for name in PLATFORMS if name != "x86_64-linux")))
 def test_wheel_for_a_platform(sources, tmp_path, name):
-    """Its tag and its library, the right one alone; this machine's is installed without a
-    compiler and runs compiled."""
+    """Its tag and its library, the right one alone, its version, and nothing of others that the list of
+    licences does not name; this machine's is installed without a compiler and runs compiled."""
     wheel = built_wheel(sources, tmp_path / "wheels", WRCONTACT_PLATFORM=name)
     place = PLATFORMS[name]
     assert wheel.name.endswith(f"-py3-none-{place.wheel}.whl")
     with zipfile.ZipFile(wheel) as archive:
         metadata = archive.read(next(entry for entry in archive.namelist()
                                      if entry.endswith(".dist-info/WHEEL"))).decode()
+    assert f"-{wrcontact.__version__}-py3-" in wheel.name
+    theirs = {"compiler-rt", "mingw-w64"} if name == "x86_64-windows" else {"compiler-rt"}
+    assert {part.name for part in bill.parts_in(wheel)} == theirs
     tags = [line for line in metadata.splitlines() if line.startswith("Tag: ")]
     assert tags == [f"Tag: py3-none-{tag}" for tag in place.wheel.split(".")]
     found = libraries_in(wheel)
@@ -158,7 +163,10 @@ def test_wheel_of_this_machine(sources, tmp_path):
 def test_source_archive_has_no_library(sources, tmp_path):
     subprocess.run([*PACK, "--sdist", "--outdir", str(tmp_path), str(sources)], check=True,
                    capture_output=True)
-    with tarfile.open(next(tmp_path.iterdir())) as archive:
+    made, = tmp_path.iterdir()
+    theirs = {part.name: entries for part, entries in bill.parts_in(made).items()}
+    assert set(theirs) == {"benchmark of EN 15302", "reference output of CONTACT"}
+    with tarfile.open(made) as archive:
         names = archive.getnames()
     assert [name for name in names if name.endswith((".so", ".dll", ".dylib"))] == []
     assert [name for name in names if name.endswith("wrcontact/kernel/binding/files.py")]
