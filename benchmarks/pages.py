@@ -110,7 +110,7 @@ TABLES = {
     "creep_errors": Table(BENCHMARKS, ("tangential_errors",), tables.creep_force_table),
     "creep_moments": Table(BENCHMARKS, ("tangential_errors",), tables.creep_moment_table),
     "creep_times": Table(BENCHMARKS, ("tangential_times",), tables.creep_time_table),
-    "creep_short": Table("docs/theory/rolling.md", tables.CREEP_PARTS, tables.creep_short_table,
+    "creep_short": Table("docs/theory/creep.md", tables.CREEP_PARTS, tables.creep_short_table,
                          tables.CREEP_NOTE),
     "creep_models": Table("docs/choose.md", tables.CREEP_PARTS, tables.creep_model_table,
                           tables.CREEP_NOTE),

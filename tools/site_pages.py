@@ -20,6 +20,7 @@ INLINE = re.compile(r"(?<![\\$\w])\$(?![\s$])([^$\n]+?(?:\n[^$\n]+?)?)(?<![\s\\]
 TAG = re.compile(r"\\tag\{([^}]*)\}")
 CODE = re.compile(r"(^[ ]*```.*?^[ ]*```[ ]*$|`[^`\n]+`)", re.DOTALL | re.MULTILINE)
 LINK = re.compile(r"(\]\()((?:\.\./)+[^)#\s]+)(#[^)]*)?\)")
+FUNCTION = r"(<mi>(?:sin|cos|tan|ln|exp|arcsin|arccos|arctan)</mi>)(?!<m[on])"     # "cos a" with a gap
 LANGUAGES = {".py": "python", ".c": "c", ".csv": "text", ".toml": "toml"}
 
 
@@ -80,7 +81,8 @@ def inside(match, page):
 
 def equations(text):
     """The text with MathML for LaTeX."""
-    return INLINE.sub(lambda match: f"<span>{mathml(match[1])}</span>", DISPLAYED.sub(displayed, text))
+    text = DISPLAYED.sub(displayed, text)
+    return INLINE.sub(lambda match: f'<span class="formula">{mathml(match[1])}</span>', text)
 
 
 def displayed(match):
@@ -93,4 +95,5 @@ def displayed(match):
 
 
 def mathml(formula, display="inline"):
-    return convert(" ".join(formula.split()), display=display)
+    drawn = convert(" ".join(formula.split()), display=display)
+    return re.sub(FUNCTION, r"\1<mspace width='0.17em'/>", drawn)
