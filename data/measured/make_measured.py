@@ -26,8 +26,9 @@ GRAIN = 0.3             # [mm]
 def worn_wheel():
     """y, z (n,) [mm] of the wheel without noise, z down from the old running circle."""
     y, z = even_points("wheel", SPACING)
-    thinner = np.where(np.arange(len(y)) > np.argmax(z), FLANGE * np.exp(-((z - FLANGE_HEIGHT) / 5.0) ** 2), 0.0)
-    return y - thinner, z - HOLLOW * np.exp(-(y / HOLLOW_WIDTH) ** 2)
+    face = np.arange(len(y)) > np.argmax(z)         # of the flange's tip
+    thinner = FLANGE * np.exp(-((z - FLANGE_HEIGHT) / 5.0) ** 2)
+    return y - np.where(face, thinner, 0.0), z - HOLLOW * np.exp(-(y / HOLLOW_WIDTH) ** 2)
 
 
 def worn_rail():

@@ -1,7 +1,7 @@
 """Guides: their Python runs, page by page in one namespace, options of their commands exist, and what a page
 shows is what comes out.
 
-A block of ``sh`` is run too, and a block of ``text`` has what the block before it prints; "…" stands for more.
+A block of ``sh`` is run too, and a block of ``text`` has what the block before it prints; "…" is more of it.
 ``<!-- not run: reason -->`` before a block keeps it out.
 """
 
@@ -24,9 +24,13 @@ from wrcontact.kernel.binding.library import default_kernel
 DOCS = ROOT / "docs"
 PAGES = {page.name: page.read_text(encoding="utf-8")
          for page in (DOCS / "choose.md", *sorted((DOCS / "guides").glob("*.md")))}
-BLOCK = re.compile(r"(<!-- not run: (?P<reason>.+?) -->\n+)?^```(?P<kind>\w*)\n(?P<code>.*?)^```", re.M | re.S)
-#: Pages whose examples need FMUs that lie beside them, the one that builds its own, and those that take seconds.
-WITH_FMUS, BUILDS, SLOW = ("fmu.md", "fmu_hosts.md", "importers.md"), "measured_wheel.md", ("check.md", "usage.md")
+BLOCK = re.compile(r"(<!-- not run: (?P<reason>.+?) -->\n+)?^```(?P<kind>\w*)\n(?P<code>.*?)^```",
+                   re.M | re.S)
+#: Pages whose examples need FMUs beside them; the page that builds its own; pages that take seconds.
+WITH_FMUS = ("fmu.md", "fmu_hosts.md", "importers.md")
+BUILDS = "measured_wheel.md"
+SLOW = ("check.md", "usage.md")
+COMMAND = re.compile(r"^(?:    )?wrcontact ((?:build|check|demo|figures|plot|solve|sweep)\b.*)$", re.M)
 
 
 def marks(name):
@@ -36,7 +40,7 @@ def marks(name):
 
 EXAMPLES = [pytest.param(name, marks=marks(name)) for name, page in PAGES.items() if "```python" in page]
 pytestmark = pytest.mark.skipif(not default_kernel().compiled,
-                                reason="the examples of the pages are for the compiled library, and none is here")
+                                reason="the examples of pages want the compiled library, and none is here")
 
 
 def blocks(name):
@@ -94,8 +98,7 @@ def commanded(line, run):
 @pytest.mark.parametrize("name", [name for name, page in PAGES.items() if "wrcontact " in page])
 def test_commands_have_options_that_exist(name, run):
     """Of all lines that begin with wrcontact; ``--help`` lets them do nothing."""
-    code = re.sub(r"\[.*?\]\(.*?\)", "", PAGES[name])
-    for line in re.findall(r"^(?:    )?wrcontact ((?:build|check|demo|figures|plot|solve|sweep)\b.*)$", code, re.M):
+    for line in COMMAND.findall(PAGES[name]):
         words = shlex.split(line, comments=True)
         code, _, errors = run(*words, "--help")
         assert code == 0, f"{line}: {errors}"
@@ -132,3 +135,27 @@ def test_the_truth_of_the_measured_pair_is_as_the_page_says(tmp_path):
     y = np.linspace(low, high, 3001)
     found = wrcontact.Profile.from_file(HERE / "worn.whl", "wheel").height(y) - wheel.height(y)
     assert 1e6 * np.std(found) == pytest.approx(said, abs=0.06)
+
+
+SECTIONS = re.findall(r"^## (.+?)\n(.*?)(?=^## |\Z)", PAGES["importers.md"], re.M | re.S)
+GENERAL = ("What to connect", "Which tool runs which FMU")
+
+
+@pytest.mark.parametrize("tool, text", [part for part in SECTIONS if part[0] not in GENERAL],
+                         ids=lambda word: word.split()[0])
+def test_each_tool_says_whether_it_was_tried(tool, text):
+    """Once; and what was tried by a test names it."""
+    said = re.findall(r"^\*\*(Tried|Not tried):\*\* (.*?)(?:\n\n|\Z)", text, re.M | re.S)
+    assert len(said) == 1, tool
+    (verdict, words), = said
+    assert verdict == "Not tried" or "by hand" in words or re.search(r"\]\(\S+test_\w+\.py\)", words), tool
+
+
+def test_strings_that_did_not_arrive_are_seen():
+    """The table of mistakes: a wheelset 1 mm above its rails."""
+    raised = {"vertical_shift_input": -1e-3, "normal_force": 60e3}
+    rigid = wrcontact.ContactSystem().evaluate(**raised)
+    compliant = wrcontact.ContactSystem(contact_mode="compliant").evaluate(**raised)
+    assert (compliant.status, compliant.force.z) == (1, 0.0)
+    # normals are not quite vertical
+    assert rigid.status == 0 and rigid.force.z == pytest.approx(-120e3, rel=0.01)
