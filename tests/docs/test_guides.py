@@ -5,6 +5,7 @@ A block of ``sh`` is run too, and a block of ``text`` has what the block before 
 ``<!-- not run: reason -->`` before a block keeps it out.
 """
 
+import importlib.util
 import re
 import shlex
 import warnings
@@ -78,7 +79,7 @@ def test_examples_run_and_print_what_the_page_shows(name, request, tmp_path, mon
             missing = [line for line in code.splitlines() if one_line(line.strip("…")) not in one_line(said)]
             assert not missing, said
         elif kind == "sh":
-            said = "".join(commanded(line, run) for line in code.splitlines())
+            said = "".join(commanded(line, run) for line in code.replace("\\\n", " ").splitlines())
         else:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", wrcontact.ProfileWarning)      # of the files above
@@ -98,10 +99,20 @@ def commanded(line, run):
 @pytest.mark.parametrize("name", [name for name, page in PAGES.items() if "wrcontact " in page])
 def test_commands_have_options_that_exist(name, run):
     """Of all lines that begin with wrcontact; ``--help`` lets them do nothing."""
-    for line in COMMAND.findall(PAGES[name]):
+    for line in COMMAND.findall(PAGES[name].replace("\\\n", " ")):
         words = shlex.split(line, comments=True)
         code, _, errors = run(*words, "--help")
         assert code == 0, f"{line}: {errors}"
+
+
+def test_programs_exist():
+    """Those that a page runs by ``python -m`` and ``python FILE``."""
+    found = {word for page in PAGES.values() for word in re.findall(r"\bpython (-m [\w.]+|\S+\.py)", page)}
+    assert len(found) > 8
+    for words in found:
+        module = words.removeprefix("-m ")
+        known = importlib.util.find_spec(module) if words.startswith("-m") else (ROOT / words).exists()
+        assert known, words
 
 
 def test_a_block_that_is_not_run_says_why():
@@ -123,7 +134,7 @@ def exact(kind, place, folder):
 
 @pytest.mark.filterwarnings("ignore::wrcontact.ProfileWarning")
 def test_the_truth_of_the_measured_pair_is_as_the_page_says(tmp_path):
-    """The wear is a formula; the noise is 5 um, its mean over the knots of the smoothed curve is less."""
+    """The wear is a formula, and the points without noise give this row."""
     page = PAGES[BUILDS]
     wheel, rail = exact("wheel", worn_wheel(), tmp_path), exact("rail", worn_rail(), tmp_path)
     report = wrcontact.check(wrcontact.ContactSystem(wheel=wheel, rail=rail))
@@ -133,7 +144,9 @@ def test_the_truth_of_the_measured_pair_is_as_the_page_says(tmp_path):
     assert report.conicity.level[1:3] == pytest.approx([float(row[2]), float(row[3])], abs=0.006)
     low, high, said = -38e-3, 30e-3, float(re.search(r"curve is (\S+) µm from the truth", page)[1])
     y = np.linspace(low, high, 3001)
-    found = wrcontact.Profile.from_file(HERE / "worn.whl", "wheel").height(y) - wheel.height(y)
+    smoothed = wrcontact.Profile.from_file(HERE / "worn.whl", "wheel")
+    assert smoothed.height(0.0) == pytest.approx(0.0, abs=5e-6)         # [m] z is 0 at the worn running circle
+    found = smoothed.height(y) - wheel.height(y)
     assert 1e6 * np.std(found) == pytest.approx(said, abs=0.06)
 
 
