@@ -145,7 +145,7 @@ def test_the_truth_of_the_measured_pair_is_as_the_page_says(tmp_path):
     low, high, said = -38e-3, 30e-3, float(re.search(r"curve is (\S+) µm from the truth", page)[1])
     y = np.linspace(low, high, 3001)
     smoothed = wrcontact.Profile.from_file(HERE / "worn.whl", "wheel")
-    assert smoothed.height(0.0) == pytest.approx(0.0, abs=5e-6)         # [m] z is 0 at the worn running circle
+    assert smoothed.height(0.0) == pytest.approx(0.0, abs=5e-6)     # [m] z is 0 at the worn running circle
     found = smoothed.height(y) - wheel.height(y)
     assert 1e6 * np.std(found) == pytest.approx(said, abs=0.06)
 
