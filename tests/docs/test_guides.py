@@ -24,7 +24,8 @@ from wrcontact.kernel.binding.library import default_kernel
 
 DOCS = ROOT / "docs"
 PAGES = {page.name: page.read_text(encoding="utf-8")
-         for page in (DOCS / "choose.md", *sorted((DOCS / "guides").glob("*.md")))}
+         for page in (DOCS / "index.md", DOCS / "choose.md", DOCS / "reference" / "statuses.md",
+                      *sorted((DOCS / "guides").glob("*.md")))}
 BLOCK = re.compile(r"(<!-- not run: (?P<reason>.+?) -->\n+)?^```(?P<kind>\w*)\n(?P<code>.*?)^```",
                    re.M | re.S)
 #: Pages whose examples need FMUs beside them; the page that builds its own; pages that take seconds.
