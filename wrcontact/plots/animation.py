@@ -1,4 +1,5 @@
-"""Animation of a run: the wheelset on its track from above, both contacts from behind, and the patches on the rails."""
+"""Animation of a run: the wheelset on its track from above, both contacts from behind, and the patches on
+the rails."""
 
 import os
 from dataclasses import dataclass
@@ -11,14 +12,12 @@ import numpy as np
 from matplotlib.animation import FFMpegWriter, PillowWriter
 from PIL import Image
 
-from ..conventions import MIRROR, SIDES
-from ..interface.inputs import INPUTS
+from ..conventions import SIDES
 from ..progress import tracked
-from ..status import Status
 from ..storage.atomic import write_atomically
-from .geometry import rail_outline
-from .history import column, names_of, run_of
-from .patch import draw_patch, missing, patch_ends, patch_places, pressure_scale
+from .film import film_of, shifted
+from .history import run_of
+from .patch import draw_patch, missing, patch_places
 from .pose import draw_contact
 from .style import DEGREE, INK, MM, QUIET, RAIL_COLOUR, SIDE_COLOUR, WHEEL_COLOUR, new_figure, number, styled
 
@@ -30,23 +29,21 @@ COLOURS = 64  # of a GIF
 LARGER = 30.0
 #: [m] seen ahead of and behind the wheelset, distance of sleepers, their half length and half width.
 AHEAD, SLEEPERS, SLEEPER_ENDS, SLEEPER = 1.5, 0.6, 1.3, 0.12
-SPARE = 2e-3  # [m] around the patches
-#: Places of a compliant wheelset by the names that a model of its motion has for them.
-PLACES = {"vertical_shift_input": "vertical_shift", "roll_input": "roll"}
 
 
 @styled
 def animate(system, run, path, *, frames=MOST_FRAMES, rate=RATE):
     """Write an animation of a run of a wheelset.
 
-    The states are computed by ``system`` from the inputs of the run, such as ``lateral_shift``, ``yaw``, ``speed`` and
-    ``normal_force``; those that it does not have are as in ``evaluate``.  In ``contact_mode`` compliant the wheelset's
-    ``vertical_shift`` and ``roll`` are inputs.
+    The states are computed by ``system`` from the inputs of the run, such as ``lateral_shift``, ``yaw``,
+    ``speed`` and ``normal_force``; those that it does not have are as in ``evaluate``.  In ``contact_mode``
+    compliant the wheelset's ``vertical_shift`` and ``roll`` are inputs.
 
     Parameters
     ----------
     system : a :class:`~wrcontact.ContactSystem`.
-    run : a table of states, or arrays (n,) in SI by FMU name, as for :func:`history`, or the path of a CSV file.
+    run : a table of states, or arrays (n,) in SI by FMU name, as for :func:`history`, or the path of a CSV
+        file.
     path : of the file; the ending says the format, .gif or .mp4, which needs ffmpeg.
     frames : at most so many rows of the run are drawn, evenly.
     rate : frames in a second.
@@ -61,7 +58,7 @@ def animate(system, run, path, *, frames=MOST_FRAMES, rate=RATE):
         in a sentence, where the run has no lateral shift or no pose with contact, or there is no ffmpeg.
     """
     writer = _writer(path, rate)
-    film = _film(system, run_of(run), frames)
+    film = film_of(system, run_of(run), frames)
     figure = new_figure(9.6, 4.4)
     above, right = figure.subfigures(1, 2, width_ratios=(1, 2.6))
     panels = _Panels(above.subplots(), *right.subplots(2, 2, height_ratios=(1, 1.1)))
@@ -82,7 +79,9 @@ def _writer(path, rate):
     """The writer for the file's ending."""
     ending = Path(path).suffix.lower()
     if ending not in ENDINGS:
-        raise ValueError(f"path is {os.fspath(path)!r}; permitted are files that end in {' or '.join(ENDINGS)}")
+        raise ValueError(
+            f"path is {os.fspath(path)!r}; permitted are files that end in {' or '.join(ENDINGS)}"
+        )
     if not (np.isfinite(rate) and 0.0 < rate <= 100.0):
         raise ValueError(f"rate is {rate:g} frames per second; permitted are values above 0 up to 100")
     if ending == ".gif":
@@ -92,8 +91,10 @@ def _writer(path, rate):
 
         matplotlib.rcParams["animation.ffmpeg_path"] = imageio_ffmpeg.get_ffmpeg_exe()
     if not FFMpegWriter.isAvailable():
-        raise ValueError(f"path is {os.fspath(path)!r}, which needs ffmpeg, and there is none; permitted is a file that "
-                         "ends in .gif, or pip install imageio-ffmpeg")
+        raise ValueError(
+            f"path is {os.fspath(path)!r}, which needs ffmpeg, and there is none; permitted is a file that "
+            "ends in .gif, or pip install imageio-ffmpeg"
+        )
     return FFMpegWriter(fps=rate, codec="libx264", extra_args=["-pix_fmt", "yuv420p"])
 
 
@@ -111,9 +112,6 @@ class _Gif(PillowWriter):
         first.save(self.outfile, save_all=True, append_images=rest, duration=round(1000 / self.fps), loop=0)
 
 
-# --- what is drawn --------------------------------------------------------------------------------------------
-
-
 @dataclass(frozen=True)
 class _Panels:
     """View from above, contacts and patches of both sides."""
@@ -121,88 +119,6 @@ class _Panels:
     above: object
     contacts: object
     patches: object
-
-
-@dataclass(frozen=True)
-class _Film:
-    """States of the frames, their times [s] and distances [m], and the window that holds all patches."""
-
-    system: object
-    rows: list
-    time: np.ndarray
-    distance: np.ndarray
-    scale: object
-    window: tuple
-
-
-def _film(system, run, frames):
-    """Evaluate the poses that are drawn."""
-    if not (isinstance(frames, int) and frames > 0):
-        raise ValueError(f"frames is {frames!r}; permitted are whole numbers from 1 on")
-    names = names_of(run)
-    given = {row.keyword: row.name for row in INPUTS if row.name in names and not row.hint}
-    if system.parameters["contact_mode"] == "compliant":
-        given = {place: name for place, name in PLACES.items() if name in names} | given
-    else:
-        given = {keyword: name for keyword, name in given.items() if keyword not in PLACES}
-    if "lateral_shift" not in given:
-        raise ValueError("the run has no 'lateral_shift'; permitted is a run that has it")
-    count = len(column(run, "lateral_shift"))
-    pick = np.unique(np.linspace(0, count - 1, min(frames, count)).round().astype(int))
-    table = system.evaluate_many(**{keyword: column(run, name)[pick] for keyword, name in given.items()})
-    time = column(run, "time")[pick] if "time" in names else np.full(len(pick), np.nan)
-    valid = np.flatnonzero(np.asarray(table.status) <= Status.UNLOADED)
-    if not len(valid):
-        raise ValueError(f"none of the {len(pick)} poses of the run has a contact")
-    rows = [table[int(k)] for k in valid]
-    outlines = [getattr(row, side).outline for row in rows for side in SIDES if not missing(getattr(row, side))]
-    return _Film(system, rows, time[valid], _distance(run, names, pick)[valid],
-                 pressure_scale(outlines) if outlines else None,
-                 _window(system, rows))
-
-
-def _distance(run, names, pick):
-    """How far the wheelset has come at the frames [m]; zero where the run does not say it."""
-    if "distance" in names:
-        return column(run, "distance")[pick]
-    if {"time", "speed"} <= set(names):
-        time, speed = column(run, "time"), column(run, "speed")
-        way = np.concatenate([[0.0], np.cumsum(0.5 * (speed[1:] + speed[:-1]) * np.diff(time))])
-        return way[pick]
-    return np.zeros(len(pick))
-
-
-def _window(system, rows):
-    """Limits across, low and high, and along that hold the patches of all rows and both sides [mm]."""
-    places = [(_shifted(system, row, side), patch_places(system, row, side)) for row in rows for side in SIDES
-              if not missing(getattr(row, side))]
-    across = [end for outline, _ in places for end in outline.station[[0, -1]]] or [-SPARE, SPARE]
-    along = max((max(map(abs, patch_ends(*one))) for one in places), default=SPARE)
-    return (min(across) - SPARE) / MM, (max(across) + SPARE) / MM, (along + SPARE) / MM
-
-
-@dataclass(frozen=True)
-class _OnRail:
-    """An outline whose stations are arc lengths on the rail from its highest point [m]."""
-
-    station: np.ndarray
-    half_length: np.ndarray
-    pressure: np.ndarray
-
-
-def _shifted(system, row, side):
-    """The outline of one side on its rail."""
-    y, z = rail_outline(system, side, row)
-    sign = 1.0 if side == "right" else MIRROR[0]
-    order = np.argsort(sign * y)
-    y, z = y[order], z[order]
-    length = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
-    contact = np.interp(sign * getattr(row, side).contact.y_track, sign * y, length)
-    outline = getattr(row, side).outline
-    return _OnRail(outline.station + contact - length[np.argmin(z)], outline.half_length, outline.pressure)
-
-
-# --- drawing --------------------------------------------------------------------------------------------------
 
 
 def _draw(figure, panels, film, frame):
@@ -224,40 +140,64 @@ def _draw_above(panel, film, frame):
     first = np.floor((film.distance[frame] - AHEAD) / SLEEPERS)
     for k in first + np.arange(int(2 * AHEAD / SLEEPERS) + 3):
         x = k * SLEEPERS - film.distance[frame]
-        panel.fill_between([-SLEEPER_ENDS, SLEEPER_ENDS], x - SLEEPER, x + SLEEPER, color="#E9E4DC", linewidth=0)
+        panel.fill_between(
+            [-SLEEPER_ENDS, SLEEPER_ENDS], x - SLEEPER, x + SLEEPER, color="#E9E4DC", linewidth=0
+        )
     for y in (-arm, arm):
         panel.fill_between([y - 0.036, y + 0.036], -AHEAD, AHEAD, color=RAIL_COLOUR, alpha=0.8, linewidth=0)
     yaw, shift = LARGER * state.inputs.yaw, LARGER * state.inputs.lateral_shift
-    turn = np.array([[np.cos(yaw), np.sin(yaw)], [-np.sin(yaw), np.cos(yaw)]])    # x up, y right: clockwise
-    panel.plot(*((turn.T @ [[0.0, 0.0], [-1.0, 1.0]])[::-1] + [[shift], [0.0]]), color=WHEEL_COLOUR, linewidth=3)
+    turn = np.array([[np.cos(yaw), np.sin(yaw)], [-np.sin(yaw), np.cos(yaw)]])  # x up, y right: clockwise
+    panel.plot(
+        *((turn.T @ [[0.0, 0.0], [-1.0, 1.0]])[::-1] + [[shift], [0.0]]), color=WHEEL_COLOUR, linewidth=3
+    )
     for y in (-arm, arm):
         corners = np.array([[-0.46, 0.46, 0.46, -0.46], [y - 0.07, y - 0.07, y + 0.07, y + 0.07]])
         x, y = turn.T @ corners
         panel.fill(y + shift, x, color=WHEEL_COLOUR, alpha=0.55, linewidth=0)
     panel.plot([0, 0], [-AHEAD, AHEAD], color=QUIET, linewidth=0.6, linestyle=(0, (8, 3, 2, 3)))
     time = film.time[frame]
-    panel.set(xlim=(-SLEEPER_ENDS - 0.05, SLEEPER_ENDS + 0.05), ylim=(-AHEAD, AHEAD), aspect="equal", xticks=[],
-              yticks=[])
+    panel.set(
+        xlim=(-SLEEPER_ENDS - 0.05, SLEEPER_ENDS + 0.05),
+        ylim=(-AHEAD, AHEAD),
+        aspect="equal",
+        xticks=[],
+        yticks=[],
+    )
     for spine in panel.spines.values():
         spine.set_visible(False)
-    panel.set_title((f"{number(time, 2)} s" if np.isfinite(time) else f"pose {frame + 1}")
-                    + f"\nshift {number(state.inputs.lateral_shift / MM, 1)} mm, yaw "
-                    f"{number(state.inputs.yaw / DEGREE, 2)}°")
-    panel.text(0.5, -0.01, f"shift and yaw {LARGER:g} times larger", transform=panel.transAxes, ha="center", va="top",
-               fontsize=8, color=INK)
+    panel.set_title(
+        (f"{number(time, 2)} s" if np.isfinite(time) else f"pose {frame + 1}")
+        + f"\nshift {number(state.inputs.lateral_shift / MM, 1)} mm, yaw "
+        f"{number(state.inputs.yaw / DEGREE, 2)}°"
+    )
+    panel.text(
+        0.5,
+        -0.01,
+        f"shift and yaw {LARGER:g} times larger",
+        transform=panel.transAxes,
+        ha="center",
+        va="top",
+        fontsize=8,
+        color=INK,
+    )
 
 
 def _draw_patch(panel, film, state, side):
     """The patches of one side on the rail as seen from above, the field side outside."""
     wheel, (low, high, along) = getattr(state, side), film.window
-    panel.set(xlim=(low, high) if side == "right" else (high, low), ylim=(-along, along), aspect="equal",
-              xlabel="on the rail from its top, field side + [mm]", ylabel="along [mm]" if side == "left" else "")
+    panel.set(
+        xlim=(low, high) if side == "right" else (high, low),
+        ylim=(-along, along),
+        aspect="equal",
+        xlabel="on the rail from its top, field side + [mm]",
+        ylabel="along [mm]" if side == "left" else "",
+    )
     panel.axvline(0.0, color=QUIET, linewidth=0.6, linestyle=":")
     if missing(wheel):
         panel.set_title(f"{side.capitalize()} wheel: {missing(wheel)}")
         return
-    draw_patch(panel, _shifted(film.system, state, side), film.scale, patch_places(film.system, state, side))
-    panel.set_title(f"{number(wheel.normal_force / 1e3, 0)} kN, up to {number(wheel.max_pressure / 1e6, 0)} MPa",
-                    color=SIDE_COLOUR[side])
-
-
+    draw_patch(panel, shifted(film.system, state, side), film.scale, patch_places(film.system, state, side))
+    panel.set_title(
+        f"{number(wheel.normal_force / 1e3, 0)} kN, up to {number(wheel.max_pressure / 1e6, 0)} MPa",
+        color=SIDE_COLOUR[side],
+    )

@@ -26,8 +26,8 @@ def history(run, names, axis=None, *, over="time"):
     ----------
     run : arrays (n,) in SI by FMU name: a dict, the result of fmpy, a DataFrame, a table of states of
         ``evaluate_many``, or the path of a CSV file with a line of names.
-    names : one FMU name, or several of the same unit; "normal_force" stands for that of both wheels where there is no
-        other.
+    names : one FMU name, or several of the same unit; "normal_force" stands for that of both wheels where
+        there is no other.
     axis : axis of matplotlib; None for one in a new figure.
     over : name of what runs along the axis, or an array (n,) of times [s].
 
@@ -51,8 +51,14 @@ def history(run, names, axis=None, *, over="time"):
     for place, name in enumerate(names):
         side = name.split(".")[0]
         colour = SIDE_COLOUR.get(side, COLOURS[place % len(COLOURS)])
-        axis.plot(along, column(run, name) * UNITS[unit].display_factor, color=colour, label=name if not common else side,
-                  linewidth=1.2, linestyle=STROKES[place % len(STROKES)])
+        axis.plot(
+            along,
+            column(run, name) * UNITS[unit].display_factor,
+            color=colour,
+            label=name if not common else side,
+            linewidth=1.2,
+            linestyle=STROKES[place % len(STROKES)],
+        )
     axis.set(xlim=(np.nanmin(along), np.nanmax(along)), xlabel=words, ylabel=_bracketed(common, unit))
     if len(names) > 1:
         axis.legend(loc="best")
@@ -91,7 +97,7 @@ def unit_of(name):
     return UNITS_BY_NAME.get(name) or UNITS_OF_RUNS.get(name, "1")
 
 
-# --- runs -----------------------------------------------------------------------------------------------------
+# --- runs ---------------------------------------------------------------------------------------------------
 
 
 def run_of(run):
@@ -101,7 +107,7 @@ def run_of(run):
 
 def names_of(run):
     """Names of the columns of a run."""
-    if hasattr(run, "inputs"):      # a table of states
+    if hasattr(run, "inputs"):  # a table of states
         from ..results.columns import INPUT_PLACES
 
         return (*run.names, *INPUT_PLACES, "status")
@@ -118,28 +124,37 @@ def column(run, name):
         where the run has no such column, in a sentence.
     """
     if name not in names_of(run):
-        raise ValueError(f"there is no {name!r}"
-                         f"{did_you_mean(name, names_of(run)) or '; permitted is a name of the run'}")
+        raise ValueError(
+            f"there is no {name!r}{did_you_mean(name, names_of(run)) or '; permitted is a name of the run'}"
+        )
     return np.asarray(run[name], dtype=float)
 
 
 def read_run(path):
-    """Arrays (n,) by name from a CSV file: a line of names, then numbers, as fmpy and ``wrcontact sweep`` write it.
+    """Arrays (n,) by name from a CSV file: a line of names, then numbers, as fmpy and ``wrcontact sweep``
+    write it.
 
     Raises
     ------
     ValueError
         where a line has not as many numbers as there are names, in a sentence.
     """
-    with open(path, newline="", encoding="utf-8") as file:
-        rows = [row for row in csv.reader(file) if row]
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            rows = [row for row in csv.reader(file) if row]
+    except (UnicodeDecodeError, csv.Error) as wrong:
+        raise ValueError(f"{fspath(path)} is no CSV file: {wrong}") from None
     if len(rows) < 2:
-        raise ValueError(f"{fspath(path)} has no rows; permitted is a line of names, and lines of numbers below")
+        raise ValueError(
+            f"{fspath(path)} has no rows; permitted is a line of names, and lines of numbers below"
+        )
     names = [name.strip() for name in rows[0]]
     for line, row in enumerate(rows[1:], 2):
         if len(row) != len(names):
-            raise ValueError(f"row {line} of {fspath(path)} has {len(row)} values; permitted are as many as there are "
-                             f"names, {len(names)}")
+            raise ValueError(
+                f"row {line} of {fspath(path)} has {len(row)} values; permitted are as many as there are "
+                f"names, {len(names)}"
+            )
     try:
         values = np.array([[_number(value) for value in row] for row in rows[1:]])
     except ValueError as wrong:

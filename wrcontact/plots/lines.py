@@ -10,6 +10,7 @@ from ..conventions import SIDES
 from ..methods.numbers import check_choice
 from ..profiles.compiled import evaluate_table, places
 from .style import MM, RAIL_COLOUR, RAIL_LABEL, SHIFT_COLOURS, WHEEL_COLOUR, given_axis, number, styled
+from .sweep import check_contact
 
 SHIFTS = np.arange(-32, 33) * 0.25e-3  # [m] lateral shifts of the drawn lines
 APART = 14e-3  # [m] distance between the drawn wheel and rail
@@ -44,21 +45,30 @@ def contact_lines(system, axis=None, *, side="right", lateral_shift=SHIFTS, yaw=
     """
     check_choice("side", side, SIDES)
     shift = np.asarray(lateral_shift, dtype=float)
-    contact = getattr(system.evaluate_many(lateral_shift=shift, yaw=yaw, outputs="geometry"), side).contact
+    table = system.evaluate_many(lateral_shift=shift, yaw=yaw, outputs="geometry")
+    check_contact(table)
+    contact = getattr(table, side).contact
     there = np.isfinite(contact.y_wheel)
-    if not there.any():
-        raise ValueError(f"the {side} wheel touches its rail at none of the {len(shift)} lateral shifts; "
-                         "nothing to draw")
     axis = given_axis(axis, 7.2, 3.7)
-    axis.set_title(f"Where the {side} wheel touches its rail: {_pair(system, side)}\n"
-                   "Dotted: before and behind a jump, at this lateral shift in mm", fontsize=9)
-    draw_lines(axis, system, side, shift[there], (contact.y_wheel[there], contact.y_rail[there]),
-               find_jumps(system, shift, yaw), bar)
+    axis.set_title(
+        f"Where the {side} wheel touches its rail: {_pair(system, side)}\n"
+        "Dotted: before and behind a jump, at this lateral shift in mm",
+        fontsize=9,
+    )
+    draw_lines(
+        axis,
+        system,
+        side,
+        shift[there],
+        (contact.y_wheel[there], contact.y_rail[there]),
+        find_jumps(system, shift, yaw),
+        bar,
+    )
     return axis
 
 
 def _pair(system, side):
-    wheel, rail = ((system.wheel, system.rail) if side == "right" else (system.left_wheel, system.left_rail))
+    wheel, rail = (system.wheel, system.rail) if side == "right" else (system.left_wheel, system.left_rail)
     return f"{wheel.name} on {rail.name}"
 
 
@@ -80,8 +90,15 @@ def draw_lines(axis, system, side, shift, touching, jumps, bar=True):
             top = _join(axis, wheel, rail, aside, pair, color=colour, gid="jump", **BROKEN)
         if abs(jump.after - jump.before) > NAMED:
             inwards = np.array([evaluate_table(wheel, jump.after)[1], 1.0])
-            axis.annotate(number(jump.lateral_shift / MM, 2), top, 13 * inwards / np.hypot(*inwards),
-                          textcoords="offset points", ha="center", va="center", fontsize=8)
+            axis.annotate(
+                number(jump.lateral_shift / MM, 2),
+                top,
+                13 * inwards / np.hypot(*inwards),
+                textcoords="offset points",
+                ha="center",
+                va="center",
+                fontsize=8,
+            )
     axis.set_aspect("equal", adjustable="datalim")
     axis.set(xlabel="across the wheel from its running circle, field side + [mm]", yticks=[])
     axis.spines["left"].set_visible(False)
@@ -103,8 +120,9 @@ def _draw_profile(axis, table, touched, aside, height, colour, up):
     axis.fill_between((y + aside) / MM, z, edge, color=colour, alpha=0.18, linewidth=0)
     axis.plot((y + aside) / MM, z, color=colour)
     name, at = ("wheel", np.max(z) + 1) if up else ("rail", np.min(z) - 1)
-    axis.text((y[-1] + aside) / MM - 1, at, name, color=WHEEL_COLOUR if up else RAIL_LABEL, ha="right",
-              va="center")
+    axis.text(
+        (y[-1] + aside) / MM - 1, at, name, color=WHEEL_COLOUR if up else RAIL_LABEL, ha="right", va="center"
+    )
 
 
 def _join(axis, wheel, rail, aside, pair, **look):

@@ -5,7 +5,7 @@ import numpy as np
 from ..conditioning.curves import merged_jumps
 from ..conventions import SIDES
 from .style import DEGREE, INK, MM, QUIET, SIDE_COLOUR, given_axis, styled
-from .sweep import draw_roll
+from .sweep import check_contact, draw_roll
 
 SIZE = 5.4, 3.4  # [in] of a figure
 
@@ -37,8 +37,15 @@ def contact_angle(swept, axis=None):
     and result as for :func:`radius_difference`."""
     axis = given_axis(axis, *SIZE)
     for side, stroke in zip(SIDES, ("-", (0, (5, 1.5)))):
-        _draw(axis, swept, getattr(swept.state, side).contact_angle / DEGREE, (side,),
-              color=SIDE_COLOUR[side], linestyle=stroke, label=f"{side} wheel")
+        _draw(
+            axis,
+            swept,
+            getattr(swept.state, side).contact_angle / DEGREE,
+            (side,),
+            color=SIDE_COLOUR[side],
+            linestyle=stroke,
+            label=f"{side} wheel",
+        )
     _label(axis, swept, "Contact angle", "towards the flange + [deg]")
     axis.legend(loc="upper center", frameon=True, framealpha=1.0, edgecolor="none")
     return axis
@@ -48,6 +55,7 @@ def contact_angle(swept, axis=None):
 def roll_angle(swept, axis=None):
     """Roll of the wheelset [deg] over the lateral shift [mm]; arguments and result as for
     :func:`radius_difference`."""
+    check_contact(swept.state)
     axis = given_axis(axis, *SIZE)
     draw_roll(axis, swept)
     return axis
@@ -55,6 +63,7 @@ def roll_angle(swept, axis=None):
 
 def _draw(axis, swept, values, sides, **look):
     """A curve that is interrupted at the jumps of ``sides``, with dotted lines there."""
+    check_contact(swept.state)
     jumps = [jump.lateral_shift for side in sides for jump in merged_jumps(swept.jumps, side)]
     shift = np.concatenate([swept.lateral_shift, jumps])
     order = np.argsort(shift, kind="stable")
@@ -64,6 +73,9 @@ def _draw(axis, swept, values, sides, **look):
 
 
 def _label(axis, swept, title, quantity):
-    axis.set(xlim=(swept.lateral_shift[0] / MM, swept.lateral_shift[-1] / MM), ylabel=quantity,
-             xlabel="lateral shift, right + [mm]")
+    axis.set(
+        xlim=(swept.lateral_shift[0] / MM, swept.lateral_shift[-1] / MM),
+        ylabel=quantity,
+        xlabel="lateral shift, right + [mm]",
+    )
     axis.set_title(f"{title}; dotted: jumps")
