@@ -1,6 +1,5 @@
 """The map of a wheel's patches: pressure, shear stress, and where they stick and slip."""
 
-
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.colors import Normalize
@@ -26,8 +25,8 @@ from .patch import (
 from .style import INK, MEGAPASCAL, MM, given_axis, styled
 from .traction import patch_tractions
 
-#: What the colours of a map show.
-SHOWN = ("pressure", "shear", "slip")
+#: What the colours of a map show, and the words beside their bar.
+SHOWN = {"pressure": "pressure [MPa]", "shear": "shear stress [MPa]", "slip": ""}
 STICK_COLOUR, SLIP_COLOUR = "#56B4E9", "#E69F00"
 SHEAR_COLOURS = "cividis_r"
 #: Arrows beside each other in a picture, and the length of the longest one, in distances between them.
@@ -74,49 +73,52 @@ def patch_map(system, state, axis=None, *, side="right", colour="pressure", bar=
         axis.set_title(headline(side, wheel))
         leave_empty(missing(wheel), axis)
         return axis
-    places = patch_places(system, state, side)
-    half = _window(wheel.outline, places)
-    axis = given_axis(axis, SIZE[0], SIZE[1] * half[1] / half[0] + AROUND)
-    axis.set_title(headline(side, wheel))
-    fields = [
-        patch_tractions(system, state, side, number)
-        for number, patch in enumerate(wheel.patches)
-        if patch.saturation > 0.0 and state.inputs.speed >= 0.0
-    ]
+    outline, places = wheel.outline, patch_places(system, state, side)
+    fields = _fields(system, state, side)
     if colour != "pressure" and not fields:
         raise ValueError(
             f"colour is {colour!r}; permitted is 'pressure' where there are no creep forces or the "
             "wheelset rolls backwards"
         )
+    half = _window(outline, places)
+    axis = given_axis(axis, SIZE[0], SIZE[1] * half[1] / half[0] + AROUND)
+    axis.set_title(headline(side, wheel))
     if colour == "pressure":
-        mesh = draw_patch(axis, wheel.outline, pressure_scale([wheel.outline]), places)
+        mesh = draw_patch(axis, outline, pressure_scale([outline]), places)
     else:
-        mesh = _draw_cells(axis, wheel.outline, places, fields, colour)
-    edge = _edge(wheel.outline, places)
-    axis.add_patch(PathPatch(edge, facecolor="none", edgecolor=INK, linewidth=0.9))
-    if colour != "slip":
-        stick = False
-        for field in fields:
-            stick = _draw_border(axis, field, edge) or stick
-        if stick:
-            axis.text(
-                0.99,
-                0.045,
-                "dashed: border of sticking",
-                transform=axis.transAxes,
-                ha="right",
-                va="center",
-                fontsize=8,
-            )
+        mesh = _draw_cells(axis, outline, places, fields, colour)
+    _draw_edges(axis, fields, _edge(outline, places), colour)
     _draw_arrows(axis, fields, 2 * max(half) / ARROWS)
-    frame_patch(
-        axis, wheel.outline, *half, np.mean(patch_ends(wheel.outline, places)) - KEY / (1 + KEY) * half[1]
-    )
+    frame_patch(axis, outline, *half, np.mean(patch_ends(outline, places)) - KEY / (1 + KEY) * half[1])
     axis.set(xlabel="lateral in the contact plane, field side + [mm]", ylabel="rolling direction [mm]")
     if bar and colour != "slip":
-        words = {"pressure": "pressure [MPa]", "shear": "shear stress [MPa]"}[colour]
-        axis.get_figure().colorbar(mesh, ax=axis, label=words, pad=0.02)
+        axis.get_figure().colorbar(mesh, ax=axis, label=SHOWN[colour], pad=0.02)
     return axis
+
+
+def _fields(system, state, side):
+    """Tractions of the patches with creep forces."""
+    rolls = state.inputs.speed >= 0.0
+    return [
+        patch_tractions(system, state, side, number)
+        for number, patch in enumerate(getattr(state, side).patches)
+        if rolls and patch.saturation > 0.0
+    ]
+
+
+def _draw_edges(axis, fields, edge, colour):
+    """The edge of the patches, and where they stick, if not the ``colour`` shows it."""
+    axis.add_patch(PathPatch(edge, facecolor="none", edgecolor=INK, linewidth=0.9))
+    if colour != "slip" and any([_draw_border(axis, field, edge) for field in fields]):
+        axis.text(
+            0.99,
+            0.045,
+            "dashed: border of sticking",
+            transform=axis.transAxes,
+            ha="right",
+            va="center",
+            fontsize=8,
+        )
 
 
 def _window(outline, places):

@@ -6,6 +6,8 @@ import numpy as np
 
 from ..creep.results import patch_of
 from ..halfspace.rolling import Outline, roll_outline
+from ..profiles.placement import readable_wheel
+from .geometry import POINTS
 from .patch import fine_outline, of_one_pose, patch_places
 
 
@@ -43,9 +45,9 @@ def patch_tractions(system, state, side="right", number=0):
     A state knows force, moment and stick share of a patch, and its shear stress at the stations, as a mean
     along the rolling direction.  How the tractions are distributed along it is therefore computed here:
     steady rolling on the half-space (docs/rolling.md), on the outline of the state, whose pressure is a
-    half-ellipse along each station, with the creepages and the spin of the patch as those of one plane, and
-    the friction that the state has used.  So the sum of the tractions differs from the creep force of the
-    state as its model differs from the complete theory.
+    half-ellipse along each station, with the lateral creepage and the spin of the patch, the longitudinal
+    creepage of each row's own rolling radius, and the friction that the state has used.  So the sum of the
+    tractions differs from the creep force of the state as its model differs from the complete theory.
 
     Parameters
     ----------
@@ -77,19 +79,14 @@ def patch_tractions(system, state, side="right", number=0):
             f"speed is {state.inputs.speed:g} m/s; tractions are drawn of a wheelset that rolls forwards"
         )
     friction = force / (patch.saturation * patch.normal_force)
-    load = np.trapezoid(rolling.line_load, rolling.station)
-    middle = np.trapezoid(rolling.line_load * rolling.station, rolling.station) / load
-    places = np.interp(
-        rolling.station, fine_outline(getattr(state, side).outline)[0], patch_places(system, state, side)
+    outline, middle, ahead = _around_load(rolling, patch_line(system, state, side, rolling.station))
+    radius = radii_at(system, state, side, rolling.station)
+    # of each row, with its own rolling radius, beside that of spin
+    creepages["creepage_x"] = (
+        1.0
+        - (1.0 - creepages["creepage_x"]) * radius / patch.rolling_radius
+        + creepages["spin"] * outline.station
     )
-    ahead = np.trapezoid(rolling.line_load * places, rolling.station) / load
-    largest = np.divide(
-        rolling.line_load,
-        0.5 * np.pi * rolling.half_length,
-        out=np.zeros_like(places),
-        where=rolling.half_length > 0.0,
-    )
-    outline = Outline.of_stations(rolling.station - middle, rolling.half_length, largest, places - ahead)
     found = roll_outline(
         outline,
         **creepages,
@@ -104,3 +101,33 @@ def patch_tractions(system, state, side="right", number=0):
     )
 
 
+def radii_at(system, state, side, station):
+    """Rolling radii [m] of a wheel at stations of its outline (n,): they are arc lengths from the contact
+    point."""
+    wheel = readable_wheel(system.wheel if side == "right" else system.left_wheel)
+    reach = 2.0 * np.max(np.abs(station))
+    contact = getattr(state, side).contact.y_wheel
+    y = np.linspace(max(contact - reach, wheel.start), min(contact + reach, wheel.stop), POINTS)
+    z = wheel.height(y)
+    length = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
+    length -= np.interp(contact, y, length)
+    return system.side_parameters(side)["nominal_radius"] + np.interp(station, length, z)
+
+
+def patch_line(system, state, side, station):
+    """Where the middles of a wheel's patches lie along the track at stations (n,), from the contact point
+    [m]."""
+    return np.interp(
+        station, fine_outline(getattr(state, side).outline)[0], patch_places(system, state, side)
+    )
+
+
+def _around_load(rolling, places):
+    """The outline of a :class:`~wrcontact.CreepPatch` around its centre of load, and the station of that
+    and its place along the track [m]; ``places`` are those of its stations."""
+    station, line, length = rolling.station, rolling.line_load, rolling.half_length
+    middle, ahead = (
+        np.trapezoid(line * each, station) / np.trapezoid(line, station) for each in (station, places)
+    )
+    pressure = np.divide(line, 0.5 * np.pi * length, out=np.zeros_like(line), where=length > 0.0)
+    return Outline.of_stations(station - middle, length, pressure, places - ahead), middle, ahead
