@@ -26,7 +26,7 @@ from .patch import outline_figure
 from .pose import contact_figure, pose_figure
 from .shear import patch_map
 from .solid import wheel_on_rail
-from .style import save
+from .style import new_figure, save
 from .sweep import sweep, sweep_figure
 from .traction import PatchTractions, patch_tractions
 
@@ -42,6 +42,7 @@ __all__ = [
     "find_jumps",
     "hero_figure",
     "history",
+    "new_figure",
     "outline_figure",
     "patch_map",
     "patch_tractions",

@@ -24,7 +24,7 @@ from .style import DEGREE, INK, MM, QUIET, RAIL_COLOUR, SIDE_COLOUR, WHEEL_COLOU
 ENDINGS = (".gif", ".mp4")
 MOST_FRAMES, RATE = 60, 12  # of an animation, and frames in a second of it
 RESOLUTION = 80  # dots per inch
-COLOURS = 64  # of a GIF
+COLOURS, ROUNDS = 128, 2  # of a GIF, and of the choice of its colours
 #: Lateral shift and yaw are this many times larger in the view from above.
 LARGER = 30.0
 #: [m] seen ahead of and behind the wheelset, distance of sleepers, their half length and half width.
@@ -103,11 +103,11 @@ class _Gif(PillowWriter):
 
     def finish(self):
         frames = [frame.convert("RGB") for frame in self._frames]
-        few = frames[:: max(1, len(frames) // 4)]
+        few = frames[:: max(1, len(frames) // 6)]
         sheet = Image.new("RGB", (frames[0].width, frames[0].height * len(few)))
         for place, frame in enumerate(few):
             sheet.paste(frame, (0, place * frame.height))
-        palette = sheet.quantize(COLOURS)
+        palette = sheet.quantize(COLOURS, kmeans=ROUNDS)
         first, *rest = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames]
         first.save(self.outfile, save_all=True, append_images=rest, duration=round(1000 / self.fps), loop=0)
 

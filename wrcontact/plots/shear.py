@@ -152,7 +152,8 @@ def _draw_cells(axis, outline, places, fields, colour):
     if colour == "slip":
         axis.legend(
             handles=[Swatch(color=STICK_COLOUR, label="sticks"), Swatch(color=SLIP_COLOUR, label="slips")],
-            loc="upper right",
+            loc="lower right",
+            ncols=2,
         )
     return mesh
 

@@ -107,8 +107,13 @@ def given_axes(ax, shape):
 
 
 def given_axis(axis, width, height, **kind):
-    """The caller's ``axis``, or for None one in a new figure of this size [in]."""
-    return new_figure(width, height).add_subplot(**kind) if axis is None else axis
+    """The caller's ``axis``, without the frame's upper and right side, or for None one in a new figure of
+    this size [in]."""
+    if axis is None:
+        return new_figure(width, height).add_subplot(**kind)
+    if "top" in axis.spines:
+        axis.spines[["top", "right"]].set_visible(False)
+    return axis
 
 
 @styled
