@@ -7,7 +7,7 @@ docs/img/*.png.
     models      the pressures of examples/compare_models.py (README)
     conformal   planar against conformal theory (docs/conformal.md)
     source_5_8, source_7_14     two figures of ``wrcontact figures`` (docs/source_study.md)
-    gallery     all pictures of docs/guides/gallery.md, by the code of the page; hero.png (README) is one of them
+    gallery     the pictures of docs/guides/gallery.md by the code of the page, also hero.png (README)
 
 Wheel and rail are the real S1002 and UIC60 in their real positions; roll and yaw of the sketches are
 exaggerated.
@@ -71,7 +71,8 @@ def draw_gallery(folder):
 def shrink(path):
     """Write a PNG anew with few colours, which halves it."""
     with Image.open(path) as picture:
-        picture.convert("RGB").quantize(FEW_COLOURS, kmeans=ROUNDS, dither=Image.Dither.NONE).save(path, optimize=True)
+        few = picture.convert("RGB").quantize(FEW_COLOURS, kmeans=ROUNDS, dither=Image.Dither.NONE)
+        few.save(path, optimize=True)
 
 
 @contextmanager

@@ -236,7 +236,7 @@ def _draw_arrows(axis, fields, pitch):
     told = float(f"{largest / MEGAPASCAL:.1g}")
     axis.quiverkey(
         arrows,
-        0.1,
+        0.13,
         0.045,
         told,
         f"shear stress {told:g} MPa",
