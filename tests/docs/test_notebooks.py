@@ -43,7 +43,7 @@ def test_notebooks_run_and_show_something(name, monkeypatch):
     text = "".join(one.get("text", "") for outputs in shown for one in outputs)
     if name == "worn_wheel_to_hunting":
         # E3 of EN 15302 has 0.5 on rails A; at three times the conicity the critical speed is lower
-        conicity = {wheel: float(found) for wheel, found in re.findall(r"(new|worn): .*conicity ([\d.]+)", text)}
+        conicity, speed = ({wheel: float(found) for wheel, found in re.findall(rf"(new|worn): {words}", text)}
+                           for words in (r".*conicity ([\d.]+)", r"hunts from (\d+)"))
         assert conicity["worn"] > 2 * conicity["new"]
-        speed = {wheel: float(found) for wheel, found in re.findall(r"(new|worn): hunts from (\d+)", text)}
         assert speed["worn"] < 0.75 * speed["new"]

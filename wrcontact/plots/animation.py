@@ -93,7 +93,7 @@ def _writer(path, rate):
     if not FFMpegWriter.isAvailable():
         raise ValueError(
             f"path is {os.fspath(path)!r}, which needs ffmpeg, and there is none; permitted is a file that "
-            "ends in .gif, or pip install imageio-ffmpeg"
+            "ends in .gif; pip install 'wrcontact[films]' brings ffmpeg"
         )
     return FFMpegWriter(fps=rate, codec="libx264", extra_args=["-pix_fmt", "yuv420p"])
 
