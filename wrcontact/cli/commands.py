@@ -22,6 +22,7 @@ from .door import Door, Refused, check_file, check_folder, sentences
 from .groups import FILES
 from .help import Command, with_all
 from .options import GEOMETRY, LOAD, POSE, SYSTEM, name_of, number, option_of, takes
+from .pictures import PICTURES, draws
 from .profile_files import reads_files, with_left_side
 from .report import (
     Remark,
@@ -46,7 +47,6 @@ main = typer.Typer(
 MOST_ROWS, MOST_PRINTED = 1_000_000, 10_000
 WIDEST = 1000.0  # lateral shift of a sweep [mm]
 RUBBING = {row.name for row in FRICTION}
-PICTURES = (".png", ".svg", ".pdf")
 CONTACT, FMUS, STUDY = "Contacts", "FMUs", "The study that wrcontact started from"
 
 
@@ -237,25 +237,27 @@ def _write_sweep(file, system, shifts, load, remark):
 @with_all
 @reads_files
 @takes(pose=POSE, system=SYSTEM)
-def plot(pose, system,
-         output: Annotated[Path, typer.Option(metavar="FILE", help="File of the picture: .png, .svg or .pdf")]
-         = Path("pose.png"), smoothing: Smoothing = None):
-    """Draw one pose: both wheels on their rails, and the contact patches with their pressure.
+@draws
+def plot(pose, system, picture, smoothing: Smoothing = None):
+    """Draw a picture. KIND says of what: one pose, both wheels on their rails with their patches, without it.
 
-    Example: wrcontact plot --lateral-shift-mm 5 --output pose.png
+    lines: where wheel and rail touch over the lateral shift; radii, angles, roll: rolling radius difference,
+    contact angles and roll over the lateral shift; wheel: a wheel on its rail in three dimensions; patch:
+    patches with pressure, shear stress, stick and slip; creep: creep force over creepage by model, of the
+    patch with the largest load; history: columns of a CSV file over time; animation: its wheelset on the
+    track.
+
+    Example: wrcontact plot patch --lateral-shift-mm 5 --tangential-model strips --speed 20
     """
-    from ..plots import pose_figure, save
-
-    _refuse_no_picture(output)
-    check_file(output)
-    system = _system(system, smoothing)
-    _refuse_what_is_not_read(system, pose)
-    state = system.evaluate(**pose)
-    _refuse_without_contact(system, state)
-    figure = pose_figure(system, state)
-    with sentences():
-        save(figure, output)
-    print(f"picture written to {output}")
+    picture.check(pose, system)
+    system = _system(system, smoothing) if picture.kind.system else None
+    state = None
+    if picture.of_pose:
+        _refuse_what_is_not_read(system, pose)
+        state = system.evaluate(**pose)
+        _refuse_without_contact(system, state)
+    picture.write(system, pose, state)
+    print(f"picture written to {picture.output}")
 
 
 @main.command(cls=Command, rich_help_panel=CONTACT)
