@@ -255,13 +255,16 @@ def _restored(tables, bind, arrays, penetration, wanted):
     return stepper
 
 
+def core_count():
+    """The number of cores that this process may use."""
+    affinity = getattr(os, "sched_getaffinity", None)
+    return len(affinity(0)) if affinity else os.cpu_count() or 1
+
+
 def thread_count(threads, rows):
     """How many threads share a table of ``rows``: at most ``threads``, None for the cores that this process
     may use, and as many as have a block of rows each."""
-    if threads is None:
-        affinity = getattr(os, "sched_getaffinity", None)
-        threads = len(affinity(0)) if affinity else os.cpu_count() or 1
-    return min(threads, max(1, rows // SHARED_ROWS))
+    return min(threads or core_count(), max(1, rows // SHARED_ROWS))
 
 
 def threaded_parts(steppers, rows, places=None):
