@@ -18,16 +18,16 @@ from .system import ContactSystem
 from .wheel import WheelContact, WheelState
 
 __version__ = "0.2.0.dev0"
+#: Functions that are imported when they are first used: an FMU does not have them.
+_FUNCTIONS = {"interpolate": ".sweeps.interpolation", "sweep": ".sweeps.run"}
 __all__ = ["ContactSystem", "CreepForces", "CreepPatch", "Friction", "GuidingForces", "Material", "Profile",
            "ProfileFile", "ProfileWarning", "Status", "Stepper", "Track", "UnusualValueWarning",
            "WheelContact", "WheelState", "Wheelset", "WheelsetState", "check", "creep_forces",
-           "elliptic_patch", "explain", "guiding_forces", "interpolate", "low_pass", "motion_of",
-           "outlined_patch", "patch_of", "sliding_mean", "sweep", *_methods]
+           "elliptic_patch", "explain", "guiding_forces", "low_pass", "motion_of", "outlined_patch",
+           "patch_of", "sliding_mean", *_methods, *_FUNCTIONS]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
 _LATER = frozenset({"conditioning", "halfspace", "plots", "study"})
-#: Functions that are imported when they are first used: an FMU does not have them.
-_FUNCTIONS = {"interpolate": ".sweeps.interpolation", "sweep": ".sweeps.run"}
 
 
 def __getattr__(name):

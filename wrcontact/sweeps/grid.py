@@ -41,8 +41,8 @@ def checked_axes(axes):
     for name, values in axes.items():
         keyword = keyword_of(name)
         if keyword is None:
-            raise ValueError(f"axes has {name!r}; permitted are names of inputs, such as 'lateral_shift', 'yaw' "
-                             f"and 'left_friction'{did_you_mean(name, PLACES)}")
+            raise ValueError(f"axes has {name!r}; permitted are names of inputs, such as 'lateral_shift', "
+                             f"'yaw' and 'left_friction'{did_you_mean(name, PLACES)}")
         if keyword in found:
             raise ValueError(f"axes has {keyword!r} twice; permitted is each input once")
         found[keyword] = _axis(keyword, values)
@@ -61,8 +61,8 @@ def _axis(keyword, values):
     steps = np.diff(values)
     if not (np.all(steps > 0.0) or np.all(steps < 0.0)):
         wrong = int(np.argmax(steps * (values[-1] - values[0]) <= 0.0))
-        raise ValueError(f"the axis {keyword} has {values[wrong]:g}{unit} before {values[wrong + 1]:g}{unit}; "
-                         "permitted are values that all rise, or all fall")
+        raise ValueError(f"the axis {keyword} has {values[wrong]:g}{unit} before {values[wrong + 1]:g}{unit}"
+                         "; permitted are values that all rise, or all fall")
     return values
 
 
@@ -87,8 +87,8 @@ def checked_inputs(fixed, axes):
                              "permitted is one of the two")
         checked_input(PLACES[keyword], value)
         if np.ndim(value):
-            raise ValueError(f"{keyword} has the shape {np.shape(value)}; permitted is one number; arrays are "
-                             "axes")
+            raise ValueError(f"{keyword} has the shape {np.shape(value)}; permitted is one number; arrays "
+                             "are axes")
         if not math.isfinite(value):
             raise ValueError(f"{keyword} is {value!r}; permitted is a finite number")
         found[keyword] = float(value)

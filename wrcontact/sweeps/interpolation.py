@@ -6,7 +6,7 @@ import json
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
-from os import PathLike, fspath
+from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 
 #: Methods of scipy, and the number of values that an axis needs.
 METHODS = {"linear": 2, "pchip": 4, "cubic": 4, "quintic": 6}
-#: Cells whose middles are compared with direct evaluation at most; of more, so many are drawn.
-CELLS, SEED = 10_000, 0
+#: Random poses at which a table is compared with direct evaluation at most, and where their numbers begin.
+POSES, SEED = 10_000, 0
 #: Share of the errors below the one that is quoted beside median and worst [%].
 PERCENTILE = 95.0
 
@@ -53,10 +53,14 @@ def interpolate(table: str | PathLike[str] | xarray.Dataset, outputs: str | Iter
         raise ValueError(f"table is {str(table)[:60]!r}; permitted is the path of a store, or a data set, of "
                          "wrcontact.sweep")
     check_choice("method", method, tuple(METHODS))
+    asked = json.loads(dataset.attrs["asked"])
+    if lost := [name for name in asked["axes"] if name not in dataset.coords]:
+        raise ValueError(f"the table has lost its axis {lost[0]}; permitted is a choice that keeps its "
+                         f"value, dataset.isel({lost[0]}=0)")
     for name in dataset["status"].dims:
         if dataset.sizes[name] < METHODS[method]:
-            raise ValueError(f"the axis {name} has {dataset.sizes[name]} values; permitted for {method!r} are "
-                             f"{METHODS[method]} or more; dataset.isel({name}=0) is the table without it")
+            raise ValueError(f"the axis {name} has {dataset.sizes[name]} values; permitted for {method!r} "
+                             f"are {METHODS[method]} or more; dataset.isel({name}=0) is the table without it")
     return Interpolation(dataset, _names(dataset, outputs), method)
 
 
@@ -68,8 +72,8 @@ def _names(dataset, outputs):
     found = []
     for name in [outputs] if isinstance(outputs, str) else outputs:
         if not isinstance(name, str) or plain(name) not in known:
-            raise ValueError(f"outputs has {name!r}, which the table does not have"
-                             f"{did_you_mean(name, known.values()) or f'; it has ' + ', '.join(known.values())}")
+            hint = did_you_mean(name, known.values()) or f"; it has {', '.join(known.values())}"
+            raise ValueError(f"outputs has {name!r}, which the table does not have{hint}")
         found.append(known[plain(name)])
     return (*found,)
 
@@ -94,12 +98,13 @@ class Interpolation:
         status = dataset["status"]
         self.axes = {name: np.asarray(dataset[name], dtype=float) for name in status.dims}
         self._asked = {name: json.loads(dataset.attrs[name]) for name in ("asked", "profiles")}
-        self._chosen = {name: float(dataset[name]) for name in dataset.coords if not dataset[name].dims}
+        self._chosen = {name: float(dataset[name]) for name in self._asked["asked"]["axes"]
+                        if name not in self.axes}
         values = np.stack([np.asarray(dataset[plain(name)].transpose(*self.axes)) for name in outputs], -1)
         without = np.count_nonzero(~np.all(np.isfinite(values), axis=-1))
         if method != "linear" and without:
-            raise ValueError(f"{without} of {status.size} states have no result; permitted for {method!r} is a "
-                             "table without such states, a part of this one by dataset.sel, or 'linear'")
+            raise ValueError(f"{without} of {status.size} states have no result; permitted for {method!r} is "
+                             "a table without such states, a part of this one by dataset.sel, or 'linear'")
         self._grid = RegularGridInterpolator((*self.axes.values(),), values, method, bounds_error=False)
 
     def __repr__(self) -> str:
@@ -122,25 +127,25 @@ class Interpolation:
 
     @cached_property
     def errors(self) -> Errors:
-        """The :class:`Errors` at the middles of the cells, of many cells at those of 10 000, which are always
-        the same."""
-        counts = [len(values) - 1 for values in self.axes.values()]
-        cells, generator = int(np.prod(counts)), np.random.default_rng(SEED)
-        chosen = generator.choice(cells, CELLS, replace=False) if cells > CELLS else np.arange(cells)
-        places = np.unravel_index(np.sort(chosen), counts)
-        return self.errors_at(**{name: 0.5 * (values[place] + values[place + 1])
-                                 for (name, values), place in zip(self.axes.items(), places)})
+        """The :class:`Errors` at random poses, always the same ones: as many as the table has states, at most
+        10 000."""
+        count = min(int(np.prod([*map(len, self.axes.values())])), POSES)
+        generator = np.random.default_rng(SEED)
+        return self.errors_at(**{name: generator.uniform(min(values), max(values), count)
+                                 for name, values in self.axes.items()})
 
     def errors_at(self, **poses: ArrayLike) -> Errors:
-        """The :class:`Errors` at these ``poses``, arrays (n,) by the names of the axes: the difference from the
-        direct evaluation by the system of the table."""
+        """The :class:`Errors` at these ``poses``, arrays (n,) by the names of the axes: the difference from
+        the direct evaluation by the system of the table."""
         points = [np.atleast_1d(part).ravel() for part in self._points(poses)]
         system = system_of(self._asked["asked"], self._asked["profiles"])
-        inputs = {**self._asked["asked"]["fixed"], **self._chosen, **dict(zip(self.axes, points))}
-        table, own = system.evaluate_many(outputs=self.outputs, **inputs), self(**dict(zip(self.axes, points)))
-        found = {name: _error(own[name] - table[name], dict(zip(self.axes, points))) for name in self.outputs}
-        both = np.all([np.isfinite(own[name] - table[name]) for name in self.outputs], axis=0)
-        return Errors(len(both), int(np.count_nonzero(~both)), found)
+        points, own = dict(zip(self.axes, points)), self(**dict(zip(self.axes, points)))
+        table = system.evaluate_many(outputs=self.outputs, **self._asked["asked"]["fixed"], **self._chosen,
+                                     **points)
+        wrong = {name: own[name] - table[name] for name in self.outputs}
+        both = np.all([np.isfinite(difference) for difference in wrong.values()], axis=0)
+        return Errors(len(both), int(np.count_nonzero(~both)),
+                      {name: _error(difference, points) for name, difference in wrong.items()})
 
 
 def _error(difference, points):

@@ -64,9 +64,9 @@ class Memory:
         """What is there, as a data set of xarray."""
         xarray, axes, names = needed("xarray", "sweep"), self.question.axes, self.question.names
         words = {plain(name): output_attributes(name) for name in names} | {"status": STATUS}
-        return xarray.Dataset({name: (list(axes), array, words[name]) for name, array in self._arrays.items()},
-                              {name: ([name], values, axis_attributes(name)) for name, values in axes.items()},
-                              described(self.question))
+        found = {name: (list(axes), array, words[name]) for name, array in self._arrays.items()}
+        places = {name: ([name], values, axis_attributes(name)) for name, values in axes.items()}
+        return xarray.Dataset(found, places, described(self.question))
 
 
 class Store:
@@ -143,8 +143,8 @@ def open_group(path):
     except (OSError, ValueError, KeyError):
         group = None
     if group is None or not {"asked", "identity"} <= {*group.attrs}:
-        raise ValueError(f"{path} is no store of wrcontact.sweep; permitted is one, or, for a new sweep, a path at "
-                         "which there is nothing")
+        raise ValueError(f"{path} is no store of wrcontact.sweep; permitted is one, or, for a new sweep, a "
+                         "path at which there is nothing")
     return group
 
 
@@ -152,7 +152,11 @@ def _make(path, question, block):
     """Make a store without values beside ``path``, and move it there: it is there as a whole, or not."""
     zarr = needed("zarr", "a store")
     part = path.with_name(f".wrcontact-{secrets.token_hex(8)}.part")
-    part.mkdir()
+    try:
+        part.mkdir()
+    except OSError as problem:
+        problem.filename = str(path)
+        raise
     try:
         attributes = {**described(question), "block": block, "identity": secrets.token_hex(16)}
         group = zarr.create_group(str(part), attributes=attributes)

@@ -16,6 +16,8 @@ from .stores import EMPTY, plain
 
 #: Blocks that are sent to the scheduler of Dask at once.
 BATCH = 200
+#: Time in which a scheduler has to have a worker [s].
+PATIENCE = 30.0
 
 
 @dataclass(frozen=True)
@@ -55,8 +57,8 @@ class Task:
 
 
 def solve_here(task, corners, workers, advance):
-    """Solve the blocks at ``corners`` in this process and call ``advance`` with what :meth:`Task.solve` returns;
-    few blocks are shared by several threads each."""
+    """Solve the blocks at ``corners`` in this process and call ``advance`` with what :meth:`Task.solve`
+    returns; few blocks are shared by several threads each."""
     if isinstance(task.question.system.methods["normal_model"], Halfspace):
         for corner in corners:
             advance(*task.solve(corner, processes=workers))
@@ -81,6 +83,8 @@ def solve_on_cluster(task, client, advance):
     not finished when it dies is done by another one."""
     distributed = needed("distributed", "client", "cluster")
     corners = task.missing()
+    if len(corners):
+        _await_workers(client)
     while len(corners):
         shipped = client.scatter(task, broadcast=True, hash=False)
         futures = client.map(_solve, corners.tolist(), task=shipped, pure=False, batch_size=BATCH)
@@ -91,10 +95,22 @@ def solve_on_cluster(task, client, advance):
                     lost += 1
                 else:
                     advance(*future.result())
+        except distributed.KilledWorker:
+            client.cancel(futures)
+            raise RuntimeError("several workers have died with the same block; permitted are workers that "
+                               "have the memory for it") from None
         except BaseException:
             client.cancel(futures)
             raise
         corners = task.missing() if lost else ()
+
+
+def _await_workers(client):
+    """RuntimeError where the scheduler has no workers for some time."""
+    try:
+        client.wait_for_workers(1, PATIENCE)
+    except TimeoutError:
+        raise RuntimeError(f"the scheduler {client.scheduler.address} has no workers") from None
 
 
 def _solve(corner, task):
