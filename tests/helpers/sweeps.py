@@ -8,6 +8,8 @@ import wrcontact
 AXES = {"lateral_shift": np.linspace(-5e-3, 16e-3, 12), "yaw": np.linspace(-4e-3, 4e-3, 8),
         "normal_force": np.array([40e3, 60e3, 78.5e3, 80e3, 100e3])}
 OUTPUTS = ["roll", "right.patch[1].area", "left.contact", "right.patch_count"]
+#: States in a block; of 20 there are 24.
+BLOCK = 20
 FIXED = {"speed": 20.0, "left.friction": 0.2}
 #: What OUTPUTS mean, as variables of a data set.
 VARIABLES = ["roll", "right_patch_1_area", *(f"left_contact_{axis}_{frame}" for frame, axes in (
@@ -16,21 +18,21 @@ VARIABLES = ["roll", "right_patch_1_area", *(f"left_contact_{axis}_{frame}" for 
 PROGRAM = """
 import os, signal
 import wrcontact
-from tests.helpers.sweeps import AXES, FIXED, OUTPUTS
+from tests.helpers.sweeps import AXES, BLOCK, FIXED, OUTPUTS
 
 def progress(done, total, bad):
     if done >= {states}:
         os.kill(os.getpid(), signal.SIG{blow})
 
-wrcontact.sweep(wrcontact.ContactSystem(), AXES, OUTPUTS, {store!r}, block=20, workers={workers},
+wrcontact.sweep(wrcontact.ContactSystem(), AXES, OUTPUTS, {store!r}, block=BLOCK, workers={workers},
                 progress=progress, **FIXED)
 """
 
 
 def in_memory(system=None, **options):
     """The sweep of AXES in this process, without a store."""
-    return wrcontact.sweep(system or wrcontact.ContactSystem(), AXES, OUTPUTS, progress=False,
-                           **{**FIXED, **options})
+    return wrcontact.sweep(system or wrcontact.ContactSystem(), AXES, OUTPUTS,
+                           **{"progress": False, "block": BLOCK, **FIXED, **options})
 
 
 def points_file(path, wheel, step=0.25):

@@ -81,28 +81,37 @@ def solve_here(task, corners, workers, advance):
 def solve_on_cluster(task, client, advance):
     """Solve the blocks that are missing by the workers of a Dask ``client``, until none is: what a worker has
     not finished when it dies is done by another one."""
-    distributed = needed("distributed", "client", "cluster")
-    corners = task.missing()
-    if len(corners):
+    left = task.missing()
+    if len(left):
         _await_workers(client)
-    while len(corners):
-        shipped = client.scatter(task, broadcast=True, hash=False)
-        futures = client.map(_solve, corners.tolist(), task=shipped, pure=False, batch_size=BATCH)
-        try:
-            lost = 0
-            for future in distributed.as_completed(futures):
-                if future.status == "cancelled":        # every worker that had the task has died
-                    lost += 1
-                else:
-                    advance(*future.result())
-        except distributed.KilledWorker:
-            client.cancel(futures)
-            raise RuntimeError("several workers have died with the same block; permitted are workers that "
-                               "have the memory for it") from None
-        except BaseException:
-            client.cancel(futures)
-            raise
-        corners = task.missing() if lost else ()
+    while len(left):
+        lost, told = _solve_once(task, client, left, advance)
+        before, left = left, task.missing() if lost else ()
+        if lost:        # some of these may have been written
+            advance(task.states(before) - task.states(left) - told, 0)
+
+
+def _solve_once(task, client, corners, advance):
+    """Give every block at ``corners`` to a worker once; the number of blocks that were lost, since all
+    workers that had the task have died, and of the states that were told of."""
+    distributed, lost, told = needed("distributed", "client", "cluster"), 0, 0
+    shipped = client.scatter(task, broadcast=True, hash=False)
+    futures = client.map(_solve, corners.tolist(), task=shipped, pure=False, batch_size=BATCH)
+    try:
+        for future in distributed.as_completed(futures):
+            if future.status == "cancelled":
+                lost += 1
+                continue
+            states, wrong = future.result()
+            future.release()        # or it would be done again where its worker dies
+            advance(states, wrong)
+            told += states
+    except distributed.KilledWorker:
+        raise RuntimeError("several workers have died with the same block; permitted are workers that have "
+                           "the memory for it") from None
+    finally:
+        client.cancel([future for future in futures if future.status == "pending"])
+    return lost, told
 
 
 def _await_workers(client):
