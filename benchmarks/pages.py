@@ -88,7 +88,7 @@ def short_table(parts):
 README, BENCHMARKS = "README.md", "docs/evidence/benchmarks.md"
 CURVATURE, ELASTIC = "docs/theory/curvature.md", "docs/theory/elastic.md"
 CHECK, FMU, STUDY = "docs/guides/check.md", "docs/guides/fmu.md", "docs/evidence/source_study.md"
-CONFORMAL = "docs/theory/conformal.md"
+CONFORMAL, TABLES_PAGE = "docs/theory/conformal.md", "docs/guides/tables.md"
 MODEL_PARTS = ("model_errors", "halfspace", "model_times")
 ERRORS = f"Errors in {tables.TRIPLE}."
 MACHINE = f"The unit is the time of {UNIT}; `benchmarks/measured` has commit, machine and noise."
@@ -104,6 +104,8 @@ TABLES = {
     "trajectory": Table(BENCHMARKS, ("trajectory",), tables.trajectory_table),
     "growth": Table(BENCHMARKS, ("growth",), tables.growth_table),
     "threads": Table(BENCHMARKS, ("threads",), tables.thread_table),
+    "sweep": Table(TABLES_PAGE, ("sweep",), tables.sweep_table),
+    "table_errors": Table(TABLES_PAGE, ("table_errors",), tables.table_error_table),
     "tolerances": Table(BENCHMARKS, ("tolerances",), tables.tolerance_table, ERRORS),
     "random": Table(BENCHMARKS, ("random_poses",), tables.random_table),
     "zones": Table(BENCHMARKS, ("zones",), tables.zone_table, ERRORS),

@@ -165,7 +165,7 @@ QUESTION = {"axes": {"yaw": [0.0, 1e-3], "normal_force": [50e3, 60e3]}, "outputs
     ({"axes": {"normal_force": [50e3, 60e3], "yaw": [0.0, 1e-3]}},
      "the axes are normal_force, yaw, there yaw, normal_force"),
     ({"axes": {"yaw": [0.0, 1e-3]}}, "the axes are yaw, there yaw, normal_force"),
-    ({"block": 3}, "block is 3, there 20000"),
+    ({"block": 3}, "block is 3, there 50000"),
     ({"system": {"gauge": 1.436}}, "gauge is 1.436 m, there 1.435 m"),
     ({"system": {"normal_model": "hertz"}}, "normal_model is 'hertz', there 'analyn'"),
     ({"system": {"wheel": "cone20"}}, "the wheel profile has another content; the left wheel profile"),

@@ -21,8 +21,10 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import ArrayLike
 
-#: States in a block: about a second's work; of the half-space, some ten seconds'.
-BLOCK, HALFSPACE_BLOCK = 20_000, 100
+#: States in a block: some seconds' work, beside which writing takes little time; of the half-space.
+BLOCK, HALFSPACE_BLOCK = 50_000, 100
+#: Numbers in a block at most, for the memory of a worker.
+NUMBERS = 5_000_000
 
 
 def sweep(system: ContactSystem, axes: Mapping[str, ArrayLike], outputs: str | Sequence[str] = "all",
@@ -45,7 +47,8 @@ def sweep(system: ContactSystem, axes: Mapping[str, ArrayLike], outputs: str | S
     outputs : as for :meth:`~wrcontact.ContactSystem.evaluate_many`, ``["roll", "right.area"]``; the rest is
         not computed.
     store : path of a folder for a Zarr store, which is made, or continued; None keeps the table in memory.
-    block : states that are computed and written at once; by default 20 000, of the half-space 100.
+    block : states that are computed and written at once; by default 50 000, fewer with more
+        than 100 outputs; of the half-space 100.
     client : a ``dask.distributed.Client``, whose workers compute the blocks and write them to the store; None
         computes in this process.
     workers : threads in this process, of the half-space processes; None are as many as there are cores.
@@ -75,6 +78,7 @@ def sweep(system: ContactSystem, axes: Mapping[str, ArrayLike], outputs: str | S
         wrong = "store is None" if store is None else f"workers is {workers}"
         raise ValueError(f"{wrong}; permitted with a client is {'a folder' if store is None else 'None'}")
     usual = HALFSPACE_BLOCK if isinstance(system.methods["normal_model"], Halfspace) else BLOCK
+    usual = min(usual, NUMBERS // max(1, len(question.names)))
     needed("xarray", "sweep")
     place = (Memory(question, block or usual) if store is None else opened(store, question, block, usual))
     task = Task(question, place)
