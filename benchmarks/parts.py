@@ -151,6 +151,7 @@ PARTS = {
     "growth": Part(TIMES, growth_times),
     "threads": Part(TIMES, thread_times),
     "sweep": Part(TIMES, sweeps.sweep_times),
+    "value_times": Part(TIMES, lambda effort: timed(sweeps.value_times(effort))),
     "station_times": Part(TIMES, lambda effort: timed(times.station_times(effort))),
     "elastic_times": Part(TIMES, elastic_times),
     "trajectory": Part(TIMES, lambda effort: times.trajectory_times(quick=effort is rows.QUICK)),

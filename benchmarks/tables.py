@@ -24,7 +24,6 @@ from .creep import MODELS as CREEP_MODELS
 from .errors import CHOICE_SHIFTS, NEAR, TURNING_MODELS
 from .random_poses import PERCENTILES, TOLERANCE, percentile_name
 from .rows import DEFAULT_ROW
-from .sweeps import TOLD
 from .times import CONTACT_MODES, COUNTS, FULL_RASTER
 
 TRIPLE = "% of penetration / area / peak pressure"
@@ -56,11 +55,6 @@ def listed(part, header, columns, words=1):
 def figure(value):
     """A number with at most one decimal, without powers of ten."""
     return f"{value:,.0f}" if abs(value) >= 99.5 else f"{value:.1f}"
-
-
-def pair(values):
-    """Two numbers as "0.12 / 3.4", with two digits or all before the point."""
-    return " / ".join(f"{value:,.0f}" if value >= 99.5 else f"{value:.2g}" for value in values)
 
 
 def decimals(count):
@@ -160,9 +154,6 @@ count_table = listed("counts", ["per wheelset", FULL_RASTER, *COUNTS],
 growth_table = listed("growth", ["wheelsets", "units each", "µs each"], {"units": figure, "µs": figure})
 thread_table = listed("threads", ["threads", "µs a wheelset", "speed-up"],
                       {"µs": figure, "gain": decimals(2)})
-sweep_table = listed("sweep", ["threads", "µs a state in a store", "µs by `evaluate_many`", "rate"],
-                     {"kept": figure, "alone": figure, "rate": decimals(2)})
-table_error_table = listed("table_errors", ["table, 95 % / worst", *TOLD], dict.fromkeys(TOLD, pair))
 trajectory_table = listed("trajectory", ["1 ms steps", "units", "asked", "µs", *COUNTS],
                           dict.fromkeys(("units", "asked", "µs", *COUNTS), figure))
 derivative_table = listed("derivative_times", ["step and one derivative", "units", "µs"],

@@ -198,12 +198,10 @@ def sweep(load, system,
     """Move the wheelset across the track and print a table of its contacts.
 
     With --output all outputs are written to a file instead: .csv and .json with the names of the FMU,
-    .parquet for pandas, .nc for xarray. With --axis and --store the table is over several inputs and
-    of any size, and goes on where it was stopped.
+    .parquet for pandas, .nc for xarray. With --axis and --store the table is over several inputs, of
+    any size.
 
-    Examples: wrcontact sweep --from-mm -8 --to-mm 8 --step-mm 0.1 --output sweep.csv;
-    wrcontact sweep --axis lateral_shift=-8e-3:8e-3:161 --axis yaw=-5e-3:5e-3:41 --outputs roll,right.area
-    --store table.zarr
+    Example: wrcontact sweep --from-mm -8 --to-mm 8 --step-mm 0.1 --output sweep.csv
     """
     if grid:
         refuse_beside_axes({"--from-mm": start, "--to-mm": stop, "--step-mm": step, "--output": file})

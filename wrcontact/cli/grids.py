@@ -25,19 +25,15 @@ MOST = 10_000_000
 #: Time in which a scheduler has to answer [s].
 PATIENCE = 10.0
 WORDS = {
-    "axis": (list[str], "NAME=START:STOP:COUNT",
-             "An input that varies, by its name in Python or in an FMU and in SI units: COUNT values from "
-             "START to STOP, lateral_shift=-8e-3:8e-3:161, or a list, yaw=0,1e-3; can be repeated; the table "
-             "has all combinations"),
-    "store": (Path, "FOLDER", "Folder of the table, a Zarr store; where one is there, the same command goes "
-                              "on where it was stopped"),
-    "outputs": (str, "NAME[,NAME]", "Outputs of the table by their names in an FMU, roll,right.area; or "
-                                    "geometry, patches or all (default: all)"),
-    "workers": (int, "NUMBER", "Threads that compute (default: as many as there are cores)"),
-    "scheduler": (str, "ADDRESS", "Let the workers of this Dask scheduler compute, such as tcp://host:8786; "
-                                  "they must share the folder"),
+    "axis": (list[str], "NAME=A:B:COUNT",
+             "Input that varies, in SI units: COUNT values from A to B, lateral_shift=-8e-3:8e-3:161, or a list, "
+             "yaw=0,1e-3; can be repeated"),
+    "store": (Path, "FOLDER",
+              "Folder of the table, a Zarr store; the same command goes on where it was stopped"),
+    "outputs": (str, "NAME[,NAME]", "Outputs, roll,right.area; or geometry, patches, all (default: all)"),
+    "workers": (int, "NUMBER", "Threads (default: as many as there are cores)"),
+    "scheduler": (str, "ADDRESS", "Dask scheduler whose workers compute, tcp://host:8786"),
 }
-
 #: How sentences of a sweep begin, and those of the command.
 OPTIONS = {"axes has": "--axis has", "the axis ": "--axis ", "outputs has": "--outputs has"}
 
@@ -59,10 +55,11 @@ def sweeps_grids(command):
     @wraps(command)
     def with_options(**given):
         chosen = {name: given.pop(name) for name in WORDS}
-        return command(**given, grid=_grid(**{name: value or None for name, value in chosen.items()}))
+        return command(**given, grid=_grid(**chosen))
 
     options = [Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[
-                   kind | None, typer.Option(f"--{name}", metavar=metavar, help=words, rich_help_panel=GRID)])
+                   kind | None, typer.Option(f"--{name}", metavar=metavar, help=words, rich_help_panel=GRID,
+                                              hidden=name == "workers")])
                for name, (kind, metavar, words) in WORDS.items()]
     own = [p for p in signature(command).parameters.values() if p.name != "grid"]
     with_options.__signature__ = signature(command).replace(parameters=own + options)

@@ -71,16 +71,8 @@ def sweep(system: ContactSystem, axes: Mapping[str, ArrayLike], outputs: str | S
         if a worker does not see the store, or cannot do its work.
     """
     question = asked(system, axes, outputs, fixed)
-    for name, count in {"block": block, "workers": workers}.items():
-        if count is not None:
-            check_count(name, count)
-    if client is not None and (store is None or workers is not None):
-        wrong = "store is None" if store is None else f"workers is {workers}"
-        raise ValueError(f"{wrong}; permitted with a client is {'a folder' if store is None else 'None'}")
-    usual = HALFSPACE_BLOCK if isinstance(system.methods["normal_model"], Halfspace) else BLOCK
-    usual = min(usual, NUMBERS // max(1, len(question.names)))
-    needed("xarray", "sweep")
-    place = (Memory(question, block or usual) if store is None else opened(store, question, block, usual))
+    _check(store, block, client, workers)
+    place = _place(question, store, block)
     task = Task(question, place)
     missing = task.missing()
     with _told(progress, task.states(missing)) as advance:
@@ -89,6 +81,27 @@ def sweep(system: ContactSystem, axes: Mapping[str, ArrayLike], outputs: str | S
         elif len(missing):
             solve_here(task, missing, workers or core_count(), advance)
     return place.dataset()
+
+
+def _check(store, block, client, workers):
+    """Refuse arguments that are not permitted, in a sentence."""
+    for name, count in {"block": block, "workers": workers}.items():
+        if count is not None:
+            check_count(name, count)
+    if client is not None and store is None:
+        raise ValueError("store is None; permitted with a client is a folder")
+    if client is not None and workers is not None:
+        raise ValueError(f"workers is {workers}; permitted with a client is None")
+
+
+def _place(question, store, block):
+    """Where the values of a sweep are kept."""
+    needed("xarray", "sweep")
+    usual = HALFSPACE_BLOCK if isinstance(question.system.methods["normal_model"], Halfspace) else BLOCK
+    usual = min(usual, NUMBERS // max(1, len(question.names)))
+    if store is None:
+        return Memory(question, block or usual)
+    return opened(store, question, block, usual)
 
 
 @contextmanager
