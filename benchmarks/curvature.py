@@ -339,7 +339,7 @@ SCHEMES = {
     "slope secant g′/2s": before(one(share(slope_secant, 0.2))),
     "√(window · secant)": before(one(mean(share(windowed, 0.2), share(secant, 0.2)))),
     "√(window · slope secant)": before(one(mean(share(windowed, 0.2), share(slope_secant, 0.2)))),
-    "√(window · max(window, secant)), eq. (7.4)": before(one(kept)),
+    "√(window · max(window, secant))": before(one(kept)),
     "three B's, one region": replace(BEST, merge=inf),
     "three B's, regions without interaction": replace(BEST, push=None),
     "three B's, interaction of points": replace(BEST, push="point"),

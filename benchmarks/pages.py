@@ -20,7 +20,7 @@ import numpy as np
 from wrcontact.plots import style
 from wrcontact.plots.style import INK, QUIET
 
-from . import record, studies, tables
+from . import record, studies, tables, validation
 from .creep import EQUIVALENT, GRIDS, HERTZ, MODELS, NEW_ELLIPSES, NEW_PATCHES, QUOTED, TIMED
 from .record import UNIT
 from .rows import DEFAULT_ROW, FMU_ROW, FULL, HALFSPACE_FORM, NATIVE_ROW, STRIP_ROW, SWEEPS, all_rows
@@ -114,10 +114,11 @@ TABLES = {
     "creep_errors": Table(BENCHMARKS, ("tangential_errors",), tables.creep_force_table),
     "creep_moments": Table(BENCHMARKS, ("tangential_errors",), tables.creep_moment_table),
     "creep_times": Table(BENCHMARKS, ("tangential_times",), tables.creep_time_table),
-    "creep_short": Table("docs/theory/rolling.md", tables.CREEP_PARTS, tables.creep_short_table,
+    "creep_short": Table("docs/theory/creep.md", tables.CREEP_PARTS, tables.creep_short_table,
                          tables.CREEP_NOTE),
     "creep_models": Table("docs/choose.md", tables.CREEP_PARTS, tables.creep_model_table,
                           tables.CREEP_NOTE),
+    "validation": Table("docs/evidence/validation.md", validation.PARTS, validation.validation_table),
     "curvature": Table(CURVATURE, ("curvature",), tables.curvature_table, ERRORS),
     "choices": Table(CURVATURE, ("choices",), tables.choice_table, f"Changes in {tables.TRIPLE}."),
     "manchester": Table(ELASTIC, ("manchester",), tables.manchester_table),
@@ -131,7 +132,7 @@ TABLES = {
                       f"Noise: {1e3 * studies.NOISE:g} µm in y and z of points every "
                       f"{studies.SPACING} mm."),
     "en15302": Table(CHECK, ("en15302",), tables.benchmark_table),
-    "stations": Table(FMU, ("stations", "station_times"), tables.station_table),
+    "stations": Table("docs/guides/fmu_hosts.md", ("stations", "station_times"), tables.station_table),
     "noise": Table("docs/guides/profiles.md", ("profile_noise",), tables.noise_table),
     "searches": Table(STUDY, ("source_searches",), tables.source_tables),
     "figures": Table(STUDY, ("source_figures",), tables.figure_table),

@@ -21,7 +21,7 @@ PAGE = Path(__file__).resolve().parent / "reference" / "nomenclature.md"
 SYMBOLS = {
     "lateral_shift": "y", "yaw": "ψ", "roll": "θ", "roll_input": "θ", "normal_force": "N",
     "load_transfer": "λ", "vertical_shift": "z", "vertical_shift_input": "z", "nominal_radius": "r₀",
-    "youngs_modulus": "E", "poisson_ratio": "ν", "contact_angle": "δ", "rolling_radius": "r",
+    "youngs_modulus": "E", "poisson_ratio": "ν", "contact_angle": "γ", "rolling_radius": "r",
     "curvature_x": "1/R_x", "curvature_y": "1/R_y", "penetration": "δ", "max_pressure": "p₀", "station": "s",
     "half_length": "a", "pressure": "p", "patch.normal_force": "N", "patch.max_pressure": "p₀",
 }
@@ -37,7 +37,7 @@ KERNEL = (
     ("gap(y)", "gap.vertical_gap", "m", "vertical distance of outline and rail", "3.1"),
     ("D(θ)", "roll.balance", "m", "smallest gap on the right minus that on the left", "4.1"),
     ("L", "Place.arm", "m", "distance of the wheel from the centre of the wheelset", "4.2"),
-    ("g(s)", "Nodes.gap", "m", "distance of outline and rail along the normal of the contact plane",
+    ("g(s)", "Nodes.gap", "m", "how much less the overlap is than at the region's deepest point",
      "[geometry](../theory/geometry.md)"),
     ("A", "Nodes.A", "1/m", "half the longitudinal curvature, 1 / (2 R_x)", "5.1"),
     ("B", "Nodes.B", "1/m", "half the lateral curvature", "8.3"),
@@ -119,8 +119,8 @@ def page():
         "## Methods": table(("parameter", "string", "object", "meaning"), of_methods()),
         "## Outputs of the wheelset": [*table(headings, of_table(WHEELSET)), *status],
         "## Outputs of a wheel": [
-            "In an FMU the names begin with `left.` or `right.`. δ is the contact angle in the pages on "
-            "geometry and lateral curvature, the penetration elsewhere.", "",
+            "In an FMU the names begin with `left.` or `right.`. The contact angle is γ in theory, where δ "
+            "is the penetration, and δ in [conventions.md](conventions.md).", "",
             *table(headings, of_table(SIDE))],
         "## Outputs of a patch": [
             "In an FMU the names begin with `left.patch[k].` or `right.patch[k].`.", "",

@@ -14,14 +14,11 @@ and 1 + beta at B/A is 1 + alpha at A/B.  The table holds quintics over 32 even 
 where an exponent and a difference find the place, exact to 1e-12
 (kernel/binding/exact_tables.py).
 
-ANALYN's coefficients at the nodes of a region follow from the longitudinal curvature and a lateral one.
-Second differences over a window w (the curvature averaged with a triangle of half-width w) are smooth but
-blind to what lies beyond; the secant g/s^2 knows how far the surfaces have parted but lags behind.  With B_t
-and B_s these two,
-
-    B = sqrt(B_t max(B_t, B_s)),   B_t, B_s >= FLOOR A
-
-follows a sharp joint (B_t) and keeps a patch from growing where B_t falls to zero or below (B_s).
+ANALYN's coefficients at the nodes of a region follow from the longitudinal curvature and lateral ones.
+Second differences over a window (the curvature averaged with a triangle) are smooth but blind to what lies
+beyond; the secant g/t^2 knows how far the surfaces have parted but lags behind.  Each coefficient takes what
+it depends on: 1 + beta the secant of its side, 1 + alpha that of the node, n r a mean of both; equations
+(8.1) to (8.3) of docs/theory/curvature.md.
 
 That is the lateral curvature "adaptive".  "smooth" and "rough" are the source's, prepared for each profile
 (:mod:`curvature`), one B in all three places; where it is below FLOOR A it counts as that.
