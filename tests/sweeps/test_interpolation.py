@@ -117,6 +117,7 @@ def test_a_store_and_its_files(tmp_path, data):
     ({"table": xarray.Dataset()}, "permitted is the path of a store, or a data set, of wrcontact.sweep"),
     ({"outputs": ["right.ara"]}, "outputs has 'right.ara', which .* not have; did you mean right.area"),
     ({"outputs": ["zz"]}, "does not have; it has roll, right.area, right.contact.y_wheel"),
+    ({"outputs": []}, "outputs is empty; permitted are outputs of the table"),
     ({"method": "spline"}, "method is 'spline'; permitted are 'linear'"),
     ({"method": "cubic"}, r"the axis yaw has 3 values; permitted for 'cubic' are 4 or more; dataset.isel")])
 def test_wrong_arguments(data, given, words):

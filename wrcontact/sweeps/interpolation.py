@@ -66,14 +66,14 @@ def interpolate(table: str | PathLike[str] | xarray.Dataset, outputs: str | Iter
 def _names(dataset, outputs):
     """Names of the ``outputs`` as of an FMU."""
     known = {name: dataset[name].attrs["fmu_name"] for name in dataset.data_vars if name != "status"}
-    if outputs is None:
-        return (*known.values(),)
     found = []
-    for name in [outputs] if isinstance(outputs, str) else outputs:
+    for name in known if outputs is None else [outputs] if isinstance(outputs, str) else outputs:
         if not isinstance(name, str) or plain(name) not in known:
             hint = did_you_mean(name, known.values()) or f"; it has {', '.join(known.values())}"
             raise ValueError(f"outputs has {name!r}, which the table does not have{hint}")
         found.append(known[plain(name)])
+    if not found:
+        raise ValueError("outputs is empty; permitted are outputs of the table")
     return (*found,)
 
 
