@@ -15,7 +15,7 @@ from ..progress import tracked
 PACKAGE = Path(__file__).resolve().parent.parent
 ENTRANCE = "simulation/session.py"
 #: Doors for people, and studies: never packed, even where a function of a packed module reaches for them.
-OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "halfspace", "progress",
+OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fmu", "halfspace", "progress", "sweeps",
                      "results/convert", "results/pages"})
 
 

@@ -17,8 +17,8 @@ class NeedsPackage(ImportError):
     """A package is not installed; the message says which one, and for what."""
 
 
-def needed(package, purpose):
-    """The optional ``package``, imported.
+def needed(package, purpose, extra="tables"):
+    """The optional ``package``, imported; ``extra`` is the one of wrcontact that has it.
 
     Raises
     ------
@@ -29,7 +29,7 @@ def needed(package, purpose):
         return importlib.import_module(package)
     except ImportError:
         raise NeedsPackage(f"{purpose} needs {package}, which is not installed; pip install {package}, or "
-                           "pip install 'wrcontact[tables]'") from None
+                           f"pip install 'wrcontact[{extra}]'") from None
 
 
 def columns_of(table):
