@@ -4,6 +4,7 @@ from importlib.util import find_spec
 
 import numpy as np
 import pytest
+from fmpy.util import write_csv
 from PIL import Image
 
 from tests.helpers.paths import ROOT
@@ -74,6 +75,15 @@ def test_booleans_and_empty_cells_of_a_file_are_read(tmp_path):
     (tmp_path / "run.csv").write_text('"time","flag","yaw"\n0,True,\n1,False,2\n')
     run = plots.read_run(tmp_path / "run.csv")
     assert run["flag"].tolist() == [1.0, 0.0] and np.isnan(run["yaw"][0]) and run["yaw"][1] == 2.0
+
+
+def test_a_file_that_fmpy_wrote_is_read(tmp_path):
+    result = np.zeros(3, dtype=[("time", float), ("right.area", float), ("free_rolling", bool)])
+    result["time"], result["right.area"], result["free_rolling"] = [0, 1, 2], [1e-4, 2e-4, 3e-4], [1, 0, 1]
+    write_csv(str(tmp_path / "run.csv"), result)
+    axis = plots.history(tmp_path / "run.csv", "right.area")
+    np.testing.assert_allclose(axis.lines[0].get_xydata(), [[0, 100], [1, 200], [2, 300]])
+    assert plots.read_run(tmp_path / "run.csv")["free_rolling"].tolist() == [1.0, 0.0, 1.0]
 
 
 # --- animations ---------------------------------------------------------------------------------------------

@@ -59,7 +59,7 @@ def patch_map(system, state, axis=None, *, side="right", colour="pressure", bar=
     axis : axis of matplotlib; None for one in a new figure.
     side : "right" or "left".
     colour : what the colours show: "pressure", "shear", or "slip", the areas that stick and slip.
-    bar : whether to draw a bar with the colours, or a legend of the areas.
+    bar : whether to draw a bar with the colours; areas that stick and slip have a legend instead.
 
     Returns
     -------
