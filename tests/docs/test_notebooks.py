@@ -1,4 +1,5 @@
-"""The notebooks are stored without outputs, in short cells with a sentence before each; test_site.py runs them."""
+"""The notebooks are stored without outputs, in short cells with a sentence before each; test_site.py
+runs them."""
 
 import json
 
