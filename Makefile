@@ -15,7 +15,7 @@ help:
 
 setup:
 	python3 -m venv .venv
-	.venv/bin/pip install -q -e ".[test,dev,tables]"
+	.venv/bin/pip install -q -e ".[test,dev,tables,cluster]"
 
 kernel:
 	$(PYTHON) tools/transpile_kernel.py

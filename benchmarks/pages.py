@@ -24,6 +24,7 @@ from . import record, studies, tables, validation
 from .creep import EQUIVALENT, GRIDS, HERTZ, MODELS, NEW_ELLIPSES, NEW_PATCHES, QUOTED, TIMED
 from .record import UNIT
 from .rows import DEFAULT_ROW, FMU_ROW, FULL, HALFSPACE_FORM, NATIVE_ROW, STRIP_ROW, SWEEPS, all_rows
+from .sweeps import error_table, rate_table, value_table
 from .tables import PEERS
 
 BEGIN, END = "<!-- python -m benchmarks --write: {} -->", "<!-- end: {} -->"
@@ -88,7 +89,7 @@ def short_table(parts):
 README, BENCHMARKS = "README.md", "docs/evidence/benchmarks.md"
 CURVATURE, ELASTIC = "docs/theory/curvature.md", "docs/theory/elastic.md"
 CHECK, FMU, STUDY = "docs/guides/check.md", "docs/guides/fmu.md", "docs/evidence/source_study.md"
-CONFORMAL = "docs/theory/conformal.md"
+CONFORMAL, TABLES_PAGE = "docs/theory/conformal.md", "docs/guides/tables.md"
 MODEL_PARTS = ("model_errors", "halfspace", "model_times")
 ERRORS = f"Errors in {tables.TRIPLE}."
 MACHINE = f"The unit is the time of {UNIT}; `benchmarks/measured` has commit, machine and noise."
@@ -104,6 +105,9 @@ TABLES = {
     "trajectory": Table(BENCHMARKS, ("trajectory",), tables.trajectory_table),
     "growth": Table(BENCHMARKS, ("growth",), tables.growth_table),
     "threads": Table(BENCHMARKS, ("threads",), tables.thread_table),
+    "sweep": Table(TABLES_PAGE, ("sweep",), rate_table),
+    "values": Table(TABLES_PAGE, ("value_times",), value_table),
+    "table_errors": Table(TABLES_PAGE, ("table_errors",), error_table),
     "tolerances": Table(BENCHMARKS, ("tolerances",), tables.tolerance_table, ERRORS),
     "random": Table(BENCHMARKS, ("random_poses",), tables.random_table),
     "zones": Table(BENCHMARKS, ("zones",), tables.zone_table, ERRORS),

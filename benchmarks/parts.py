@@ -14,7 +14,7 @@ from wrcontact.progress import tracked
 from wrcontact.study import figures
 from wrcontact.study.figure import Study
 
-from . import creep, curvature, errors, random_poses, record, rows, studies, times
+from . import creep, curvature, errors, random_poses, record, rows, studies, sweeps, times
 
 ERRORS, TIMES, STUDIES = KINDS = "errors", "times", "studies"
 COUNTED = 500  # poses of a count
@@ -144,11 +144,14 @@ PARTS = {
     "en15302": Part(ERRORS, lambda effort: studies.en15302_rows()),
     "manchester": Part(ERRORS, lambda effort: errors.manchester()),
     "elastic_trials": Part(ERRORS, lambda effort: errors.all_trials()),
+    "table_errors": Part(ERRORS, lambda effort: sweeps.table_errors(quick=effort is rows.QUICK)),
     "tangential_errors": Part(ERRORS, lambda effort: creep.errors()),
     "model_times": Part(TIMES, model_times),
     "skip_times": Part(TIMES, skip_times),
     "growth": Part(TIMES, growth_times),
     "threads": Part(TIMES, thread_times),
+    "sweep": Part(TIMES, sweeps.sweep_times),
+    "value_times": Part(TIMES, lambda effort: timed(sweeps.value_times(effort))),
     "station_times": Part(TIMES, lambda effort: timed(times.station_times(effort))),
     "elastic_times": Part(TIMES, elastic_times),
     "trajectory": Part(TIMES, lambda effort: times.trajectory_times(quick=effort is rows.QUICK)),

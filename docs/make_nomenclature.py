@@ -112,7 +112,7 @@ def page():
         "# Nomenclature": [
             "Inputs, parameters, methods and outputs, in SI, with the names that FMUs and Python have for "
             "them. `docs/make_nomenclature.py` writes this page from `wrcontact/interface`. Frames and signs "
-            "are in [conventions.md](conventions.md), equations in [theory](../theory/index.md); the "
+            "are in [frames and signs](conventions.md), equations in [theory](../theory/index.md); the "
             "page in each FMU, `documentation/index.html`, also has limits and value references."],
         "## Inputs": table(headings, of_table(INPUTS)),
         "## Parameters": table((*headings[:3], "default", "meaning"), of_parameters()),
@@ -120,7 +120,7 @@ def page():
         "## Outputs of the wheelset": [*table(headings, of_table(WHEELSET)), *status],
         "## Outputs of a wheel": [
             "In an FMU the names begin with `left.` or `right.`. The contact angle is γ in theory, where δ "
-            "is the penetration, and δ in [conventions.md](conventions.md).", "",
+            "is the penetration, and δ in [frames and signs](conventions.md).", "",
             *table(headings, of_table(SIDE))],
         "## Outputs of a patch": [
             "In an FMU the names begin with `left.patch[k].` or `right.patch[k].`.", "",

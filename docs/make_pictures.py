@@ -7,20 +7,24 @@ docs/img/*.png.
     models      the pressures of examples/compare_models.py (README)
     conformal   planar against conformal theory (docs/theory/conformal.md)
     source_5_8, source_7_14     two figures of ``wrcontact figures`` (docs/evidence/source_study.md)
+    gallery     the pictures of docs/guides/gallery.md by the code of the page, also hero.png (README)
 
 Wheel and rail are the real S1002 and UIC60 in their real positions; roll and yaw of the sketches are
 exaggerated.
 """
 
 import os
+import re
 import runpy
 import sys
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
 from matplotlib.patches import Arc
+from PIL import Image
 
 from wrcontact import ContactSystem
 from wrcontact.plots import style
@@ -29,6 +33,8 @@ from wrcontact.plots.style import CONTACT_COLOUR, INK, MM, QUIET, RAIL_COLOUR, R
 from wrcontact.progress import tracked
 
 IMAGES = Path(__file__).resolve().parent / "img"
+GALLERY = Path(__file__).resolve().parent / "guides" / "gallery.md"
+FEW_COLOURS, ROUNDS = 256, 3  # of a picture of the gallery, and of the choice of its colours
 FORCE = 78.5e3  # [N] of a wheel
 TURNED = np.radians(7)  # yaw of the sketch from above
 ARROW = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
@@ -38,19 +44,53 @@ def main(names):
     """Draw the pictures with these names and print their paths."""
     IMAGES.mkdir(exist_ok=True)
     for name in tracked(names, "pictures"):
-        print(style.save(PICTURES[name](), IMAGES / f"{name}.png"))
+        if name == "gallery":
+            print(*draw_gallery(IMAGES), sep="\n")
+        else:
+            print(style.save(PICTURES[name](), IMAGES / f"{name}.png"))
+
+
+def gallery_code():
+    """The blocks of Python of the gallery's page."""
+    return re.findall(r"^```python\n(.*?)^```", GALLERY.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
+
+
+def draw_gallery(folder):
+    """Run the code of the gallery's page in this ``folder``, where it saves its pictures; their paths."""
+    names = re.findall(r"!\[.*?\]\(\.\./img/(.*?)\)", GALLERY.read_text(encoding="utf-8"))
+    with inside(folder):
+        known = {}
+        for number, block in enumerate(gallery_code(), 1):
+            exec(compile(block, f"{GALLERY.name}, block {number}", "exec"), known)
+    for name in names:
+        if name.endswith(".png"):
+            shrink(Path(folder, name))
+    return [Path(folder, name) for name in names]
+
+
+def shrink(path):
+    """Write a PNG anew with few colours, which halves it."""
+    with Image.open(path) as picture:
+        few = picture.convert("RGB").quantize(FEW_COLOURS, kmeans=ROUNDS, dither=Image.Dither.NONE)
+        few.save(path, optimize=True)
+
+
+@contextmanager
+def inside(folder):
+    """Inside this context, ``folder`` is the working directory."""
+    home = Path.cwd()
+    os.chdir(folder)
+    try:
+        yield
+    finally:
+        os.chdir(home)
 
 
 def models():
-    """The picture of the example that compares the normal models."""
+    """The picture of the example that compares the normal models, which saves it in the working directory."""
     example = Path(__file__).resolve().parents[1] / "examples" / "compare_models.py"
-    home = Path.cwd()
-    with TemporaryDirectory() as folder:
-        os.chdir(folder)  # the example saves its picture in the working directory
-        try:
-            return runpy.run_path(str(example))["figure"]
-        finally:
-            os.chdir(home)
+    with TemporaryDirectory() as folder, inside(folder):
+        return runpy.run_path(str(example))["figure"]
 
 
 def check():
@@ -294,4 +334,4 @@ def dimension(panel, low, high, height, words):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:] or list(PICTURES))
+    main(sys.argv[1:] or [*PICTURES, "gallery"])

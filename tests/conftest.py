@@ -13,7 +13,7 @@ from wrcontact.cli import main
 from wrcontact.kernel.binding.compiler import KEPT
 
 #: Rooms whose tests are ``full``, except those that are marked ``check``.
-FULL_ROOMS = ("benchmarks", "faults", "fmu", "halfspace", "loop", "data", "study")
+FULL_ROOMS = ("benchmarks", "faults", "fmu", "halfspace", "loop", "data", "study", "sweeps")
 
 
 def room_of(path):

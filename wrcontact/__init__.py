@@ -18,11 +18,13 @@ from .system import ContactSystem
 from .wheel import WheelContact, WheelState
 
 __version__ = "0.2.0.dev0"
+#: Functions that are imported when they are first used: an FMU does not have them.
+_FUNCTIONS = {"interpolate": ".sweeps.interpolation", "sweep": ".sweeps.run"}
 __all__ = ["ContactSystem", "CreepForces", "CreepPatch", "Friction", "GuidingForces", "Material", "Profile",
            "ProfileFile", "ProfileWarning", "Status", "Stepper", "Track", "UnusualValueWarning",
            "WheelContact", "WheelState", "Wheelset", "WheelsetState", "check", "check_fleet", "creep_forces",
            "elliptic_patch", "explain", "guiding_forces", "low_pass", "motion_of", "outlined_patch",
-           "patch_of", "sliding_mean", *_methods]
+           "patch_of", "sliding_mean", *_methods, *_FUNCTIONS]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
 _LATER = frozenset({"conditioning", "fleet", "halfspace", "plots", "study"})
@@ -31,6 +33,8 @@ _LATER = frozenset({"conditioning", "fleet", "halfspace", "plots", "study"})
 def __getattr__(name):
     if name in _LATER:
         return import_module(f".{name}", __name__)
+    if name in _FUNCTIONS:
+        return getattr(import_module(_FUNCTIONS[name], __name__), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

@@ -62,6 +62,8 @@ from .methods.tangential import Fastsim as Fastsim
 from .methods.tangential import Fastrip as Fastrip
 from .methods.tangential import Polach as Polach
 from .methods.tangential import HalfspaceRolling as HalfspaceRolling
+from .sweeps.interpolation import interpolate as interpolate
+from .sweeps.run import sweep as sweep
 
 __version__: str
 

@@ -31,9 +31,10 @@ FORCE, MOMENT = (slice(place, place + 3) for place in (layout.Outputs.force.offs
                                                        layout.Outputs.moment.offset // 8))
 #: Permitted penetration, where it is prescribed [m].
 PENETRATION_RANGE = (0.0, 0.01)
-#: Rows that a part of many has at first and at most, and the time that a part should take [s].
-FIRST_ROWS, MOST_ROWS, PART_TIME = 8, 1024, 0.2
-#: Rows that a thread takes at once: the slowest model needs half a second for them.
+#: Rows that a part of many has at first, and the time that a part should take [s].
+FIRST_ROWS, PART_TIME = 8, 0.2
+#: Rows of a table that are solved one after the other, as one thread's: the slowest model needs half a second
+#: for them.  The next ones begin anew, so that no bit depends on the number of threads.
 SHARED_ROWS = 512
 
 
@@ -190,11 +191,13 @@ class Stepper:
         Yields the rows' slice, their outputs (rows, k) at ``places`` (None: all), and their status (rows,).
         Rows with status 2, 3 or 4 are NaN.  The arrays are used again for the next part.
         """
-        most = min(MOST_ROWS, max(len(inputs), 1))
+        most = min(SHARED_ROWS, max(len(inputs), 1))
         outputs, status = np.empty((most, len(self.outputs))), np.empty(most)
         start, count = 0, FIRST_ROWS
         while start < len(inputs):
-            rows = slice(start, min(start + count, len(inputs), start + most))
+            if start % SHARED_ROWS == 0:
+                self._begin_anew()
+            rows = slice(start, min(start + count, len(inputs), start + SHARED_ROWS - start % SHARED_ROWS))
             part = outputs[: rows.stop - start]
             part[:] = math.nan
             began = time.perf_counter()
@@ -203,6 +206,11 @@ class Stepper:
             count = min(count, most)
             yield rows, part if places is None else part[:, places], status[: len(part)].astype(int)
             start = rows.stop
+
+    def _begin_anew(self):
+        """Forget the steps before: the last bits of a roll depend on where its search begins."""
+        self.state[:] = 0.0
+        layout.Work.at(self._workspace).known = False
 
     def prescribe(self, penetration):
         """Prescribe the penetration [m], one value or (left, right), instead of the force; None returns to
@@ -257,13 +265,16 @@ def _restored(mark, tables, bind, arrays, penetration, wanted):
     return stepper
 
 
+def core_count():
+    """The number of cores that this process may use."""
+    affinity = getattr(os, "sched_getaffinity", None)
+    return len(affinity(0)) if affinity else os.cpu_count() or 1
+
+
 def thread_count(threads, rows):
     """How many threads share a table of ``rows``: at most ``threads``, None for the cores that this process
     may use, and as many as have a block of rows each."""
-    if threads is None:
-        affinity = getattr(os, "sched_getaffinity", None)
-        threads = len(affinity(0)) if affinity else os.cpu_count() or 1
-    return min(threads, max(1, rows // SHARED_ROWS))
+    return min(threads or core_count(), max(1, rows // SHARED_ROWS))
 
 
 def threaded_parts(steppers, rows, places=None):
@@ -275,6 +286,7 @@ def threaded_parts(steppers, rows, places=None):
     def evaluated(first):
         stepper, block = free.get(), slice(first, min(first + SHARED_ROWS, len(rows)))
         count = block.stop - first
+        stepper._begin_anew()
         outputs, status = np.full((count, len(stepper.outputs)), math.nan), np.empty(count)
         stepper.step_many(rows[block], outputs, status)
         free.put(stepper)

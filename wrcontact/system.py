@@ -318,7 +318,7 @@ class ContactSystem:
 
     def evaluate_parts(self, *arguments, penetration=None, side="both", outputs="all", processes=1,
                        **inputs):
-        """As :meth:`evaluate_many`, but yields the table in parts of up to 1024 rows, one after the other:
+        """As :meth:`evaluate_many`, but yields the table in parts of up to 512 rows, one after the other:
         the memory does not grow with the number of rows."""
         check_count("processes", processes)
         rows, wanted, stepper = self._many(arguments, penetration, side, outputs, inputs)

@@ -20,6 +20,7 @@ from benchmarks import (
     record,
     rows,
     studies,
+    sweeps,
     tables,
     times,
 )
@@ -251,6 +252,23 @@ def test_the_cost_of_native_fmus_is_measured(tmp_path):
     found = {version: measure().units for version, measure in rows.native_costs(tmp_path)}
     assert list(found) == [2, 3]
     assert all(0.5 < units < 200 for units in found.values())
+
+
+def test_the_cost_of_tables():
+    pytest.importorskip("zarr")
+    found = sweeps.sweep_times(LITTLE)
+    assert list(found) == ["1", "2"]
+    for row in found.values():
+        assert row["rate"] == pytest.approx(row["alone"] / row["kept"]) and row["kept"] > 0
+
+
+def test_the_errors_of_tables():
+    """A jump of the contact stays, 9 mm or more."""
+    pytest.importorskip("xarray")
+    found = sweeps.table_errors(quick=True)
+    assert list(found) == ["71 × 17 linear", "71 × 17 cubic"]
+    most, worst = found["71 × 17 linear"]["contact on the wheel [mm]"]
+    assert 0.05 < most < 0.5 and 9.0 < worst < 20.0
 
 
 # --- the source's searches ----------------------------------------------------------------------------------

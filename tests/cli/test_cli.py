@@ -226,6 +226,23 @@ def test_plot_draws_a_picture(run, tmp_path, name, opening):
     assert content.startswith(opening) and len(content) > 20_000
 
 
+KINDS = {"lines": "--yaw-deg 1 --side left", "radii": "", "angles": "", "roll": "--wheel cone20",
+         "wheel": "--lateral-shift-mm 5", "patch": "--tangential-model strips --speed 20 --colour slip",
+         "creep": "--over spin", "history": "--run {run} --names max_pressure",
+         "animation": "--run {run} --frames 2"}
+
+
+@pytest.mark.parametrize("kind", ["lines", "history", *(
+    pytest.param(kind, marks=pytest.mark.full) for kind in KINDS if kind not in ("lines", "history"))])
+def test_plot_draws_every_kind(run, tmp_path, monkeypatch, kind):
+    """In the working directory, under the name of its kind."""
+    monkeypatch.chdir(tmp_path)
+    words = KINDS[kind].format(run=ROOT / "data" / "trajectories" / "hunting.csv").split()
+    name = f"{kind}.{'gif' if kind == 'animation' else 'png'}"
+    assert run("plot", kind, *words) == (0, f"picture written to {name}\n", "")
+    assert (tmp_path / name).read_bytes()[:4] in (b"\x89PNG", b"GIF8")
+
+
 # --- wrong input ----------------------------------------------------------------------------------
 
 
@@ -283,6 +300,19 @@ WRONG = {
     "other_ending": ("sweep --netcdf {folder}/a.csv", ["--netcdf", "a.csv", ".nc"]),
     "two_files": ("sweep --csv a.csv --json a.json", ["--csv and --json", "one of them"]),
     "picture": ("plot --output {folder}/pose.doc", ["pose.doc", ".png"]),
+    "picture_kind": ("plot line", ["KIND is 'line'", "'lines'", "did you mean lines?"]),
+    "picture_of_no_pose": ("plot lines --lateral-shift-mm 3", ["--lateral-shift-mm is given; plot lines"]),
+    "picture_side": ("plot radii --side left", ["--side is given", "plot lines or wheel or patch or creep"]),
+    "picture_without_run": ("plot history --names yaw", ["--run is missing", "CSV file"]),
+    "picture_without_names": ("plot history --run run.csv", ["--names is missing"]),
+    "picture_of_no_file": ("plot history --run {folder}/no.csv --names yaw", ["no.csv", "No such file"]),
+    "picture_of_no_system": ("plot history --run run.csv --names yaw --rail 60E1",
+                             ["--rail is given; plot history does not use it"]),
+    "picture_of_no_friction": ("plot patch --colour slip", ["--colour is 'slip'; permitted is 'pressure'"]),
+    "picture_colour": ("plot patch --colour red", ["--colour is 'red'; permitted are 'pressure', 'shear'"]),
+    "picture_over": ("plot creep --over time", ["--over is 'time'; permitted are 'creepage_x'"]),
+    "picture_film": ("plot animation --run run.csv --output {folder}/a.png", ["a.png", ".gif, .mp4"]),
+    "picture_yaw": ("plot roll --yaw-deg 10", ["none of the 321 lateral shifts has a contact", "yaw is"]),
     "picture_folder": ("plot --output {folder}/no/such/pose.png", ["pose.png", "No such file"]),
     "demo_folder": ("demo --output {folder}/file/inside", ["file"]),
     "platforms": ("build --platforms all", ["--platforms", "--native"]),

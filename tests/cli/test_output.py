@@ -93,7 +93,7 @@ def test_a_missing_package_is_one_sentence(run, tmp_path, monkeypatch, ending, p
 
 
 def test_memory_does_not_grow_with_the_rows(run, tmp_path, monkeypatch):
-    """No more than 1024 rows are there at a time."""
+    """No more than 512 rows are there at a time."""
     sizes = []
 
     def step_many(self, inputs, outputs, status):
@@ -102,7 +102,7 @@ def test_memory_does_not_grow_with_the_rows(run, tmp_path, monkeypatch):
 
     monkeypatch.setattr(Stepper, "step_many", step_many)
     assert run("sweep", "--from-mm", 0, "--to-mm", 0.03, "--step-mm", 1e-5, "--csv", tmp_path / "a")[0] == 0
-    assert sum(sizes) == 3001 and max(sizes) <= 1024
+    assert sum(sizes) == 3001 and max(sizes) <= 512
     assert len((tmp_path / "a").read_text().splitlines()) == 3002
 
 

@@ -57,6 +57,10 @@ patch = wrcontact.elliptic_patch(6e-3, 4e-3, 8e4)
 creep = wrcontact.creep_forces(patch, friction=0.4, tangential_model=wrcontact.Fastsim(published_spin=1))
 assert_type(creep.moment, float)
 profile: wrcontact.Profile = wrcontact.check(system).system.wheel
+swept = wrcontact.sweep(system, {"yaw": np.linspace(0.0, 1e-3, 3)}, ["roll"], "a.zarr", workers=2, speed=10.0)
+between: NDArray[Any] = wrcontact.interpolate(swept, method="cubic")(yaw=0.5e-3)["roll"]
+worst: float = wrcontact.interpolate("a.zarr").errors["roll"].worst
+bad = wrcontact.sweep(system, {"yaw": [0.0]}, speed="fast")  # wrong: a number
 bad = system.evaluate(lateralshift=1e-3)  # wrong: no such input
 bad = wrcontact.ContactSystem(contact_mode="elastik")  # wrong: no such mode
 bad = wrcontact.ContactSystem(gauge="wide")  # wrong: a number

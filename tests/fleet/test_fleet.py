@@ -283,7 +283,7 @@ def test_arguments_are_refused_in_a_sentence():
 
 def test_dask_is_asked_for_in_a_sentence(monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
-    with pytest.raises(ImportError, match=r"a scheduler needs distributed.*wrcontact\[fleet\]"):
+    with pytest.raises(ImportError, match=r"a scheduler needs distributed.*wrcontact\[cluster\]"):
         wrcontact.check_fleet("S1002", "60E1", scheduler="tcp://127.0.0.1:9")
 
 

@@ -42,6 +42,16 @@ def test_threads_give_the_bits_of_one(methods, asked):
         np.testing.assert_array_equal(found.inputs, one.inputs)
 
 
+@pytest.mark.parametrize("methods", [{}, {"contact_mode": "elastic"}], ids=["rigid", "elastic"])
+def test_threads_give_the_bits_of_one_where_the_search_begins_near(methods):
+    """Poses that change little from row to row, of which each search begins at the roll before."""
+    system, shifts = wrcontact.ContactSystem(**methods), np.linspace(-6e-3, 6e-3, COUNT)
+    one, two = (system.evaluate_many(shifts, yaw=2e-3, threads=threads) for threads in (1, 2))
+    np.testing.assert_array_equal(two.values.view(np.int64), one.values.view(np.int64))
+    parts = list(system.evaluate_parts(shifts, yaw=2e-3))
+    np.testing.assert_array_equal(np.concatenate([part.values for part in parts]), one.values)
+
+
 def test_as_many_threads_as_cores_and_blocks(monkeypatch):
     assert thread_count(3, 100 * SHARED_ROWS) == 3
     assert thread_count(3, 2 * SHARED_ROWS) == 2

@@ -5,7 +5,6 @@ import sys
 from pathlib import Path
 from typing import Annotated
 
-import numpy as np
 import typer
 
 from .. import ContactSystem, __version__
@@ -18,9 +17,11 @@ from ..profiles.remarks import remarks_in_lines
 from ..progress import in_lines, working
 from ..status import Status
 from .door import Door, Refused, check_file, check_folder, sentences
+from .grids import refuse_beside_axes, sweeps_grids, write_grid
 from .groups import FILES
 from .help import Command, with_all
 from .options import GEOMETRY, LOAD, POSE, SYSTEM, name_of, number, option_of, takes
+from .pictures import PICTURES, draws
 from .profile_files import reads_files, with_left_side
 from .report import (
     Remark,
@@ -33,6 +34,7 @@ from .report import (
     sweep_columns,
     sweep_outputs,
 )
+from .shifts import shifts_of
 from .tables import writes_tables
 from .typed import Typed, remark_lines, typed
 
@@ -42,10 +44,7 @@ main = typer.Typer(
          "wheelset, and the size, load and pressure of the contact patches. Lengths are in mm, angles in "
          "deg, forces in kN, pressures in MPa, velocities in m/s and "
          "rad/s.")
-MOST_ROWS, MOST_PRINTED = 1_000_000, 10_000
-WIDEST = 1000.0  # lateral shift of a sweep [mm]
 RUBBING = {row.name for row in FRICTION}
-PICTURES = (".png", ".svg", ".pdf")
 CONTACT, FMUS, STUDY = "Contacts", "FMUs", "The study that wrcontact started from"
 
 
@@ -182,22 +181,34 @@ def solve(pose, system,
 @main.command(cls=Command, rich_help_panel=CONTACT)
 @with_all
 @writes_tables
+@sweeps_grids
 @reads_files
 @takes(load=LOAD, system=SYSTEM)
 def sweep(load, system,
-          start: Annotated[float, millimetres("--from-mm", "First lateral shift, in mm")] = -8.0,
-          stop: Annotated[float, millimetres("--to-mm", "Last lateral shift, in mm")] = 8.0,
-          step: Annotated[float, millimetres("--step-mm", "Step of the lateral shift, in mm")] = 0.5,
+          start: Annotated[float | None, millimetres(
+              "--from-mm", "First lateral shift, in mm (default: -8)")] = None,
+          stop: Annotated[float | None, millimetres(
+              "--to-mm", "Last lateral shift, in mm (default: 8)")] = None,
+          step: Annotated[float | None, millimetres(
+              "--step-mm", "Step of the lateral shift, in mm (default: 0.5)")] = None,
+          grid=None,
           file=None,
           smoothing: Smoothing = None):
     """Move the wheelset across the track and print a table of its contacts.
 
     With --output all outputs are written to a file instead: .csv and .json with the names of the FMU,
-    .parquet for pandas, .nc for xarray.
+    .parquet for pandas, .nc for xarray. With --axis and --store the table is over several inputs, of
+    any size.
 
     Example: wrcontact sweep --from-mm -8 --to-mm 8 --step-mm 0.1 --output sweep.csv
     """
-    shifts = _shifts(start, stop, step, MOST_ROWS if file else MOST_PRINTED)
+    if grid:
+        refuse_beside_axes({"--from-mm": start, "--to-mm": stop, "--step-mm": step, "--output": file})
+        system = _system(system, smoothing)
+        _refuse_what_is_not_read(system, {**load, **grid.axes})
+        write_grid(grid, system, load)
+        return
+    shifts, step = shifts_of(start, stop, step, to_file=bool(file))
     if file:
         check_file(file.path)
     system = _system(system, smoothing)
@@ -236,25 +247,27 @@ def _write_sweep(file, system, shifts, load, remark):
 @with_all
 @reads_files
 @takes(pose=POSE, system=SYSTEM)
-def plot(pose, system,
-         output: Annotated[Path, typer.Option(metavar="FILE", help="File of the picture: .png, .svg or .pdf")]
-         = Path("pose.png"), smoothing: Smoothing = None):
-    """Draw one pose: both wheels on their rails, and the contact patches with their pressure.
+@draws
+def plot(pose, system, picture, smoothing: Smoothing = None):
+    """Draw a picture. KIND says of what: one pose, both wheels on their rails with their patches, without it.
 
-    Example: wrcontact plot --lateral-shift-mm 5 --output pose.png
+    lines: where wheel and rail touch over the lateral shift; radii, angles, roll: rolling radius difference,
+    contact angles and roll over the lateral shift; wheel: a wheel on its rail in three dimensions; patch:
+    patches with pressure, shear stress, stick and slip; creep: creep force over creepage by model, of the
+    patch with the largest load; history: columns of a CSV file over time; animation: its wheelset on the
+    track.
+
+    Example: wrcontact plot patch --lateral-shift-mm 5 --tangential-model strips --speed 20
     """
-    from ..plots import pose_figure, save
-
-    _refuse_no_picture(output)
-    check_file(output)
-    system = _system(system, smoothing)
-    _refuse_what_is_not_read(system, pose)
-    state = system.evaluate(**pose)
-    _refuse_without_contact(system, state)
-    figure = pose_figure(system, state)
-    with sentences():
-        save(figure, output)
-    print(f"picture written to {output}")
+    picture.check(pose, system)
+    system = _system(system, smoothing) if picture.kind.system else None
+    state = None
+    if picture.of_pose:
+        _refuse_what_is_not_read(system, pose)
+        state = system.evaluate(**pose)
+        _refuse_without_contact(system, state)
+    picture.write(system, pose, state)
+    print(f"picture written to {picture.output}")
 
 
 @main.command(cls=Command, rich_help_panel=CONTACT)
@@ -366,16 +379,3 @@ def _refuse_without_contact(system, state):
     if state.status > Status.UNLOADED:
         raise Refused(sentence(state.status, state.inputs, is_compliant(system), Typed()),
                       code=1 if state.status == Status.NOT_CONVERGED else 2)
-
-
-def _shifts(start, stop, step, most):
-    """Up to ``most`` lateral shifts [m] from ``start`` to ``stop`` [mm], both included where ``step`` [mm]
-    fits."""
-    if not (-WIDEST <= start <= stop <= WIDEST and 0 < step < np.inf):
-        raise Refused(f"--from-mm {start:g}, --to-mm {stop:g}, --step-mm {step:g} do not define a sweep; "
-                      f"permitted are --step-mm > 0 and {-WIDEST:g} <= --from-mm <= --to-mm <= {WIDEST:g}")
-    count = np.floor((stop - start) / step + 1e-9) + 1 if step > 1e-300 else np.inf
-    if count > most:
-        files = "" if most == MOST_ROWS else f", with --output FILE at most {MOST_ROWS}"
-        raise Refused(f"--step-mm {step:g} gives {count:.10g} rows; permitted are at most {most}{files}")
-    return np.round(start + step * np.arange(int(count)), 9) / 1e3

@@ -8,8 +8,9 @@ from ..profiles import RAILS, WHEELS
 POSE, PROFILES, METHODS, MOTION = ("Pose and load", "Profiles, wheelset, track and material", "Methods",
                                    "Motion and friction")
 MOVING, OTHER_SIDE, FILES = "Rails that move", "Left side, where it differs", "Files of profiles"
+GRID = "Table over several inputs"
 #: In the order in which a help text shows them, after a command's own options.
-ORDER = (POSE, PROFILES, METHODS, MOTION, MOVING, OTHER_SIDE, FILES)
+ORDER = (GRID, POSE, PROFILES, METHODS, MOTION, MOVING, OTHER_SIDE, FILES)
 OF_POSE = {"lateral_shift", "yaw", "normal_force", "load_transfer", "vertical_shift_input", "roll_input",
            "load"}
 OF_PROFILES = {"wheel", "rail", "rail_inclination", "gauge", "gauge_depth", "running_circle_distance",

@@ -70,7 +70,7 @@ def _client(scheduler):
     if not isinstance(scheduler, str):
         yield scheduler
         return
-    distributed = needed("distributed", "a scheduler", extra="fleet")
+    distributed = needed("distributed", "a scheduler", extra="cluster")
     try:
         client = distributed.Client(scheduler, timeout=PATIENCE)
     except (OSError, TimeoutError, ValueError) as wrong:

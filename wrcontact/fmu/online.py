@@ -16,7 +16,7 @@ PACKAGE = Path(__file__).resolve().parent.parent
 ENTRANCE = "simulation/session.py"
 #: Doors for people, and studies: never packed, even where a function of a packed module reaches for them.
 OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fleet", "fmu", "halfspace", "progress",
-                     "results/convert", "results/pages"})
+                     "sweeps", "results/convert", "results/pages"})
 
 
 def online_files():

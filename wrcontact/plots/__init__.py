@@ -1,18 +1,57 @@
-"""Pictures: contacts against the lateral shift, one pose with its patches, the check of a pair, and the demo.
+"""Pictures: contacts over the lateral shift, one pose with its patches, creep forces, runs, the check of a
+pair, and the demo.
 
 >>> import wrcontact, wrcontact.plots
 >>> system = wrcontact.ContactSystem()
 >>> figure = wrcontact.plots.pose_figure(system, system.evaluate(lateral_shift=5e-3))
 >>> wrcontact.plots.save(figure, "pose.png")                                                # doctest: +SKIP
+
+Functions whose name ends with ``_figure`` draw several panels and return the figure.  All others draw on
+one ``axis`` of matplotlib, by default in a new figure, and return it:
+
+>>> axis = wrcontact.plots.contact_lines(system)
+>>> wrcontact.plots.save(axis, "lines.png")                                                 # doctest: +SKIP
 """
 
 from ..conditioning.curves import find_jumps
+from .animation import animate
 from .check import check_figure
+from .creepage import creep_curves
 from .demo import demo_figure
+from .hero import hero_figure
+from .history import history, read_run
+from .lines import contact_lines
+from .over_shift import contact_angle, radius_difference, roll_angle
 from .patch import outline_figure
 from .pose import contact_figure, pose_figure
-from .style import save
+from .shear import patch_map
+from .solid import wheel_on_rail
+from .style import new_figure, save
 from .sweep import sweep, sweep_figure
+from .traction import PatchTractions, patch_tractions
 
-__all__ = ["check_figure", "contact_figure", "demo_figure", "find_jumps", "outline_figure", "pose_figure",
-           "save", "sweep", "sweep_figure"]
+__all__ = [
+    "PatchTractions",
+    "animate",
+    "check_figure",
+    "contact_angle",
+    "contact_figure",
+    "contact_lines",
+    "creep_curves",
+    "demo_figure",
+    "find_jumps",
+    "hero_figure",
+    "history",
+    "new_figure",
+    "outline_figure",
+    "patch_map",
+    "patch_tractions",
+    "pose_figure",
+    "radius_difference",
+    "read_run",
+    "roll_angle",
+    "save",
+    "sweep",
+    "sweep_figure",
+    "wheel_on_rail",
+]

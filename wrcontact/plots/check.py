@@ -9,14 +9,13 @@ from ..conditioning.conformal import NEAR, TURN, WIDE
 from ..conditioning.conicity import AMPLITUDES, Swing
 from ..conditioning.curves import merged_jumps
 from ..conditioning.report import differing_left
-from ..profiles.compiled import evaluate_table, places
+from .lines import SHIFTS, draw_lines
 from .style import (
     DEGREE,
     INK,
     MM,
     QUIET,
     RAIL_COLOUR,
-    RAIL_LABEL,
     SIDE_COLOUR,
     WHEEL_COLOUR,
     given_axes,
@@ -28,15 +27,9 @@ from .style import (
 from .sweep import BAND
 
 SHOWN = 8e-3  # [m] lateral shifts shown, the largest amplitude
-JOINED = 0.25e-3  # [m] lateral shift between two joined pairs of contact points
-APART = 14e-3  # [m] distance between the drawn wheel and rail
-STEP = 0.2e-3  # [m] spacing of the points of a drawn profile
-MARGIN = 8e-3  # [m] of the profiles beside the outermost contacts
 FINE_AMPLITUDES = np.arange(5, 81) * 1e-4  # [m] of the drawn conicity
-SHIFT_COLOURS = "viridis"
 #: Curves of the conicity in the report, their colours and words.
 SWINGS = ("rolled", INK, "with roll"), ("level", "#009E73", "without roll")
-BROKEN = {"linestyle": ":", "linewidth": 1.2}
 
 
 @styled
@@ -50,7 +43,7 @@ def check_figure(report, ax=None, side="right"):
         ax = [figure.add_subplot(grid[0, :]), *(figure.add_subplot(grid[row, column])
                                                 for row in (1, 2, 3) for column in (0, 1))]
     figure, panels = given_axes(ax, (7,))
-    draw_places(figure, panels[0], report, side)
+    draw_places(panels[0], report, side)
     for panel, draw in zip(panels[1:],
                            (draw_radii, draw_conicity, partial(draw_moves, of=side), draw_roll_rate,
                             draw_distance, partial(draw_near, of=side))):
@@ -74,61 +67,15 @@ def _head(panel, label, title):
 # --- places of contact -----------------------------------------------------------------------------
 
 
-def draw_places(figure, panel, report, of="right"):
+def draw_places(panel, report, of="right"):
     """Wheel above rail, contact points joined by lines coloured by the lateral shift; jumps are dotted."""
     _head(panel, "places", f"Contact points of {of} wheel and rail; dotted beside a jump")
-    wheel, rail, y_top = report.system.profile_tables(of)
-    on_wheel, on_rail = ((report.wheel, report.rail) if of == "right"
-                         else (report.left_wheel, report.left_rail))
-    # lateral distance of the rail's frame from the wheel's in the centred position
-    aside = y_top - report.system.parameters["running_circle_distance"] / 2
-    side, colours = getattr(report.curves, of), _shift_colours()
-    _draw_profile(panel, wheel, on_wheel.visited, 0.0, APART / MM, WHEEL_COLOUR, up=True)
-    _draw_profile(panel, rail, on_rail.visited, aside, 0.0, RAIL_COLOUR, up=False)
-    for shift in np.arange(-SHOWN, SHOWN + 0.5 * JOINED, JOINED):
-        at = int(np.argmin(np.abs(report.curves.lateral_shift - shift)))
-        if np.isfinite(side.y_wheel[at]):
-            _join(panel, wheel, rail, aside, side.y_wheel[at], side.y_rail[at],
-                  color=colours.to_rgba(shift / MM), linewidth=0.9)
-    for jump in _shown_jumps(report, of):
-        colour = colours.to_rgba(jump.lateral_shift / MM)
-        for place, beside in ((jump.before, jump.rail_before), (jump.after, jump.rail_after)):
-            top = _join(panel, wheel, rail, aside, place, beside, color=colour, **BROKEN)
-        if abs(jump.after - jump.before) > 1 * MM:
-            panel.annotate(f"{number(jump.lateral_shift / MM, 2)}", top, (0, 3), textcoords="offset points",
-                           ha="center", fontsize=7.5)
-    panel.set_aspect("equal", adjustable="datalim")
-    panel.set(xlabel="across the wheel from its running circle, field side + [mm]", yticks=[])
-    panel.spines["left"].set_visible(False)
-    figure.colorbar(colours, ax=panel, label="lateral shift, right + [mm]", pad=0.01, aspect=30)
-
-
-def _shift_colours():
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
-
-    return ScalarMappable(Normalize(-SHOWN / MM, SHOWN / MM), SHIFT_COLOURS)
-
-
-def _draw_profile(panel, table, visited, aside, height, colour, up):
-    """A profile around its contacts [mm], filled upwards or downwards."""
-    y = places(table, STEP)
-    low, high = visited if np.all(np.isfinite(visited)) else (y[0], y[-1])
-    y = y[(y >= low - MARGIN) & (y <= high + MARGIN)]
-    z = height - evaluate_table(table, y)[0] / MM
-    edge = np.max(z) + 3 if up else np.min(z) - 3
-    panel.fill_between((y + aside) / MM, z, edge, color=colour, alpha=0.18, linewidth=0)
-    panel.plot((y + aside) / MM, z, color=colour)
-    name, at = ("wheel", np.max(z) + 1) if up else ("rail", np.min(z) - 1)
-    panel.text((y[-1] + aside) / MM - 1, at, name, color=WHEEL_COLOUR if up else RAIL_LABEL, ha="right",
-               va="center")
-
-
-def _join(panel, wheel, rail, aside, y_wheel, y_rail, **look):
-    """Draw a line from a point on the wheel to one on the rail; return its upper end [mm]."""
-    top = y_wheel / MM, (APART - evaluate_table(wheel, y_wheel)[0]) / MM
-    panel.plot([top[0], (y_rail + aside) / MM], [top[1], -evaluate_table(rail, y_rail)[0] / MM], **look)
-    return top
+    side = getattr(report.curves, of)
+    at = np.unique([np.argmin(np.abs(report.curves.lateral_shift - shift)) for shift in SHIFTS])
+    at = at[np.isfinite(side.y_wheel[at])]
+    if len(at):
+        draw_lines(panel, report.system, of, report.curves.lateral_shift[at],
+                   (side.y_wheel[at], side.y_rail[at]), report.jumps)
 
 
 def _shown_jumps(report, side):

@@ -32,7 +32,7 @@ def wheel_locus(system, state, side):
     y = np.linspace(profile.start, profile.stop, POINTS)[1:-1]
     z, slope, _ = profile.evaluate(y)
     pose = np.array([state.inputs.lateral_shift, state.inputs.yaw, state.roll])
-    sign = 1.0 if side == "right" else MIRROR[0]
+    sign = mirrored(side)
     place = Place.at(np.zeros(PLACE_SIZE))
     chosen = system.side_parameters(side)
     place_wheelset(place, *(sign * pose), chosen["nominal_radius"], system.centre_height,
@@ -55,14 +55,26 @@ def stations_along(system, state, side, station):
     on; zero without yaw."""
     if state.inputs.yaw == 0.0:
         return np.zeros_like(station)
-    sign, contact = (1.0 if side == "right" else MIRROR[0]), getattr(state, side).contact
-    y, z = rail_outline(system, side, state)
-    length = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
-    middle = np.interp(sign * contact.y_track, sign * y, length)
-    at = np.interp(station + middle, length, sign * y)
+    contact = getattr(state, side).contact
+    y_rail, _, length = rail_lengths(system, side, state)
     x, y, _ = wheel_locus(system, state, side)
-    order = np.argsort(sign * y)
-    return np.interp(at, (sign * y)[order], x[order]) - contact.x_track
+    y = mirrored(side) * y
+    order = np.argsort(y)
+    return np.interp(np.interp(station, length, y_rail), y[order], x[order]) - contact.x_track
+
+
+def mirrored(side):
+    """1 for the right side, -1 for the left one."""
+    return 1.0 if side == "right" else MIRROR[0]
+
+
+def rail_lengths(system, side, state):
+    """The rail head from its inner end on: y to the field side, z (down), and the arc length from the contact
+    point of the ``state`` [m], three arrays (n,)."""
+    y, z = rail_outline(system, side, state)
+    y = mirrored(side) * y
+    length = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
+    return y, z, length - np.interp(mirrored(side) * getattr(state, side).contact.y_track, y, length)
 
 
 def rail_outline(system, side, state=None):
@@ -77,7 +89,7 @@ def rail_outline(system, side, state=None):
     fine = np.linspace(coarse[max(top - 1, 0)], coarse[min(top + 1, POINTS - 1)], POINTS)
     highest = min(_turned(rail, fine, angle).T, key=lambda point: point[1])
     y, z = _turned(rail, coarse, angle) - highest[:, None]
-    y *= 1.0 if side == "right" else MIRROR[0]
+    y *= mirrored(side)
     top = placed.y_track if side == "right" else -placed.y_track
     lateral, vertical, roll = (0.0, 0.0, 0.0) if state is None else _moved(state, side)
     return (top + lateral + np.cos(roll) * y - np.sin(roll) * z,

@@ -53,7 +53,7 @@ def patch_places(system, state, side):
     """
     station, half_length, pressure = fine_outline(getattr(state, side).outline)
     locus, places = stations_along(system, state, side, station), np.full(len(station), np.nan)
-    for inside in _loaded(half_length):
+    for inside in loaded(half_length):
         load = np.sqrt(half_length[inside] * pressure[inside])
         if np.count_nonzero(load) > 1:
             line = np.polyfit(station[inside], locus[inside], 1, w=load)
@@ -65,7 +65,7 @@ def patch_places(system, state, side):
     return places[nearest]
 
 
-def _loaded(half_length):
+def loaded(half_length):
     """Slices of the points of each patch, with the bare points beside it."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], half_length > 0.0, [0]]).astype(int)))
     return [slice(max(start - 1, 0), stop + 1) for start, stop in edges.reshape(-1, 2)]
@@ -82,7 +82,7 @@ def draw_patch(panel, outline, scale, along=0.0):
     across = np.sin(np.linspace(-np.pi / 2, np.pi / 2, LAYERS))[:, None]
     y, x = np.broadcast_arrays(station / MM, (across * half_length + along) / MM)
     pressure = middle * np.sqrt(np.maximum(1 - across**2, 0.0)) / MEGAPASCAL
-    parts = sorted(_loaded(half_length), key=lambda part: -np.max(middle[part]))
+    parts = sorted(loaded(half_length), key=lambda part: -np.max(middle[part]))
     mesh = [panel.pcolormesh(y[:, part], x[:, part], pressure[:, part], shading="gouraud",
                              cmap=PRESSURE_COLOURS, norm=scale, rasterized=True) for part in parts][0]
     edge = np.where(_between_patches(half_length), np.nan, half_length)
@@ -114,12 +114,12 @@ def window_size(outlines, places=()):
     """Half width and half length [m] of a window that fits each of several patches, so that they share one
     scale; ``places`` are what :func:`patch_places` gives."""
     across = max(float(np.ptp(outline.station)) for outline in outlines) / 2
-    along = max((np.ptp(_ends(*one)) / 2 for one in zip(outlines, places)),
+    along = max((np.ptp(patch_ends(*one)) / 2 for one in zip(outlines, places)),
                 default=max(float(np.max(outline.half_length)) for outline in outlines))
     return across + MARGIN, float(along) + MARGIN
 
 
-def _ends(outline, along):
+def patch_ends(outline, along):
     """The rear and front end of the patches of one wheel [m]."""
     _, half_length, _ = fine_outline(outline)
     return np.min((along - half_length)[half_length > 0.0]), np.max((along + half_length)[half_length > 0.0])
@@ -195,28 +195,28 @@ def outline_figure(system, state, ax=None, side=None):
 
 def draw_outlines(figure, panels, system, state, sides=SIDES):
     """Draw patch and pressure of the ``sides`` into ``panels`` (2, number of sides), with a common scale."""
-    missing = {name: _missing(getattr(state, name)) for name in sides}
-    drawn = [name for name in sides if not missing[name]]
+    reasons = {name: missing(getattr(state, name)) for name in sides}
+    drawn = [name for name in sides if not reasons[name]]
     places = {name: patch_places(system, state, name) if system is not None else 0.0 for name in drawn}
     outlines = [getattr(state, name).outline for name in drawn]
     for name, upper, lower in zip(sides, *panels):
         side = getattr(state, name)
         upper.set_label(f"{name} patch")
         lower.set_label(f"{name} pressure")
-        upper.set_title(_headline(name, side))
-        if missing[name]:
-            _leave_empty(missing[name], upper, lower)
+        upper.set_title(headline(name, side))
+        if reasons[name]:
+            leave_empty(reasons[name], upper, lower)
         else:
             half = max(window_size(outlines, places.values()))
             mesh = draw_patch(upper, side.outline, pressure_scale(outlines), places[name])
-            frame_patch(upper, side.outline, half, half, np.mean(_ends(side.outline, places[name])))
+            frame_patch(upper, side.outline, half, half, np.mean(patch_ends(side.outline, places[name])))
             upper.set(ylabel="rolling direction [mm]")
             _draw_below(upper, lower, side.outline, SIDE_COLOUR[name], pressure_scale(outlines))
     if drawn:
         figure.colorbar(mesh, ax=list(panels[0]), label="pressure [MPa]", shrink=0.9)
 
 
-def _missing(side):
+def missing(side):
     """Why a wheel has no outline, in words; "" where it has one."""
     if side.patch_count == 0:
         return "unloaded"
@@ -234,7 +234,7 @@ def _draw_below(upper, lower, outline, colour, scale):
               xlabel="lateral in the contact plane, field side + [mm]")
 
 
-def _headline(name, side):
+def headline(name, side):
     """Title of one wheel's contact, in two lines."""
     if not side.patches:
         reason = "no load" if side.patch_count == 0 else "not computed"
@@ -251,7 +251,7 @@ def _creep(side):
     return f", creep force {size / KILONEWTON:.1f} kN" if size > 0.0 else ""
 
 
-def _leave_empty(reason, *panels):
+def leave_empty(reason, *panels):
     """Panels of a wheel without outline."""
     for panel in panels:
         panel.set(xticks=[], yticks=[])

@@ -28,6 +28,8 @@ INK, QUIET = "#222222", "#767676"
 ZONE_COLOUR = {"tread": "#FFFFFF", "flange root": "#EDEDED", "flange": "#DADADA"}
 #: Pressure: light is low, dark is high, also in print.
 PRESSURE_COLOURS = "magma_r"
+#: Lateral shifts from left to right, without the light end, which is hard to see on white.
+SHIFT_COLOURS = matplotlib.colormaps["viridis"](np.linspace(0.0, 0.92, 128))
 
 LOOK = {
     "font.family": "DejaVu Sans",
@@ -104,9 +106,20 @@ def given_axes(ax, shape):
     return axes[0].get_figure(), axes.reshape(shape)
 
 
+def given_axis(axis, width, height, **kind):
+    """The caller's ``axis``, without the frame's upper and right side, or for None one in a new figure of
+    this size [in]."""
+    if axis is None:
+        return new_figure(width, height).add_subplot(**kind)
+    if "top" in axis.spines:
+        axis.spines[["top", "right"]].set_visible(False)
+    return axis
+
+
 @styled
-def save(figure, path):
-    """Write ``figure`` to ``path``; the ending says the format (png, svg, pdf)."""
+def save(figure, path, resolution=RESOLUTION):
+    """Write ``figure``, or that of an axis, to ``path``; the ending says the format (png, svg, pdf).
+    ``resolution`` is in dots per inch."""
     with open_atomically(path) as file:
-        figure.savefig(file, format=Path(path).suffix[1:].lower(), dpi=RESOLUTION)
+        figure.figure.savefig(file, format=Path(path).suffix[1:].lower(), dpi=resolution)
     return path

@@ -8,6 +8,7 @@ from matplotlib.ticker import MultipleLocator
 from ..conditioning.curves import find_jumps, merged_jumps
 from ..conventions import SIDES
 from ..results.words import ShortText
+from ..status import Status, explain
 from .geometry import WHEEL_ZONES
 from .style import DEGREE, INK, MM, QUIET, SIDE_COLOUR, ZONE_COLOUR, given_axes, new_figure, number, styled
 
@@ -35,6 +36,14 @@ def sweep(system, lateral_shift=None, yaw=0.0):
     lateral_shift = np.asarray(lateral_shift, dtype=float)
     state = system.evaluate_many(lateral_shift=lateral_shift, yaw=yaw)
     return Sweep(lateral_shift, state, find_jumps(system, lateral_shift, yaw))
+
+
+def check_contact(table):
+    """Refuse a table of states of which none has a contact, with the reason of the middle one."""
+    if not np.any(np.asarray(table.status) <= Status.UNLOADED):
+        middle = table[len(table) // 2]
+        raise ValueError(f"none of the {len(table)} lateral shifts has a contact: "
+                         f"{explain(middle.status, middle.inputs)}")
 
 
 @styled

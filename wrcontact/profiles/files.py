@@ -47,7 +47,7 @@ def read_profile(file, kind, smoothing, make):
         text = _text(path)
         _check_options(file, kind, prepared=text.lstrip().startswith("{"))
         if text.lstrip().startswith("{"):
-            return _prepared(text, kind, make)
+            return prepared_profile(text, kind, make)
         name, extension = os.path.splitext(os.path.basename(path))
         points = read_points(text, extension.lower(), kind, file.select)
         remarks = [*points.remarks]
@@ -183,7 +183,7 @@ def prepared_text(profile):
                       indent=1)
 
 
-def _prepared(text, kind, make):
+def prepared_profile(text, kind, make):
     """The profile in the text of a prepared file."""
     try:
         content = json.loads(text)

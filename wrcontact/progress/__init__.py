@@ -18,6 +18,7 @@ import threading
 DELAY, INTERVAL = 2.0, 10.0
 
 _lock = threading.RLock()
+_silent = threading.local()  # .on: this thread shows nothing
 _board = None  # the only one: a terminal has room for one display
 _prefix = None  # of lines, where there is no terminal
 
@@ -31,6 +32,16 @@ def in_lines(prefix):
         yield
     finally:
         _prefix = before
+
+
+@contextlib.contextmanager
+def silently():
+    """Inside this context, this thread shows nothing: its work is a part of what another one shows."""
+    _silent.on = True
+    try:
+        yield
+    finally:
+        _silent.on = False
 
 
 @contextlib.contextmanager
@@ -62,7 +73,7 @@ def tracked(items, words, total=None, alone=False):
 
 def _is_wanted():
     """Whether somebody can see it: in lines, or on a terminal that can move its cursor."""
-    if os.environ.get("WRCONTACT_PROGRESS") == "off" or sys.stderr is None:
+    if os.environ.get("WRCONTACT_PROGRESS") == "off" or sys.stderr is None or getattr(_silent, "on", False):
         return False
     return _moves_cursor() or _prefix is not None
 

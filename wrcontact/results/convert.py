@@ -18,7 +18,7 @@ class NeedsPackage(ImportError):
 
 
 def needed(package, purpose, extra="tables"):
-    """The optional ``package``, imported; ``extra`` is the package's extra that has it.
+    """The optional ``package``, imported; ``extra`` is the one of wrcontact that has it.
 
     Raises
     ------

@@ -1,0 +1,35 @@
+"""The gallery's pictures are there and small, and its code makes them."""
+
+import re
+import runpy
+
+import pytest
+
+from tests.helpers.paths import ROOT
+from wrcontact import plots
+
+PAGE = (ROOT / "docs" / "guides" / "gallery.md").read_text(encoding="utf-8")
+PICTURES = re.findall(r"!\[.+?\]\(\.\./img/(.*?)\)", PAGE)
+MOST = {".png": 120_000, ".gif": 400_000}       # [byte]
+
+
+@pytest.mark.parametrize("name", PICTURES)
+def test_pictures_are_there_small_and_saved_by_the_page(name):
+    file = ROOT / "docs" / "img" / name
+    assert 4_000 < file.stat().st_size < MOST[file.suffix]
+    assert PAGE.count(f'"{name}"') == 1
+
+
+def test_every_function_of_one_axis_is_in_the_gallery():
+    shown = set(re.findall(r"plots\.(\w+)\(", PAGE)) | set(re.findall(r"`(?:plots\.)?(\w+)`", PAGE))
+    other = {"PatchTractions", "demo_figure", "find_jumps", "read_run"}  # no pictures, and that of the demo
+    assert set(plots.__all__) - other <= shown
+
+
+@pytest.mark.full
+def test_the_page_s_code_makes_its_pictures(tmp_path):
+    script = runpy.run_path(str(ROOT / "docs" / "make_pictures.py"))
+    made = script["draw_gallery"](tmp_path)
+    assert [path.name for path in made] == PICTURES == list(dict.fromkeys(PICTURES))
+    for path in made:
+        assert path.read_bytes()[:4] in (b"\x89PNG", b"GIF8") and path.stat().st_size < MOST[path.suffix]

@@ -1,0 +1,168 @@
+"""The options of ``wrcontact sweep`` for a table over several inputs, kept in a Zarr store."""
+
+from contextlib import contextmanager, nullcontext
+from dataclasses import dataclass
+from functools import wraps
+from inspect import Parameter, signature
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import typer
+
+from .. import sweep
+from ..results.convert import needed
+from ..status import Status
+from ..sweeps.grid import checked_axes
+from .door import Refused, sentences
+from .groups import GRID
+from .typed import typed
+
+FORM = ("NAME=START:STOP:COUNT, NAME=VALUE,VALUE or NAME=VALUE, in SI units, such as "
+        "lateral_shift=-8e-3:8e-3:161")
+#: Values of one axis at most.
+MOST = 10_000_000
+#: Time in which a scheduler has to answer [s].
+PATIENCE = 10.0
+WORDS = {
+    "axis": (list[str], "NAME=A:B:COUNT",
+             "Input that varies, in SI units: COUNT values from A to B, lateral_shift=-8e-3:8e-3:161, or a "
+             "list, yaw=0,1e-3; can be repeated"),
+    "store": (Path, "FOLDER",
+              "Folder of the table, a Zarr store; the same command goes on where it was stopped"),
+    "outputs": (str, "NAME[,NAME]", "Outputs, roll,right.area; or geometry, patches, all (default: all)"),
+    "workers": (int, "NUMBER", "Threads (default: as many as there are cores)"),
+    "scheduler": (str, "ADDRESS", "Dask scheduler whose workers compute, tcp://host:8786"),
+}
+#: How sentences of a sweep begin, and those of the command.
+OPTIONS = {"axes has": "--axis has", "the axis ": "--axis ", "outputs has": "--outputs has"}
+
+
+@dataclass(frozen=True)
+class Grid:
+    """What the options ask for: ``axes`` {keyword: array}, and the values of the others."""
+
+    axes: dict
+    store: Path
+    outputs: object
+    workers: int | None
+    scheduler: str | None
+
+
+def sweeps_grids(command):
+    """Decorator that adds these options; the command receives ``grid``, a :class:`Grid` or None."""
+
+    @wraps(command)
+    def with_options(**given):
+        chosen = {name: given.pop(name) for name in WORDS}
+        return command(**given, grid=_grid(**chosen))
+
+    options = [Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[
+                   kind | None, typer.Option(f"--{name}", metavar=metavar, help=words, rich_help_panel=GRID,
+                                              hidden=name == "workers")])
+               for name, (kind, metavar, words) in WORDS.items()]
+    own = [p for p in signature(command).parameters.values() if p.name != "grid"]
+    with_options.__signature__ = signature(command).replace(parameters=own + options)
+    with_options.__annotations__ = {p.name: p.annotation for p in own + options}
+    return with_options
+
+
+def _grid(axis, store, outputs, workers, scheduler):
+    """The :class:`Grid` of the options, None without any; Refused if they do not go together."""
+    others = {"--store": store, "--outputs": outputs, "--workers": workers, "--scheduler": scheduler}
+    if not axis:
+        for name, value in others.items():
+            if value is not None:
+                raise Refused(f"{name} is given; it is permitted only with --axis")
+        return None
+    if store is None:
+        raise Refused("--axis is given without --store, the folder of the table")
+    if workers is not None and scheduler is not None:
+        raise Refused("--workers and --scheduler are given; permitted is one of them")
+    if workers is not None and workers < 1:
+        raise Refused(f"--workers is {workers}; permitted is a whole number from 1 on")
+    given = [_axis(text) for text in axis]
+    for name, _ in given:
+        if [other for other, _ in given].count(name) > 1:
+            raise Refused(f"--axis has {name!r} twice; permitted is each input once")
+    with sentences(_options):
+        axes = checked_axes(dict(given))
+    if outputs is None or "," in outputs or outputs not in ("all", "patches", "geometry"):
+        outputs = "all" if outputs is None else outputs.split(",")
+    return Grid(axes, store, outputs, workers, scheduler)
+
+
+def _axis(text):
+    """Name and values (n,) of one axis; Refused if the ``text`` has another form."""
+    name, _, values = text.partition("=")
+    try:
+        if ":" in values:
+            start, stop, count = values.split(":")
+            if not 2 <= int(count) <= MOST:
+                raise Refused(f"--axis has {count} values in {text!r}; permitted are 2 ... {MOST}")
+            return name.strip(), np.linspace(float(start), float(stop), int(count))
+        return name.strip(), np.array([float(value) for value in values.split(",")])
+    except ValueError:
+        raise Refused(f"--axis is {text!r}; permitted is {FORM}") from None
+
+
+def _options(sentence):
+    """A sentence of the sweep with options in place of its arguments."""
+    for word, option in OPTIONS.items():
+        if sentence.startswith(word):
+            return option + sentence.removeprefix(word)
+    return typed(sentence)
+
+
+def refuse_beside_axes(options):
+    """Refuse the ``options`` {name: value} of a sweep in lateral shift alone, where one is given."""
+    for name, value in options.items():
+        if value is not None:
+            raise Refused(f"{name} is given; it is permitted only without --axis")
+
+
+def write_grid(grid, system, load):
+    """Compute what is missing of a table with the inputs ``load`` fixed, and print how many states it has."""
+    with _stopped(grid.store), sentences(_options), _client(grid.scheduler) as client:
+        try:
+            table = sweep(system, grid.axes, grid.outputs, grid.store, client=client, workers=grid.workers,
+                          **load)
+        except RuntimeError as failed:
+            raise Refused(f"{failed}; what is done is in {grid.store}", code=1) from None
+    counts = np.zeros(len(Status), dtype=int)
+    for part in table["status"]:
+        counts += np.bincount(part.values.ravel(), minlength=len(Status))
+    said = ", ".join(f"{count} {kind.name.lower().replace('_', ' ')}" for kind, count in zip(Status, counts)
+                     if count)
+    if not counts[:Status.UNLOADED + 1].sum():
+        raise Refused(f"no state in {grid.store} has a contact: {said}")
+    print(f"{counts.sum()} states in {grid.store}: {said}")
+
+
+@contextmanager
+def _stopped(store):
+    """Inside this context, an end by a signal says how to go on."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        raise Refused(f"interrupted; {_going_on(store)}", code=130) from None
+    except Refused as end:
+        if end.code <= 128:
+            raise
+        raise Refused(f"terminated; {_going_on(store)}", code=end.code) from None
+
+
+def _going_on(store):
+    return f"the finished blocks are in {store}, and the same command goes on from there"
+
+
+def _client(address):
+    """The client of a Dask scheduler, None without one, as a context."""
+    if address is None:
+        return nullcontext()
+    distributed = needed("distributed", "--scheduler", "cluster")
+    try:
+        return distributed.Client(address, timeout=PATIENCE)
+    except (OSError, ValueError):
+        raise Refused(f"--scheduler is {address!r}, where none answers; permitted is the address that dask "
+                      "scheduler prints, such as tcp://host:8786", code=1) from None

@@ -1,0 +1,210 @@
+"""Kinds of pictures of ``wrcontact plot``, the options that each reads, and how it is drawn."""
+
+import re
+from dataclasses import dataclass
+from functools import wraps
+from inspect import Parameter, signature
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from ..methods.numbers import check_choice
+from .door import Refused, check_file, sentences
+from .options import POSE, SYSTEM, name_of, option_of
+
+PICTURES, FILMS = (".png", ".svg", ".pdf"), (".gif", ".mp4")
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of picture: the inputs of ``pose`` that it reads ("all", "yaw", "none"), whether it needs a
+    system, and its own options."""
+
+    pose: str = "all"
+    system: bool = True
+    options: tuple = ()
+
+
+KINDS = {
+    "pose": Kind(),
+    "lines": Kind("yaw", options=("side",)),
+    "radii": Kind("yaw"),
+    "angles": Kind("yaw"),
+    "roll": Kind("yaw"),
+    "wheel": Kind(options=("side",)),
+    "patch": Kind(options=("side", "colour")),
+    "creep": Kind(options=("side", "over")),
+    "history": Kind("none", system=False, options=("run", "names", "over")),
+    "animation": Kind("none", options=("run", "frames")),
+}
+OWN = {
+    "output": (
+        Path | None,
+        typer.Option(
+            "--output",
+            metavar="FILE",
+            show_default=False,
+            help="Its file: .png, .svg, .pdf, animations .gif, .mp4 (default: KIND.png or .gif)",
+        ),
+    ),
+    "side": (
+        str,
+        typer.Option("--side", metavar="left|right", help="Wheel of lines, wheel, patch and creep"),
+    ),
+    "colour": (str, typer.Option("--colour", metavar="pressure|shear|slip", help="Colours of a patch")),
+    "over": (
+        str | None,
+        typer.Option(
+            "--over",
+            metavar="NAME",
+            show_default=False,
+            help="Axis of creep: creepage_x, creepage_y, spin; of history: a column",
+        ),
+    ),
+    "run": (
+        Path | None,
+        typer.Option(
+            "--run",
+            metavar="FILE",
+            show_default=False,
+            help="CSV file of history and animation, in SI with the names of the FMU",
+        ),
+    ),
+    "names": (
+        str | None,
+        typer.Option(
+            "--names", metavar="NAME[,NAME]", show_default=False, help="Columns of a history, of one unit"
+        ),
+    ),
+    "frames": (int, typer.Option("--frames", metavar="NUMBER", hidden=True, help="Frames of an animation")),
+}
+#: An option's name in Python at the beginning of a sentence.
+OPTION = re.compile(rf"^({'|'.join(OWN)})\b(?= is )")
+STARTS = {"side": "right", "colour": "pressure", "frames": 60}
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture that was asked for: its kind, file, and options by name."""
+
+    name: str
+    output: Path
+    chosen: dict
+
+    @property
+    def kind(self):
+        return KINDS[self.name]
+
+    @property
+    def of_pose(self):
+        """Whether it shows one pose."""
+        return self.kind.pose == "all"
+
+    def check(self, pose, system):
+        """Refuse options that this kind does not read, a wrong choice, and a file that cannot be written."""
+        for option in set(OWN) - {"output", *self.kind.options}:
+            if self.chosen[option] != STARTS.get(option):
+                kinds = " or ".join(name for name, kind in KINDS.items() if option in kind.options)
+                raise Refused(f"--{option} is given; it is permitted only with plot {kinds}")
+        read = {"all": set(pose), "yaw": {"yaw"}, "none": set()}[self.kind.pose]
+        for variables, unread in (
+            (POSE, set(pose) - read),
+            (SYSTEM, set() if self.kind.system else set(system)),
+        ):
+            for variable in variables:
+                if name_of(variable) in unread:
+                    raise Refused(f"{option_of(variable)} is given; plot {self.name} does not use it")
+        if "run" in self.kind.options and self.chosen["run"] is None:
+            raise Refused(f"--run is missing; plot {self.name} needs the CSV file of a run")
+        if self.name == "history" and not self.chosen["names"]:
+            raise Refused("--names is missing; plot history needs the names of columns")
+        with sentences():
+            check_choice("--side", self.chosen["side"], ("left", "right"))
+            check_choice("--colour", self.chosen["colour"], ("pressure", "shear", "slip"))
+        endings = FILMS if self.name == "animation" else PICTURES
+        if self.output.suffix.lower() not in endings:
+            raise Refused(
+                f"--output is {str(self.output)!r}; permitted are files that end in {', '.join(endings)}"
+            )
+        check_file(self.output)
+
+    def write(self, system, pose, state):
+        """Draw and save it; ``system`` and ``state`` are those of the options, where the kind reads them."""
+        from .. import plots
+
+        chosen = self.chosen
+        with sentences(lambda sentence: OPTION.sub(r"--\1", sentence)):
+            if self.name == "animation":
+                plots.animate(system, chosen["run"], self.output, frames=chosen["frames"])
+                return
+            plots.save(_DRAW[self.name](plots, system, pose, state, chosen), self.output)
+
+
+def _draw_creep(plots, system, pose, state, chosen):
+    """Creep curves of the patch with the largest load, with its other creepages as they are."""
+    from ..creep import patch_of
+
+    side, over = chosen["side"], chosen["over"] or "creepage_x"
+    material = {name: system.parameters[name] for name in ("youngs_modulus", "poisson_ratio")}
+    patch, _ = patch_of(state, side, **material)
+    return plots.creep_curves(patch, over=over, friction=state.inputs[f"{side}.friction"])
+
+
+def _draw_history(plots, system, pose, state, chosen):
+    names = [name.strip() for name in chosen["names"].split(",")]
+    return plots.history(chosen["run"], names, over=chosen["over"] or "time")
+
+
+def _over_shift(draw):
+    """Draw one quantity over the lateral shift."""
+    return lambda plots, system, pose, state, chosen: getattr(plots, draw)(plots.sweep(system, **pose))
+
+
+_DRAW = {
+    "pose": lambda plots, system, pose, state, chosen: plots.pose_figure(system, state),
+    "lines": lambda plots, system, pose, state, chosen: plots.contact_lines(
+        system, side=chosen["side"], **pose
+    ),
+    "radii": _over_shift("radius_difference"),
+    "angles": _over_shift("contact_angle"),
+    "roll": _over_shift("roll_angle"),
+    "wheel": lambda plots, system, pose, state, chosen: plots.wheel_on_rail(
+        system, state, side=chosen["side"]
+    ),
+    "patch": lambda plots, system, pose, state, chosen: plots.patch_map(
+        system, state, side=chosen["side"], colour=chosen["colour"]
+    ),
+    "creep": _draw_creep,
+    "history": _draw_history,
+}
+
+
+def draws(command):
+    """Decorator that adds the argument KIND and the options of pictures to a command, which gets a
+    :class:`Picture` as ``picture``."""
+
+    @wraps(command)
+    def with_picture(**given):
+        name, chosen = given.pop("kind"), {option: given.pop(option) for option in OWN}
+        with sentences():
+            check_choice("KIND", name, KINDS)
+        output = chosen.pop("output") or Path(f"{name}.{'gif' if name == 'animation' else 'png'}")
+        return command(picture=Picture(name, output, chosen), **given)
+
+    kind = Parameter(
+        "kind",
+        Parameter.KEYWORD_ONLY,
+        default="pose",
+        annotation=Annotated[str, typer.Argument(metavar="KIND", help="Kind of the picture")],
+    )
+    options = [
+        Parameter(name, Parameter.KEYWORD_ONLY, default=STARTS.get(name), annotation=Annotated[typed, option])
+        for name, (typed, option) in OWN.items()
+    ]
+    own = [one for one in signature(command).parameters.values() if one.name != "picture"]
+    with_picture.__signature__ = signature(command).replace(
+        parameters=[one.replace(kind=Parameter.KEYWORD_ONLY) for one in own] + [kind, *options]
+    )
+    with_picture.__annotations__ = {one.name: one.annotation for one in (*own, kind, *options)}
+    return with_picture

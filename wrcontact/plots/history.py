@@ -1,0 +1,167 @@
+"""Histories: quantities of a run over time or distance, from arrays, a table of states, or a file of an FMU's
+results."""
+
+import csv
+from os import PathLike, fspath
+
+import numpy as np
+
+from ..interface.variables import UNITS, VARIABLES
+from ..methods.words import did_you_mean
+from ..results.words import unit_name
+from .style import INK, SIDE_COLOUR, given_axis, styled
+
+UNITS_BY_NAME = {variable.name: variable.unit for variable in VARIABLES if variable.unit}
+#: What runs and FMUs of wheelsets have beside the variables of the contact.
+UNITS_OF_RUNS = {"time": "s", "distance": "m", "vertical_velocity": "m/s"}
+COLOURS = (INK, "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+STROKES = ("-", (0, (5, 1.5)), (0, (2, 1.2)), (0, (6, 1.5, 1, 1.5)))
+
+
+@styled
+def history(run, names, axis=None, *, over="time"):
+    """Quantities of one unit over time or distance, in display units.
+
+    Parameters
+    ----------
+    run : arrays (n,) in SI by FMU name: a dict, the result of fmpy, a DataFrame, a table of states of
+        ``evaluate_many``, or the path of a CSV file with a line of names.
+    names : one FMU name, or several of the same unit; "normal_force" stands for that of both wheels where
+        there is no other.
+    axis : axis of matplotlib; None for one in a new figure.
+    over : name of what runs along the axis, or an array (n,) of times [s].
+
+    Returns
+    -------
+    axis
+
+    Raises
+    ------
+    ValueError
+        in a sentence, where a name is unknown or the units differ.
+    """
+    run = run_of(run)
+    names = [each for name in ([names] if isinstance(names, str) else names) for each in _of_sides(run, name)]
+    units = {unit_of(name) for name in names}
+    if len(units) != 1:
+        raise ValueError(f"{' and '.join(names)} have {len(units)} units; permitted is one for an axis")
+    (unit,) = units
+    along, words = _along(run, over)
+    axis, common = given_axis(axis, 6.4, 3.2), _common(names)
+    for place, name in enumerate(names):
+        side = name.split(".")[0]
+        colour = SIDE_COLOUR.get(side, COLOURS[place % len(COLOURS)])
+        axis.plot(
+            along,
+            column(run, name) * UNITS[unit].display_factor,
+            color=colour,
+            label=name if not common else side,
+            linewidth=1.2,
+            linestyle=STROKES[place % len(STROKES)],
+        )
+    axis.set(xlim=(np.nanmin(along), np.nanmax(along)), xlabel=words, ylabel=_bracketed(common, unit))
+    if len(names) > 1:
+        axis.legend(loc="best")
+    return axis
+
+
+def _of_sides(run, name):
+    """The name, or those of both wheels where the run has only these."""
+    sides = [f"{side}.{name}" for side in SIDE_COLOUR]
+    return sides if name not in names_of(run) and all(each in names_of(run) for each in sides) else [name]
+
+
+def _along(run, over):
+    """The numbers along the axis and their words."""
+    if not isinstance(over, str):
+        return np.asarray(over, dtype=float), "time [s]"
+    unit = unit_of(over)
+    if over == "distance":
+        return column(run, over), "distance [m]"
+    return column(run, over) * UNITS[unit].display_factor, _bracketed(over, unit)
+
+
+def _common(names):
+    """The name that all have beside the side; "" where there are several."""
+    ends = {name.partition(".")[2] if name.split(".")[0] in SIDE_COLOUR else name for name in names}
+    return ends.pop() if len(ends) == 1 else ""
+
+
+def _bracketed(words, unit):
+    """Words with the display unit in brackets."""
+    return f"{words} [{unit_name(unit) or '-'}]".strip().replace("mm2", "mm²")
+
+
+def unit_of(name):
+    """The SI unit of a variable by its FMU name; "1" of another one."""
+    return UNITS_BY_NAME.get(name) or UNITS_OF_RUNS.get(name, "1")
+
+
+# --- runs ---------------------------------------------------------------------------------------------------
+
+
+def run_of(run):
+    """A run as it is, or from the file at a path: arrays (n,) by name."""
+    return read_run(run) if isinstance(run, str | PathLike) else run
+
+
+def names_of(run):
+    """Names of the columns of a run."""
+    if hasattr(run, "inputs"):  # a table of states
+        from ..results.columns import INPUT_PLACES
+
+        return (*run.names, *INPUT_PLACES, "status")
+    dtype = getattr(run, "dtype", None)
+    return tuple(getattr(dtype, "names", None) or (run.keys() if hasattr(run, "keys") else run.columns))
+
+
+def column(run, name):
+    """One column (n,) of a run in SI.
+
+    Raises
+    ------
+    ValueError
+        where the run has no such column, in a sentence.
+    """
+    if name not in names_of(run):
+        raise ValueError(
+            f"there is no {name!r}{did_you_mean(name, names_of(run)) or '; permitted is a name of the run'}"
+        )
+    return np.asarray(run[name], dtype=float)
+
+
+def read_run(path):
+    """Arrays (n,) by name from a CSV file: a line of names, then numbers, as fmpy and ``wrcontact sweep``
+    write it.
+
+    Raises
+    ------
+    ValueError
+        where a line has not as many numbers as there are names, in a sentence.
+    """
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            rows = [row for row in csv.reader(file) if row]
+    except (UnicodeDecodeError, csv.Error) as wrong:
+        raise ValueError(f"{fspath(path)} is no CSV file: {wrong}") from None
+    if len(rows) < 2:
+        raise ValueError(
+            f"{fspath(path)} has no rows; permitted is a line of names, and lines of numbers below"
+        )
+    names = [name.strip() for name in rows[0]]
+    for line, row in enumerate(rows[1:], 2):
+        if len(row) != len(names):
+            raise ValueError(
+                f"row {line} of {fspath(path)} has {len(row)} values; permitted are as many as there are "
+                f"names, {len(names)}"
+            )
+    try:
+        values = np.array([[_number(value) for value in row] for row in rows[1:]])
+    except ValueError as wrong:
+        raise ValueError(f"{fspath(path)} has a value that is no number: {wrong}") from None
+    return dict(zip(names, values.T))
+
+
+def _number(text):
+    """A number, also of a Boolean as fmpy writes it; NaN of an empty cell."""
+    return {"True": 1.0, "False": 0.0, "": np.nan}[text] if text in ("True", "False", "") else float(text)

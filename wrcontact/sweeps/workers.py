@@ -1,0 +1,129 @@
+"""The blocks of a sweep, solved by threads, by the workers of Dask, or, on the half-space, by processes."""
+
+import math
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass
+
+import numpy as np
+
+from .. import __version__
+from ..methods import Halfspace
+from ..progress import silently
+from ..results.convert import needed
+from .grid import block_at
+from .question import Question
+from .stores import EMPTY, plain
+
+#: Blocks that are sent to the scheduler of Dask at once.
+BATCH = 200
+#: Time in which a scheduler has to have a worker [s].
+PATIENCE = 30.0
+
+
+@dataclass(frozen=True)
+class Task:
+    """What a worker needs to solve any block: the question, and the store that it writes to."""
+
+    question: Question
+    store: object
+    version: str = __version__
+
+    def missing(self):
+        """Corners (n, axes) of the blocks that are not there yet."""
+        block = self.store.block
+        first = self.store.arrays()["status"][tuple(slice(None, None, width) for width in block)]
+        return np.argwhere(np.asarray(first) == EMPTY) * block
+
+    def states(self, corners):
+        """The number of states in the blocks at ``corners``."""
+        return sum(math.prod(piece.stop - piece.start for piece in self._at(corner)) for corner in corners)
+
+    def _at(self, corner):
+        return block_at(corner, self.store.block, self.question.sizes)
+
+    def solve(self, corner, **shared):
+        """Solve the block at ``corner`` and write it, its status last; return the number of its states and of
+        those without a result.  ``shared`` says how many threads or processes share it."""
+        question, arrays = self.question, self.store.arrays()
+        at = self._at(corner)
+        parts = [values[piece] for values, piece in zip(question.axes.values(), at)]
+        grid = dict(zip(question.axes, (one.ravel() for one in np.meshgrid(*parts, indexing="ij"))))
+        table = question.system.evaluate_many(outputs=question.outputs, **grid, **question.fixed, **shared)
+        shape = tuple(map(len, parts))
+        for name in question.names:
+            arrays[plain(name)][at] = table[name].reshape(shape)
+        arrays["status"][at] = table.status.reshape(shape).astype(np.int8)
+        return table.status.size, int(np.count_nonzero(table.status > 1))
+
+
+def solve_here(task, corners, workers, advance):
+    """Solve the blocks at ``corners`` in this process and call ``advance`` with what :meth:`Task.solve`
+    returns; few blocks are shared by several threads each."""
+    if isinstance(task.question.system.methods["normal_model"], Halfspace):
+        for corner in corners:
+            advance(*task.solve(corner, processes=workers))
+        return
+
+    def solve(corner):
+        with silently():
+            return task.solve(corner, threads=max(1, workers // len(corners)))
+
+    with ThreadPoolExecutor(workers) as pool:
+        futures = [pool.submit(solve, corner) for corner in corners]
+        try:
+            for future in as_completed(futures):
+                advance(*future.result())
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+
+
+def solve_on_cluster(task, client, advance):
+    """Solve the blocks that are missing by the workers of a Dask ``client``, until none is: what a worker has
+    not finished when it dies is done by another one."""
+    left = task.missing()
+    if len(left):
+        _await_workers(client)
+    while len(left):
+        lost, told = _solve_once(task, client, left, advance)
+        before, left = left, task.missing() if lost else ()
+        if lost:        # some of these may have been written
+            advance(task.states(before) - task.states(left) - told, 0)
+
+
+def _solve_once(task, client, corners, advance):
+    """Give every block at ``corners`` to a worker once; the number of blocks that were lost, since all
+    workers that had the task have died, and of the states that were told of."""
+    distributed, lost, told = needed("distributed", "client", "cluster"), 0, 0
+    shipped = client.scatter(task, broadcast=True, hash=False)
+    futures = client.map(_solve, corners.tolist(), task=shipped, pure=False, batch_size=BATCH)
+    try:
+        for future in distributed.as_completed(futures):
+            if future.status == "cancelled":
+                lost += 1
+                continue
+            states, wrong = future.result()
+            future.release()        # or it would be done again where its worker dies
+            advance(states, wrong)
+            told += states
+    except distributed.KilledWorker:
+        raise RuntimeError("several workers have died with the same block; permitted are workers that have "
+                           "the memory for it") from None
+    finally:
+        client.cancel([future for future in futures if future.status == "pending"])
+    return lost, told
+
+
+def _await_workers(client):
+    """RuntimeError where the scheduler has no workers for some time."""
+    try:
+        client.wait_for_workers(1, PATIENCE)
+    except TimeoutError:
+        raise RuntimeError(f"the scheduler {client.scheduler.address} has no workers") from None
+
+
+def _solve(corner, task):
+    """One block on a worker."""
+    if task.version != __version__:
+        raise RuntimeError(f"a worker has wrcontact {__version__}; permitted is {task.version}, which asks")
+    return task.solve(corner, threads=1)
