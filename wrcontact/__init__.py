@@ -17,7 +17,7 @@ from .stepper import Stepper
 from .system import ContactSystem
 from .wheel import WheelContact, WheelState
 
-__version__ = "0.2.0.dev0"
+__version__ = "1.0.0"
 #: Functions that are imported when they are first used: an FMU does not have them.
 _FUNCTIONS = {"interpolate": ".sweeps.interpolation", "sweep": ".sweeps.run"}
 __all__ = ["ContactSystem", "CreepForces", "CreepPatch", "Friction", "GuidingForces", "Material", "Profile",
