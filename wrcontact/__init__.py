@@ -22,15 +22,19 @@ __all__ = ["ContactSystem", "CreepForces", "CreepPatch", "Friction", "GuidingFor
            "ProfileFile", "ProfileWarning", "Status", "Stepper", "Track", "UnusualValueWarning",
            "WheelContact", "WheelState", "Wheelset", "WheelsetState", "check", "creep_forces",
            "elliptic_patch", "explain", "guiding_forces", "low_pass", "motion_of", "outlined_patch",
-           "patch_of", "sliding_mean", *_methods]
+           "patch_of", "sliding_mean", *_methods, "ArchardMap", "BritishRail", "Usfd", "Wear", "WearRun", "Zobory",
+           "fatigue", "wear_run"]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
-_LATER = frozenset({"conditioning", "halfspace", "plots", "study"})
+_LATER = frozenset({"conditioning", "halfspace", "plots", "study", "wear"})
+_OF_WEAR = frozenset({"ArchardMap", "BritishRail", "Usfd", "Wear", "WearRun", "Zobory", "fatigue", "wear_run"})
 
 
 def __getattr__(name):
     if name in _LATER:
         return import_module(f".{name}", __name__)
+    if name in _OF_WEAR:
+        return getattr(import_module(".wear", __name__), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
