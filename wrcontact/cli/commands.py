@@ -1,4 +1,4 @@
-"""The commands ``demo``, ``build``, ``solve``, ``sweep``, ``plot``, ``check`` and ``figures``."""
+"""The commands ``demo``, ``build``, ``solve``, ``sweep``, ``plot``, ``check``, ``wear`` and ``figures``."""
 
 import os
 import sys
@@ -36,6 +36,7 @@ from .report import (
 )
 from .tables import writes_tables
 from .typed import Typed, remark_lines, typed
+from .wear import wear
 
 main = typer.Typer(
     name="wrcontact", cls=Door, add_completion=False, pretty_exceptions_enable=False,
@@ -301,6 +302,9 @@ def check(geometry,
     print(f"\npicture written to {' and '.join(map(str, pictures))}")
     if not report.usable:
         raise typer.Exit(1)
+
+
+main.command(cls=Command, rich_help_panel=CONTACT)(with_all(reads_files(takes(geometry=GEOMETRY)(wear))))
 
 
 @main.command(cls=Command, rich_help_panel=STUDY)

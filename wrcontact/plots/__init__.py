@@ -13,6 +13,8 @@ from .patch import outline_figure
 from .pose import contact_figure, pose_figure
 from .style import save
 from .sweep import sweep, sweep_figure
+from .wear import fatigue_figure, shakedown_figure, wear_depth_figure, wear_figure
 
-__all__ = ["check_figure", "contact_figure", "demo_figure", "find_jumps", "outline_figure", "pose_figure",
-           "save", "sweep", "sweep_figure"]
+__all__ = ["check_figure", "contact_figure", "demo_figure", "fatigue_figure", "find_jumps", "outline_figure",
+           "pose_figure", "save", "shakedown_figure", "sweep", "sweep_figure", "wear_depth_figure",
+           "wear_figure"]

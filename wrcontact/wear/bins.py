@@ -57,6 +57,15 @@ class Arc:
         return np.interp(self.middles, self.s, self.abscissa)
 
     @property
+    def own_places(self):
+        """The same in the frame of the profile itself, also of an inclined rail [m]."""
+        return np.interp(self.middles, self.s, self.y)
+
+    def interpolated(self, values, y):
+        """``values`` (bins,) at places ``y`` [m] of the profile itself."""
+        return np.interp(y, self.own_places, values)
+
+    @property
     def width(self):
         """Arc length of a bin [m]."""
         return self.edges[1]

@@ -12,11 +12,13 @@ from .laws import law_of
 from .shape import WheelShape, rolling_conicity, wheel_shape
 from .steps import WearRun, WearStep
 from .store import Store
-from .update import worn_profile
+from .update import moved_places, worn_profile
 
 #: Steps of a run at most, and share of the mileage below which a last step is not worth a simulation.
 MOST_STEPS, LEAST = 10_000, 1e-9
-OPTIONS = ("mirrored", "bin_width", "store")
+OPTIONS = ("method", "mirrored", "bin_width", "store")
+#: Ways to go a step: with the wear of the profiles half-way, or with that of those at its beginning.
+METHODS = ("midpoint", "euler")
 
 
 def wear_run(simulate, system, law, mileage, depth_step=1e-4, *, part="wheel", smoothing=1e-3, **options):
@@ -29,11 +31,13 @@ def wear_run(simulate, system, law, mileage, depth_step=1e-4, *, part="wheel", s
         of a route; or a :class:`~wrcontact.Wear` to which it has added its results, as a file of an FMU.
     law : as for :class:`~wrcontact.Wear`.
     mileage : [m]; of rails the number of passages.
-    depth_step : largest depth of a step [m], 1e-6 ... 1e-3.
+    depth_step : largest depth of a step before it is smoothed [m], 1e-6 ... 1e-3.
     part : "wheel" or "rail".
     smoothing : of the depth over arc [m], see :meth:`wrcontact.Wear.worn`.
-    options : ``mirrored`` and ``bin_width`` of :class:`~wrcontact.Wear`; ``store``, a folder in which a run is
-        kept, so that it continues after an interruption, or to a larger mileage.
+    options : ``method``, "midpoint", which simulates a step twice, at its beginning and with profiles worn by
+        half of it, whose wear then counts; or "euler", once, with an error of first order.  ``mirrored`` and
+        ``bin_width`` of :class:`~wrcontact.Wear`.  ``store``, a folder in which a run is kept, so that it
+        continues after an interruption, or to a larger mileage.
 
     Raises
     ------
@@ -47,6 +51,7 @@ def wear_run(simulate, system, law, mileage, depth_step=1e-4, *, part="wheel", s
         raise ValueError(f"depth_step is {depth_step!r} m; permitted is 1e-06 ... 0.001 m")
     for name in options:
         check_choice("a keyword of wear_run", name, OPTIONS)
+    check_choice("method", options.get("method", METHODS[0]), METHODS)
     law = law_of(law)
     plan = Plan(simulate, law, part, dict(zip(SIDES, profiles_of(system, part))), mileage, depth_step,
                 smoothing, options)
@@ -98,16 +103,30 @@ class Plan(NamedTuple):
         wear = self.filled(self.simulate(system), system)
         names = {side: f"{side}.{self.part}" for side in SIDES}
         arcs = {side: wear.arcs[name] for side, name in names.items()}
-        deepest = max(np.max(wear.smooth_depth(name, self.smoothing)) for name in names.values())
+        deepest = max(np.max(wear.depth(name)[1]) for name in names.values())      # before it is smoothed
         length = min(left, self.depth_step / deepest) if deepest > 0.0 else left
         depth = {side: wear.smooth_depth(name, self.smoothing) * length for side, name in names.items()}
+        if self.options.get("method", METHODS[0]) == "midpoint":
+            wear, depth = self.halfway(system, arcs, depth, length)
         worn = {side: worn_profile(arcs[side], depth[side]) for side in SIDES}
         # places in the profile's own frame, also of an inclined rail
-        where = {side: (np.interp(arc.middles, arc.s, arc.y), depth[side]) for side, arc in arcs.items()}
+        where = {side: (arc.own_places, depth[side]) for side, arc in arcs.items()}
         taken = {side: float(np.sum(depth[side]) * arcs[side].width) for side in SIDES}
         shares = {side: wear.shares(name) for side, name in names.items()}
         return WearStep(done, float(length), profiles, where, taken, shapes, conicity, shares,
                         wear.left_out), worn
+
+    def halfway(self, system, arcs, depth, length):
+        """Wear of the profiles after half of a step, and the depth of the whole one by it, at the same points
+        of the material."""
+        worn = {side: worn_profile(arcs[side], 0.5 * depth[side]) for side in SIDES}
+        middle = with_profiles(system, self.part, [worn[side] for side in SIDES])
+        wear, found = self.filled(self.simulate(middle), middle), {}
+        for side in SIDES:
+            name = f"{side}.{self.part}"
+            places = moved_places(arcs[side], 0.5 * depth[side], worn[side])
+            found[side] = wear.arcs[name].interpolated(wear.smooth_depth(name, self.smoothing), places) * length
+        return wear, found
 
     def shape(self, profile, side, steps):
         """The :class:`~wrcontact.wear.WheelShape` after these steps; of rails only the worn area."""
@@ -120,7 +139,8 @@ class Plan(NamedTuple):
         """What ``simulate`` has returned, as a :class:`~wrcontact.Wear`."""
         if isinstance(found, Wear):
             return found
-        wear = Wear(system, self.law, **self.options)
+        wear = Wear(system, self.law, **{name: value for name, value in self.options.items()
+                                         if name != "method"})
         for section in found if isinstance(found, list) else [found]:
             wear.add(*(section if isinstance(section, tuple) else (section,)))
         return wear

@@ -11,8 +11,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..conditioning.conicity import equivalent_conicity
-from ..conventions import SIDES
 from ..results.words import ShortText
 
 #: Height above the running circle at which the flange is measured, and depth below its tip for qR [m].
@@ -84,6 +82,8 @@ def _flange(y, z, back):
 def rolling_conicity(system):
     """Equivalent conicity at 3 mm [1] of a wheelset that rolls about its x axis with its profiles, under its
     usual load; NaN without an oscillation."""
+    from ..conditioning.conicity import equivalent_conicity  # needs scipy
+
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         rigid = type(system)((system.left_wheel, system.wheel), (system.left_rail, system.rail),

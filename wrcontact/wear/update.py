@@ -72,6 +72,17 @@ def worn_profile(arc, depth, remarks=()):
     return Profile(profile.name, profile.kind, zones, profile.smooth, reading=reading)
 
 
+def moved_places(arc, depth, worn):
+    """Places (bins,) [m] on the ``worn`` profile of what lies in the middles of the bins, see
+    :func:`worn_profile`."""
+    y = np.append(arc.y[0], arc.own_places)
+    d = np.append(depth[0], depth)
+    _, slope = evaluate(arc.profile, y)
+    across = y + (1.0 if arc.profile.kind == "wheel" else -1.0) * d * slope / np.hypot(1.0, slope)
+    shift = across[0] - arc.y[0] + arc.profile.start - worn.start if arc.profile.kind == "rail" else 0.0
+    return across[1:] - shift
+
+
 def _not_steep(arc, start, stop):
     """The stretch from ``start`` to ``stop`` [m of arc], without an end that is nearly vertical."""
     inside = np.flatnonzero((arc.s >= start) & (arc.s <= stop))
