@@ -18,16 +18,16 @@ from .system import ContactSystem
 from .wheel import WheelContact, WheelState
 
 __version__ = "0.2.0.dev0"
+#: Names of the room ``wear``, which is imported when one of them is first used.
+_OF_WEAR = ("ArchardMap", "BritishRail", "Usfd", "Wear", "WearRun", "Zobory", "fatigue", "wear_run")
 __all__ = ["ContactSystem", "CreepForces", "CreepPatch", "Friction", "GuidingForces", "Material", "Profile",
            "ProfileFile", "ProfileWarning", "Status", "Stepper", "Track", "UnusualValueWarning",
            "WheelContact", "WheelState", "Wheelset", "WheelsetState", "check", "creep_forces",
            "elliptic_patch", "explain", "guiding_forces", "low_pass", "motion_of", "outlined_patch",
-           "patch_of", "sliding_mean", *_methods, "ArchardMap", "BritishRail", "Usfd", "Wear", "WearRun", "Zobory",
-           "fatigue", "wear_run"]
+           "patch_of", "sliding_mean", *_methods, *_OF_WEAR]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
 _LATER = frozenset({"conditioning", "halfspace", "plots", "study", "wear"})
-_OF_WEAR = frozenset({"ArchardMap", "BritishRail", "Usfd", "Wear", "WearRun", "Zobory", "fatigue", "wear_run"})
 
 
 def __getattr__(name):

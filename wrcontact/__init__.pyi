@@ -5,6 +5,7 @@ from . import conditioning as conditioning
 from . import halfspace as halfspace
 from . import plots as plots
 from . import study as study
+from . import wear as wear
 from .conditioning import Conditioning
 from .system import ContactSystem as ContactSystem
 from .creep.forces import CreepForces as CreepForces
@@ -56,6 +57,14 @@ from .methods.tangential import Fastsim as Fastsim
 from .methods.tangential import Fastrip as Fastrip
 from .methods.tangential import Polach as Polach
 from .methods.tangential import HalfspaceRolling as HalfspaceRolling
+from .wear.laws import ArchardMap as ArchardMap
+from .wear.laws import BritishRail as BritishRail
+from .wear.laws import Usfd as Usfd
+from .wear.accumulate import Wear as Wear
+from .wear.steps import WearRun as WearRun
+from .wear.laws import Zobory as Zobory
+from .wear.fatigue import fatigue as fatigue
+from .wear.run import wear_run as wear_run
 
 __version__: str
 

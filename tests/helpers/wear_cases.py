@@ -8,10 +8,24 @@ import wrcontact
 from tests.helpers.paths import ROOT
 
 #: Constants that tests give to laws without defaults; as they are quoted in the literature.
-ARCHARD = {"hardness": 3e9, "slow": 5e-4, "middle": 35e-4, "fast": 5e-4, "pressed": 350e-4, "first": 0.2,
-           "second": 0.7, "share": 0.8}
-BRITISH_RAIL = {"mild": 0.25e-12, "plateau": 25e-12, "steep": 1.19e-12, "offset": 154e-12, "first": 100.0,
-                "second": 200.0}
+ARCHARD = {
+    "hardness": 3e9,
+    "slow": 5e-4,
+    "middle": 35e-4,
+    "fast": 5e-4,
+    "pressed": 350e-4,
+    "first": 0.2,
+    "second": 0.7,
+    "share": 0.8,
+}
+BRITISH_RAIL = {
+    "mild": 0.25e-12,
+    "plateau": 25e-12,
+    "steep": 1.19e-12,
+    "offset": 154e-12,
+    "first": 100.0,
+    "second": 200.0,
+}
 ZOBORY = {"mild": 7e-10, "severe": 2.1e-9, "limit": 4e6}
 MODELS = {"tangential_model": "strips", "normal_model": "analyn_strip", "wear_outputs": True}
 
@@ -37,8 +51,12 @@ def table():
 def mirrored(inputs):
     """The same poses as they look in a mirror."""
     turned = {name: -inputs[name] for name in ("lateral_shift", "yaw", "track_curvature")}
-    return {**inputs, **turned, "left_friction": inputs["right_friction"],
-            "right_friction": inputs["left_friction"]}
+    return {
+        **inputs,
+        **turned,
+        "left_friction": inputs["right_friction"],
+        "right_friction": inputs["left_friction"],
+    }
 
 
 def energy(power_density):

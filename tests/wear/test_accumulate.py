@@ -33,7 +33,7 @@ def worn_by(law, **options):
 def test_worn_mass_is_the_friction_work_s(side, part):
     """A law of energy takes k times the mean friction power over the speed, to rounding."""
     share = poses()[1]
-    work = np.sum(share * getattr(table(), side).friction_power / 20.0) / np.sum(share)     # [J/m]
+    work = np.sum(share * getattr(table(), side).friction_power / 20.0) / np.sum(share)  # [J/m]
     assert worn_by(energy).mass(f"{side}.{part}") == pytest.approx(1e-9 * work, rel=1e-12)
 
 
@@ -89,9 +89,16 @@ def test_a_file_of_an_fmu_has_the_same_mass(tmp_path):
     columns = columns_of(table())
     columns["distance"] = np.cumsum(poses()[1])
     file = tmp_path / "result.csv"
-    file.write_text(",".join(columns) + "\n" + "\n".join(
-        ",".join(repr(float(cell)) for cell in row) for row in zip(*columns.values())))
-    for law, bound in ((energy, 1e-9), (wrcontact.Usfd(), 3e-3), (wrcontact.BritishRail(**BRITISH_RAIL), 1e-9)):
+    file.write_text(
+        ",".join(columns)
+        + "\n"
+        + "\n".join(",".join(repr(float(cell)) for cell in row) for row in zip(*columns.values()))
+    )
+    for law, bound in (
+        (energy, 1e-9),
+        (wrcontact.Usfd(), 3e-3),
+        (wrcontact.BritishRail(**BRITISH_RAIL), 1e-9),
+    ):
         read, direct = wrcontact.Wear(system(), law), wrcontact.Wear(system(), law)
         read.add_fmu(file, distance=poses()[1])
         direct.add(table(), poses()[1])
@@ -101,7 +108,42 @@ def test_a_file_of_an_fmu_has_the_same_mass(tmp_path):
     half = 0.5 * (np.append(steps, 0) + np.insert(steps, 0, 0))
     assert along.distance == pytest.approx(steps.sum(), rel=1e-12)
     assert along.mass("left.wheel") == pytest.approx(
-        1e-9 * half @ table().left.friction_power / 20.0 / steps.sum(), rel=1e-9)
+        1e-9 * half @ table().left.friction_power / 20.0 / steps.sum(), rel=1e-9
+    )
+
+
+@pytest.mark.full
+def test_results_of_the_native_fmu_wear_as_python_s(fmus, tmp_path):
+    """fmpy runs the FMU along poses; its results, as fmpy returns and writes them, against evaluate_many."""
+    fmpy = pytest.importorskip("fmpy")
+    from fmpy.util import write_csv
+
+    inputs, time = poses()[0], np.arange(60.0)
+    given = [(name.replace("_friction", ".friction"), values) for name, values in inputs.items()]
+    signals = np.rec.fromarrays(
+        [time, *(values for _, values in given)], names=["time", *(n for n, _ in given)]
+    )
+    names = [name for name in columns_of(table()) if "patch[" in name or "[" in name or "power" in name]
+    # results of a step are those of the inputs at its end
+    found = fmpy.simulate_fmu(
+        str(fmus[2]),
+        stop_time=59.0,
+        step_size=1.0,
+        output_interval=1.0,
+        input=signals,
+        start_values={"tangential_model": "strips", "normal_model": "analyn_strip", "wear_outputs": True},
+        output=["speed", "status", "left.friction", "right.friction", *names],
+    )
+    write_csv(tmp_path / "result.csv", found)
+    direct = wrcontact.Wear(system(), wrcontact.Usfd())
+    direct.add_fmu(columns_of(table()), distance=1.0)
+    for results in (found, tmp_path / "result.csv"):
+        wear = wrcontact.Wear(system(), wrcontact.Usfd())
+        wear.add_fmu(results, distance=1.0)
+        assert (wear.rows, wear.left_out) == (60, 0)
+        for part in PARTS:
+            assert wear.mass(part) == pytest.approx(direct.mass(part), rel=0.05), part
+            assert wear.depth(part)[1].max() == pytest.approx(direct.depth(part)[1].max(), rel=0.1), part
 
 
 def test_distance_counts_and_not_time():
@@ -111,7 +153,9 @@ def test_distance_counts_and_not_time():
     wear = wrcontact.Wear(system(), energy)
     wear.add_fmu({**found, "time": np.array([0.0, 1.0])})
     assert wear.distance == pytest.approx(0.5 * (10.0 + 30.0))
-    work = 0.5 * (10.0 * found["right.friction_power"][0] / 10.0 + 30.0 * found["right.friction_power"][1] / 30.0)
+    work = 0.5 * (
+        10.0 * found["right.friction_power"][0] / 10.0 + 30.0 * found["right.friction_power"][1] / 30.0
+    )
     assert wear.mass("right.wheel") == pytest.approx(1e-9 * work / 20.0, rel=1e-9)
 
 
@@ -134,7 +178,9 @@ def test_shares_are_those_of_the_mass():
     assert sum(shares.values()) == pytest.approx(1.0, rel=1e-12)
     assert list(shares) == ["slow", "middle", "fast", "pressed"]
     without = worn_by(wrcontact.ArchardMap(**{**ARCHARD, "middle": 0.0}))
-    assert without.mass("right.wheel") == pytest.approx((1 - shares["middle"]) * wear.mass("right.wheel"), rel=1e-9)
+    assert without.mass("right.wheel") == pytest.approx(
+        (1 - shares["middle"]) * wear.mass("right.wheel"), rel=1e-9
+    )
 
 
 def test_the_bootstrap_has_the_spread_of_a_mean():
@@ -142,7 +188,7 @@ def test_the_bootstrap_has_the_spread_of_a_mean():
     wear = wrcontact.Wear(system(), energy)
     wear.add(table())
     power = table().right.friction_power / 20.0
-    expected = 1e-9 * power.std() / np.sqrt(len(power))                     # of the mass per metre
+    expected = 1e-9 * power.std() / np.sqrt(len(power))  # of the mass per metre
     draw = np.random.default_rng(0)
     added = wear.additions[0]
     sums = added.sums["right.wheel"].sum(axis=1)
@@ -171,28 +217,51 @@ def few(**changes):
 NO_CREEP = wrcontact.ContactSystem(wear_outputs=True)
 
 
-@pytest.mark.parametrize("wrong, words", [
-    (lambda wear: wear.add(NO_CREEP.evaluate_many([0.0], speed=20.0)), "has no creep forces; wear needs results"),
-    (lambda wear: wear.add(wrcontact.ContactSystem().evaluate_many([0.0])), "has no outputs of wear; wear needs"),
-    (lambda wear: wear.add(few(speed=[20.0, 0.0, 20.0])), "speed is 0 in row 1 of the table"),
-    (lambda wear: wear.add(few(), distance=[1.0, -2.0, 1.0]), "distance is -2 m in a row"),
-    (lambda wear: wear.add(few(), distance=0.0), "distance is 0 m in a row"),
-    (lambda wear: wear.add_fmu({"speed": [1.0]}), "has no column 'right.power[1]'; wear needs results"),
-    (lambda wear: wear.add_fmu({"time": [1.0]}), "the results has no column 'speed'"),
-    (lambda wear: wear.add_fmu(columns_of(few())), "has no column 'time'"),
-    (lambda wear: wear.add_fmu("result.xlsx"), "ends in '.xlsx'; permitted are .csv and .parquet"),
-    (lambda wear: wear.depth("right.wheel"), "nothing has run yet"),
-    (lambda wear: (wear.add(few()), wear.depth("wheel")), "part is 'wheel'; permitted are 'left.wheel'"),
-    (lambda wear: (wear.add(few()), wear.worn("right.wheel", 0.0)), "distance is 0.0; permitted is distance > 0"),
-    (lambda wear: (wear.add(few()), wear.worn("right.wheel", 1e12)), "mm in one step; permitted are 2 mm"),
-    (lambda wear: (wear.add(few()), wear.worn("right.wheel", 1e6, smoothing=6e-3)), "smoothing is 0.006 m; "
-     "permitted is 0 ... 0.005 m"),
-    (lambda wear: wrcontact.Wear(system(), "archard"), "law is 'archard'; permitted are Usfd()"),
-    (lambda wear: wrcontact.Wear(system(), lambda power_density: -power_density).add(few()), "permitted are "
-     "rates >= 0"),
-    (lambda wear: wrcontact.Wear(wrcontact.ContactSystem(("S1002", "cone20"), **MODELS), energy, mirrored=True),
-     "mirrored is True and the left side differs"),
-])
+@pytest.mark.parametrize(
+    "wrong, words",
+    [
+        (
+            lambda wear: wear.add(NO_CREEP.evaluate_many([0.0], speed=20.0)),
+            "has no creep forces; wear needs results",
+        ),
+        (
+            lambda wear: wear.add(wrcontact.ContactSystem().evaluate_many([0.0])),
+            "has no outputs of wear; wear needs",
+        ),
+        (lambda wear: wear.add(few(speed=[20.0, 0.0, 20.0])), "speed is 0 in row 1 of the table"),
+        (lambda wear: wear.add(few(), distance=[1.0, -2.0, 1.0]), "distance is -2 m in a row"),
+        (lambda wear: wear.add(few(), distance=0.0), "distance is 0 m in a row"),
+        (lambda wear: wear.add_fmu({"speed": [1.0]}), "has no column 'right.power[1]'; wear needs results"),
+        (lambda wear: wear.add_fmu({"time": [1.0]}), "the results has no column 'speed'"),
+        (lambda wear: wear.add_fmu(columns_of(few())), "has no column 'time'"),
+        (lambda wear: wear.add_fmu("result.xlsx"), "ends in '.xlsx'; permitted are .csv and .parquet"),
+        (lambda wear: wear.depth("right.wheel"), "nothing has run yet"),
+        (lambda wear: (wear.add(few()), wear.depth("wheel")), "part is 'wheel'; permitted are 'left.wheel'"),
+        (
+            lambda wear: (wear.add(few()), wear.worn("right.wheel", 0.0)),
+            "distance is 0.0; permitted is distance > 0",
+        ),
+        (
+            lambda wear: (wear.add(few()), wear.worn("right.wheel", 1e12)),
+            "mm in one step; permitted are 2 mm",
+        ),
+        (
+            lambda wear: (wear.add(few()), wear.worn("right.wheel", 1e6, smoothing=6e-3)),
+            "smoothing is 0.006 m; permitted is 0 ... 0.005 m",
+        ),
+        (lambda wear: wrcontact.Wear(system(), "archard"), "law is 'archard'; permitted are Usfd()"),
+        (
+            lambda wear: wrcontact.Wear(system(), lambda power_density: -power_density).add(few()),
+            "permitted are rates >= 0",
+        ),
+        (
+            lambda wear: wrcontact.Wear(
+                wrcontact.ContactSystem(("S1002", "cone20"), **MODELS), energy, mirrored=True
+            ),
+            "mirrored is True and the left side differs",
+        ),
+    ],
+)
 def test_bad_input_is_refused_in_a_sentence(wrong, words):
     with pytest.raises(ValueError) as refused:
         wrong(wrcontact.Wear(system(), energy))

@@ -10,7 +10,7 @@ from wrcontact.profiles.profile import Profile
 from wrcontact.profiles.zones import Arc as Circle
 from wrcontact.wear.bins import Arc, evaluate
 from wrcontact.wear.shape import wheel_shape
-from wrcontact.wear.update import smoothed, worn_profile
+from wrcontact.wear.update import moved_places, smoothed, worn_profile
 
 #: Kind of profile, side of the circle (+1: its lower half), and which way its radius goes.
 CIRCLES = (("wheel", +1, -1), ("wheel", -1, +1), ("rail", -1, -1))
@@ -52,7 +52,10 @@ def test_unworn_pieces_stay():
     worn = worn_profile(arc, depth)
     places = arc.places[depth > 0.0]
     assert worn.zones[0] == wheel.zones[0] and worn.zones[-1].stop == wheel.zones[-1].stop
-    for y in (np.linspace(wheel.start, places[0] - 1e-3, 500), np.linspace(places[-1] + 1e-3, wheel.stop, 500)):
+    for y in (
+        np.linspace(wheel.start, places[0] - 1e-3, 500),
+        np.linspace(places[-1] + 1e-3, wheel.stop, 500),
+    ):
         assert worn.height(y) == pytest.approx(wheel.height(y), abs=1e-15)
     assert max(abs(joint.slope_step) for joint in worn.joints) < 3e-5
 
@@ -69,31 +72,48 @@ def test_depth_on_a_flank_is_along_its_normal():
 
 
 def test_two_halves_are_one_whole_to_second_order():
+    """The second half takes as much off the same points of the material."""
+
     def difference(depth):
         arc = Arc(system().wheel)
-        once = worn_profile(arc, bump(arc, depth))
-        half = worn_profile(arc, bump(arc, depth / 2))
-        twice = worn_profile(Arc(half), np.interp(Arc(half).middles, Arc(half).s, np.interp(
-            np.interp(Arc(half).y, *_material(arc, half, depth / 2)), arc.middles, bump(arc, depth / 2))))
+        once, half = worn_profile(arc, bump(arc, depth)), worn_profile(arc, bump(arc, depth / 2))
+        again = Arc(half)
+        places = moved_places(arc, bump(arc, depth / 2), half)
+        twice = worn_profile(again, np.interp(again.own_places, places, bump(arc, depth / 2)))
         y = np.linspace(-40e-3, 20e-3, 4001)
         return np.max(np.abs(once.height(y) - twice.height(y)))
 
     errors = np.array([difference(depth) for depth in (0.8e-3, 0.4e-3, 0.2e-3)])
     assert errors[0] < 0.05e-3
-    assert errors[:-1] / errors[1:] == pytest.approx([4.0, 4.0], rel=0.25)
+    assert np.all(errors[:-1] / errors[1:] > 3.5), errors  # 4 for second order
 
 
-def _material(arc, worn, depth):
-    """Places on a worn wheel, and the arc lengths from which they came."""
-    _, slope = evaluate(arc.profile, arc.y)
-    d = np.interp(arc.s, arc.middles, bump(arc, depth))
-    return arc.y + d * slope / np.hypot(1.0, slope), arc.s
+@pytest.mark.parametrize("kind", ["wheel", "rail"])
+def test_points_of_the_material_are_found_again(kind):
+    """A point that moves along its normal lies on the worn profile, at the place that is told."""
+    profile = getattr(system(), kind)
+    arc = Arc(profile)
+    depth = bump(arc, 0.3e-3, at=0.5 * arc.s[-1], width=12e-3)
+    worn = worn_profile(arc, depth)
+    places, sign = moved_places(arc, depth, worn), 1.0 if kind == "wheel" else -1.0
+    height, slope = evaluate(profile, arc.own_places)
+    moved = height - sign * depth / np.hypot(1.0, slope)
+    inside = np.abs(slope) < 5.0
+    down = np.median(moved[inside] - worn.height(places[inside]))  # a rail's origin goes down with its top
+    # where the curvature jumps, a spline through points 0.2 mm apart is off by 0.2 um
+    off = np.abs(worn.height(places[inside]) - (moved[inside] - down))
+    assert np.max(off) < 3e-7 and np.median(off) < 1e-8
+    assert down == pytest.approx(0.0 if kind == "wheel" else np.min(moved), abs=1e-7)
 
 
 @pytest.mark.parametrize("smoothing", [0.0, 0.3e-3, 1e-3, 5e-3])
 def test_smoothing_keeps_the_integral(smoothing):
     arc, draw = Arc(system().rail), np.random.default_rng(1)
-    for depth in (draw.uniform(0.0, 1e-3, len(arc.middles)), np.eye(len(arc.middles))[0], np.eye(len(arc.middles))[-1]):
+    for depth in (
+        draw.uniform(0.0, 1e-3, len(arc.middles)),
+        np.eye(len(arc.middles))[0],
+        np.eye(len(arc.middles))[-1],
+    ):
         assert smoothed(depth, arc, smoothing).sum() == pytest.approx(depth.sum(), rel=1e-12)
     if smoothing > arc.width:
         one = smoothed(np.eye(len(arc.middles))[len(arc.middles) // 2], arc, smoothing)
@@ -142,7 +162,9 @@ def test_what_a_workshop_measures():
     y = np.linspace(-56e-3, -30e-3, 26001)
     at = [y[np.argmin(np.abs(new.height(y) - level))] for level in (10e-3, 26e-3)]
     assert shape.flange_steepness == pytest.approx(at[0] - at[1], abs=2e-6)
-    hollow = wheel_shape(worn_profile(Arc(new), bump(Arc(new), 1.0e-3, at=Arc(new).at(8e-3), width=8e-3)), new)
+    hollow = wheel_shape(
+        worn_profile(Arc(new), bump(Arc(new), 1.0e-3, at=Arc(new).at(8e-3), width=8e-3)), new
+    )
     assert 0.3e-3 < hollow.hollow < 1.0e-3 and shape.hollow == 0.0
     assert hollow.flange_height > shape.flange_height
     assert np.isnan(wheel_shape(standard_profile("cone20")).flange_height)

@@ -12,8 +12,11 @@ AGE_COLOURS = "viridis_r"
 CURVES, LARGER = 9, 5.0
 KILOMETRE, SQUARE_MM = 1e3, 1e-6
 #: Lengths that are shown over mileage: name, words, colour.
-SIZES = (("flange_thickness", "flange thickness Sd", "#0072B2"), ("flange_height", "flange height Sh", "#D55E00"),
-         ("flange_steepness", "qR", "#009E73"))
+SIZES = (
+    ("flange_thickness", "flange thickness Sd", "#0072B2"),
+    ("flange_height", "flange height Sh", "#D55E00"),
+    ("flange_steepness", "qR", "#009E73"),
+)
 FRICTION = np.linspace(0.0, 0.6, 121)
 
 
@@ -32,8 +35,13 @@ def wear_figure(run, side="right"):
     for k, colour in colours.items():
         profile = run.steps[k].profiles[side]
         y = np.linspace(profile.start, profile.stop, 2001)[1:-1]
-        wide.plot(y / MM, -profile.height(y) / MM, color=colour, linewidth=1.1,
-                  label=f"{run.distance[k] / per:.0f} {unit}")
+        wide.plot(
+            y / MM,
+            -profile.height(y) / MM,
+            color=colour,
+            linewidth=1.1,
+            label=f"{run.distance[k] / per:.0f} {unit}",
+        )
     wide.set(xlabel="across, field side + [mm]", ylabel="height [mm]", title=f"{side} {run.part}")
     wide.set_aspect("equal", adjustable="datalim")
     wide.legend(fontsize=7.5, ncols=2, loc="upper right")
@@ -44,15 +52,21 @@ def wear_figure(run, side="right"):
             change = run.shape(name, side) - run.shape(name, side)[0]
             axes[1, 1].plot(distance, change / MM, color=colour, label=words)
         axes[1, 1].plot(distance, run.shape("hollow", side) / MM, color=INK, linestyle="--", label="hollow")
-        axes[1, 1].plot(distance, run.shape("radius_loss", side) / MM, color=QUIET, linestyle=":",
-                        label="radius loss")
+        axes[1, 1].plot(
+            distance, run.shape("radius_loss", side) / MM, color=QUIET, linestyle=":", label="radius loss"
+        )
         axes[1, 1].legend(fontsize=7.5)
         axes[2, 0].plot(distance, run.conicity, color=INK)
     axes[1, 1].set(title="Change of dimensions", xlabel=unit, ylabel="mm")
     axes[2, 0].set(title="Equivalent conicity at 3 mm", xlabel=unit, ylabel="tan γ", ylim=(0, None))
     for one, colour in SIDE_COLOUR.items():
-        axes[2, 1].plot(distance, run.shape("worn_area", one) / SQUARE_MM, color=colour, label=one,
-                        linestyle="-" if one == side else "--")
+        axes[2, 1].plot(
+            distance,
+            run.shape("worn_area", one) / SQUARE_MM,
+            color=colour,
+            label=one,
+            linestyle="-" if one == side else "--",
+        )
     axes[2, 1].set(title="Worn cross-section", xlabel=unit, ylabel="mm²")
     axes[2, 1].legend()
     return figure
@@ -73,8 +87,9 @@ def _draw_depths(panel, run, side, shown, colours):
         if k in colours and k > 0:
             panel.plot(y / MM, total / MM, color=colours[k], linewidth=1.1)
         total = total + np.interp(y, *step.depth[side], left=0.0, right=0.0)
-    panel.set(title="Worn depth, along the normal", xlabel="across, field side + [mm]", ylabel="mm",
-              ylim=(0, None))
+    panel.set(
+        title="Worn depth, along the normal", xlabel="across, field side + [mm]", ylabel="mm", ylim=(0, None)
+    )
 
 
 @styled
@@ -87,12 +102,18 @@ def wear_depth_figure(wear, distance, smoothing=1e-3, per=KILOMETRE):
         for side in SIDES:
             name = f"{side}.{part}"
             count = distance if part == "wheel" else 1.0
-            factor = count / MM if part == "wheel" else 1e9         # nm per passage
+            factor = count / MM if part == "wheel" else 1e9  # nm per passage
             places, _ = wear.depth(name)
             depth = wear.smooth_depth(name, smoothing) * factor
             error = wear.error(name, smoothing=smoothing) * factor
-            panel.fill_between(places / MM, np.maximum(depth - error, 0.0), depth + error, alpha=0.2,
-                               color=SIDE_COLOUR[side], linewidth=0)
+            panel.fill_between(
+                places / MM,
+                np.maximum(depth - error, 0.0),
+                depth + error,
+                alpha=0.2,
+                color=SIDE_COLOUR[side],
+                linewidth=0,
+            )
             panel.plot(places / MM, depth, color=SIDE_COLOUR[side], label=side)
         said = f"mm in {distance / per:g} km" if part == "wheel" else "nm in a passage"
         panel.set(ylabel=said, ylim=(0, None), title=f"Worn depth of the {part}s, along the normal")
@@ -103,8 +124,8 @@ def wear_depth_figure(wear, distance, smoothing=1e-3, per=KILOMETRE):
 
 @styled
 def shakedown_figure(table, yield_shear=None, ax=None):
-    """The shakedown map of a table of states or a :class:`~wrcontact.wear.Fatigue`: each patch by its utilised
-    friction and its peak pressure over the yield stress in shear [Pa].
+    """The shakedown map of a table of states or a :class:`~wrcontact.wear.Fatigue`: each patch by its
+    utilised friction and its peak pressure over the yield stress in shear [Pa].
 
     The limit is that of a line contact; on its branch 1 / friction the surface fatigue index is zero.
     """
@@ -113,14 +134,27 @@ def shakedown_figure(table, yield_shear=None, ax=None):
     panel = figure.subplots() if ax is None else ax
     for k, side in enumerate(SIDES):
         there = np.isfinite(found.shakedown_ratio[:, k])
-        panel.scatter(found.utilised_friction[:, k][there], found.shakedown_ratio[:, k][there], s=14,
-                      color=SIDE_COLOUR[side], alpha=0.6, linewidths=0, label=f"{side} patches")
+        panel.scatter(
+            found.utilised_friction[:, k][there],
+            found.shakedown_ratio[:, k][there],
+            s=14,
+            color=SIDE_COLOUR[side],
+            alpha=0.6,
+            linewidths=0,
+            label=f"{side} patches",
+        )
     panel.plot(FRICTION, shakedown_limit(FRICTION), color=INK, label="shakedown of a line contact")
     beyond = FRICTION > 0.15
-    panel.plot(FRICTION[beyond], 1.0 / FRICTION[beyond], color=QUIET, linestyle="--",
-               label="surface yields, index 0")
-    panel.set(xlabel="utilised friction", ylabel="p₀ / k", xlim=(0, FRICTION[-1]), ylim=(0, 6.5),
-              title="Shakedown map")
+    panel.plot(
+        FRICTION[beyond], 1.0 / FRICTION[beyond], color=QUIET, linestyle="--", label="surface yields, index 0"
+    )
+    panel.set(
+        xlabel="utilised friction",
+        ylabel="p₀ / k",
+        xlim=(0, FRICTION[-1]),
+        ylim=(0, 6.5),
+        title="Shakedown map",
+    )
     panel.legend(loc="upper right")
     return figure
 

@@ -13,5 +13,18 @@ from .run import wear_run
 from .shape import WheelShape, wheel_shape
 from .steps import WearRun, WearStep
 
-__all__ = ["ArchardMap", "BritishRail", "Fatigue", "Usfd", "Wear", "WearRun", "WearStep", "WheelShape",
-           "Zobory", "fatigue", "shakedown_limit", "wear_run", "wheel_shape"]
+__all__ = [
+    "ArchardMap",
+    "BritishRail",
+    "Fatigue",
+    "Usfd",
+    "Wear",
+    "WearRun",
+    "WearStep",
+    "WheelShape",
+    "Zobory",
+    "fatigue",
+    "shakedown_limit",
+    "wear_run",
+    "wheel_shape",
+]

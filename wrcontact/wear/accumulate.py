@@ -17,8 +17,9 @@ from ..methods.numbers import check_choice
 from ..system import ContactSystem
 from .bins import Arc, deposit
 from .cells import station_cells, strip_cells
-from .laws import STEEL, law_of
-from .rows import BY_TIME, Rows, TableColumns, distances, rows_of_file, rows_of_table
+from .law import STEEL
+from .laws import law_of
+from .rows import BY_TIME, distances, rows_of_file, rows_of_table
 from .update import DEEPEST, smoothed, worn_profile
 
 PARTS = tuple(f"{side}.{part}" for part in ("wheel", "rail") for side in SIDES)
@@ -69,19 +70,29 @@ class Wear:
         if not 0.01e-3 <= bin_width <= 2e-3:
             raise ValueError(f"bin_width is {bin_width!r} m; permitted is 1e-05 ... 0.002 m")
         if mirrored and not system.equal_sides:
-            raise ValueError("mirrored is True and the left side differs from the right one; permitted is that "
-                             "for equal sides")
+            raise ValueError(
+                "mirrored is True and the left side differs from the right one; permitted is that "
+                "for equal sides"
+            )
         self.system, self.law, self.mirrored = system, law_of(law), mirrored
-        right = {"wheel": Arc(system.wheel, 0.0, bin_width),
-                 "rail": Arc(system.rail, system.parameters["rail_inclination"], bin_width)}
-        left = right if system.equal_sides else {
-            "wheel": Arc(system.left_wheel, 0.0, bin_width),
-            "rail": Arc(system.left_rail, system.side_parameters("left")["rail_inclination"], bin_width)}
-        self.arcs = {name: (left if name.startswith("left") else right)[name.partition(".")[2]]
-                     for name in PARTS}
+        right = {
+            "wheel": Arc(system.wheel, 0.0, bin_width),
+            "rail": Arc(system.rail, system.parameters["rail_inclination"], bin_width),
+        }
+        left = (
+            right
+            if system.equal_sides
+            else {
+                "wheel": Arc(system.left_wheel, 0.0, bin_width),
+                "rail": Arc(system.left_rail, system.side_parameters("left")["rail_inclination"], bin_width),
+            }
+        )
+        self.arcs = {
+            name: (left if name.startswith("left") else right)[name.partition(".")[2]] for name in PARTS
+        }
         self.additions, self.rows, self.left_out = [], 0, 0
 
-    # --- what has run -----------------------------------------------------------------------------------------
+    # --- what has run ---------------------------------------------------------------------------------------
 
     def add(self, table, distance=None):
         """Add a table of states with creep forces and outputs of wear.
@@ -104,8 +115,8 @@ class Wear:
 
         Parameters
         ----------
-        results : path of a .csv or .parquet file with the FMU's names, a pandas.DataFrame, or columns by
-            name.
+        results : path of a .csv or .parquet file with the FMU's names, what fmpy returns, a
+            pandas.DataFrame, or columns by name.
         distance_column : "time*speed" integrates the speed; or the column with the distance run [m].
         distance : instead, what each row stands for [m].
         """
@@ -120,9 +131,11 @@ class Wear:
         added.distance = np.bincount(block, distance[good], blocks)
         for first in range(0, len(good), CHUNK):
             some = slice(first, first + CHUNK)
-            self._rub(_picked(rows, good[some]), distance[good[some]], block[some], added)
+            self._rub(rows.picked(good[some]), distance[good[some]], block[some], added)
         if not np.sum(added.distance) > 0.0:
-            raise ValueError(f"distance is 0 m over the valid rows of {rows.name}; permitted is more than 0 m")
+            raise ValueError(
+                f"distance is 0 m over the valid rows of {rows.name}; permitted is more than 0 m"
+            )
         self.additions.append(added)
         self.rows, self.left_out = self.rows + len(good), self.left_out + len(rows) - len(good)
 
@@ -136,22 +149,29 @@ class Wear:
             read = cells.read()
             rate = np.broadcast_to(np.asarray(self.law.rate(**read), dtype=float), cells.row.shape)
             if not np.all(rate >= 0.0):
-                raise ValueError(f"the law {self.law!r} returns {float(np.nanmin(rate)):g} or NaN; permitted "
-                                 "are rates >= 0 kg/(m2 s)")
+                raise ValueError(
+                    f"the law {self.law!r} returns {float(np.nanmin(rate)):g} or NaN; permitted "
+                    "are rates >= 0 kg/(m2 s)"
+                )
             amount = rate * cells.length / (STEEL * cells.speed) * cells.width * distance[cells.row]
             regime = self.law.regime(**read)
             for part, arc in zip(("wheel", "rail"), arcs):
                 name = f"{side}.{part}"
-                added.sums[name] += deposit(arc, *cells.stretches(part), amount, block[cells.row],
-                                            len(added.distance))
+                added.sums[name] += deposit(
+                    arc, *cells.stretches(part), amount, block[cells.row], len(added.distance)
+                )
                 added.regimes[name] += np.bincount(regime, amount, len(self.law.regimes))
 
-    # --- what it takes off ------------------------------------------------------------------------------------
+    # --- what it takes off ----------------------------------------------------------------------------------
 
     @property
     def distance(self):
         """Distance that was added so far [m]."""
         return float(sum(np.sum(added.distance) for added in self.additions))
+
+    def arc(self, part):
+        """The :class:`~wrcontact.wear.bins.Arc` of a part: its places, bins and profile."""
+        return self.arcs[self._part(part)]
 
     def depth(self, part):
         """Places (bins,) [m], and the depth there: per metre run of a wheel [1], per passage over a rail [m].
@@ -189,8 +209,10 @@ class Wear:
         for _ in range(samples):
             total = np.zeros(len(arc.edges) - 1)
             for added in self.additions:
-                count = np.bincount(draw.integers(len(added.distance), size=len(added.distance)),
-                                    minlength=len(added.distance))
+                count = np.bincount(
+                    draw.integers(len(added.distance), size=len(added.distance)),
+                    minlength=len(added.distance),
+                )
                 length = count @ added.distance
                 if length > 0.0:
                     total += count @ self._sums(added, name) * (np.sum(added.distance) / length)
@@ -215,15 +237,21 @@ class Wear:
         name = self._part(part)
         arc = self.arcs[name]
         if not (np.isfinite(distance) and distance > 0.0):
-            raise ValueError(f"distance is {distance!r}; permitted is distance > 0, in m of a wheel and in "
-                             "passages of a rail")
+            raise ValueError(
+                f"distance is {distance!r}; permitted is distance > 0, in m of a wheel and in "
+                "passages of a rail"
+            )
         depth = self.smooth_depth(part, smoothing) * distance
         if np.max(depth) > DEEPEST:
-            raise ValueError(f"distance is {distance:g}, which takes {1e3 * np.max(depth):.3g} mm in one step; "
-                             f"permitted are {1e3 * DEEPEST:g} mm, in more and shorter steps")
+            raise ValueError(
+                f"distance is {distance:g}, which takes {1e3 * np.max(depth):.3g} mm in one step; "
+                f"permitted are {1e3 * DEEPEST:g} mm, in more and shorter steps"
+            )
         kind = "m" if name.endswith("wheel") else "passages"
-        said = (f"{arc.profile.name} worn by up to {1e3 * np.max(depth):.4g} mm over {distance:g} {kind}, "
-                f"law {self.law!r}, smoothing {1e3 * smoothing:g} mm",)
+        said = (
+            f"{arc.profile.name} worn by up to {1e3 * np.max(depth):.4g} mm over {distance:g} {kind}, "
+            f"law {self.law!r}, smoothing {1e3 * smoothing:g} mm",
+        )
         return worn_profile(arc, depth, said)
 
     def smooth_depth(self, part, smoothing):
@@ -252,11 +280,3 @@ class Wear:
         """From volumes per passage in a bin to depths."""
         turn = 2.0 * math.pi * self._radius(name) if name.endswith("wheel") else 1.0
         return self.arcs[name].width * turn
-
-
-def _picked(rows, places):
-    """Some rows of rows."""
-    if rows.table is not None:
-        table = rows.table[places]
-        return Rows(TableColumns(table), table, rows.name)
-    return Rows({name: np.asarray(values)[places] for name, values in rows.columns.items()}, None, rows.name)

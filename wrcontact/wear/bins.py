@@ -26,7 +26,7 @@ class Arc:
 
     def __init__(self, profile, inclination=0.0, bin_width=0.25e-3):
         self.profile, self.inclination = profile, inclination
-        room = 1e-9 + 1e-7 * (profile.stop - profile.start)       # an end may be vertical
+        room = 1e-9 + 1e-7 * (profile.stop - profile.start)  # an end may be vertical
         count = math.ceil((profile.stop - profile.start) / RASTER)
         self.y = np.linspace(profile.start + room, profile.stop - room, count + 1)
         self.height = evaluate(profile, self.y)[0]
@@ -40,7 +40,7 @@ class Arc:
         across = math.cos(angle) * self.y + math.sin(angle) * self.height
         down = math.cos(angle) * self.height - math.sin(angle) * self.y
         k = int(np.clip(np.argmin(down), 1, len(down) - 2))
-        before, here, after = down[k - 1:k + 2]                   # the lowest point of a parabola
+        before, here, after = down[k - 1 : k + 2]  # the lowest point of a parabola
         bend = before - 2.0 * here + after
         aside = 0.5 * (before - after) / bend if bend > 0.0 else 0.0
         top = across[k] + np.clip(aside, -1.0, 1.0) * 0.5 * (across[k + 1] - across[k - 1])
@@ -81,10 +81,10 @@ def evaluate(profile, y):
     zones, y = profile.zones, np.asarray(y, dtype=float) / MM
     of = np.searchsorted([zone.stop for zone in zones[:-1]], y)
     terms = max((len(zone.coefficients) for zone in zones if isinstance(zone, Polynomial)), default=0)
-    table = np.zeros((len(zones), terms + 1))                   # origin, coefficients
+    table = np.zeros((len(zones), terms + 1))  # origin, coefficients
     for row, zone in zip(table, zones):
         if isinstance(zone, Polynomial):
-            row[0], row[1:1 + len(zone.coefficients)] = zone.origin, zone.coefficients
+            row[0], row[1 : 1 + len(zone.coefficients)] = zone.origin, zone.coefficients
     u, height, slope = y - table[of, 0], np.zeros(len(y)), np.zeros(len(y))
     for column in range(terms, 0, -1):
         slope = slope * u + height
@@ -126,7 +126,7 @@ def deposit(arc, start, stop, amount, rows, count):
         k = first[there] + step
         inside = np.minimum(stop[there], arc.edges[k + 1]) - np.maximum(start[there], arc.edges[k])
         share = amount[there] * np.maximum(inside, 0.0) / np.where(length[there] > 0.0, length[there], 1.0)
-        share = np.where(k == last[there], left[there], np.minimum(share, left[there]))    # the rest
+        share = np.where(k == last[there], left[there], np.minimum(share, left[there]))  # the rest
         left[there] -= share
         sums += np.bincount(rows[there] * bins + k, share, count * bins)
     return sums.reshape(count, bins)

@@ -45,10 +45,15 @@ class Cells:
 
     def read(self):
         """What a law reads, see :data:`wrcontact.wear.laws.READ`."""
-        return {"power_density": self.power / self.length, "pressure": self.line_load / self.length,
-                "slip": sliding(self.power, self.line_load, self.slip, self.friction),
-                "friction": self.friction, "speed": self.speed, "wear_number": self.wear_number,
-                "patch_power": self.patch_power}
+        return {
+            "power_density": self.power / self.length,
+            "pressure": self.line_load / self.length,
+            "slip": sliding(self.power, self.line_load, self.slip, self.friction),
+            "friction": self.friction,
+            "speed": self.speed,
+            "wear_number": self.wear_number,
+            "patch_power": self.patch_power,
+        }
 
     def rubbing(self):
         """The cells that have power."""
@@ -85,6 +90,7 @@ def sliding(power, line_load, slip, friction):
 def patch_numbers(rows, side, k):
     """Of patch k (1 ...) of a side, each (n,): friction, T gamma [N], friction power [W], length [m] and
     largest pressure [Pa]."""
+
     def get(name):
         return rows.get(f"{side}.patch[{k}].{name}")
 
@@ -100,8 +106,10 @@ def patch_numbers(rows, side, k):
 def strip_cells(rows, side, wheel, rail):
     """The :class:`Cells` of a table of states, with the :class:`~wrcontact.wear.bins.Arc` of both parts."""
     speed = np.abs(rows["speed"])
-    parts = [_strips_of_patch(strips, wheel, rail, speed, patch_numbers(rows, side, k + 1))
-             for k, strips in enumerate(getattr(rows.table, side).strips)]
+    parts = [
+        _strips_of_patch(strips, wheel, rail, speed, patch_numbers(rows, side, k + 1))
+        for k, strips in enumerate(getattr(rows.table, side).strips)
+    ]
     return _joined(parts)
 
 
@@ -109,7 +117,11 @@ def _strips_of_patch(strips, wheel, rail, speed, numbers):
     width = np.asarray(strips.width)
     count = width.shape[1]
     there = np.flatnonzero(width[:, 0] > 0.0)
-    width, on_rail, on_wheel = width[there], rail.at(strips.rail_place[there]), wheel.at(strips.wheel_place[there])
+    width, on_rail, on_wheel = (
+        width[there],
+        rail.at(strips.rail_place[there]),
+        wheel.at(strips.wheel_place[there]),
+    )
     ends = np.concatenate([np.zeros((len(there), 1)), np.cumsum(width, axis=1)], axis=1)
     # nodes of Gauss's quadrature lie symmetrically in the whole width, one in each strip
     node = (ends[:, -1:] - (on_rail[:, -1:] - on_rail[:, :1])) / 2 + on_rail - on_rail[:, :1]
@@ -119,18 +131,29 @@ def _strips_of_patch(strips, wheel, rail, speed, numbers):
         return np.repeat(values[there], count)
 
     friction, number, power, _, _ = numbers
-    return Cells(np.repeat(there, count), wheel_ends[:, :-1].ravel(), wheel_ends[:, 1:].ravel(),
-                 rail_ends[:, :-1].ravel(), rail_ends[:, 1:].ravel(), width.ravel(),
-                 2.0 * strips.half_length[there].ravel(), strips.power[there].ravel(),
-                 strips.line_load[there].ravel(), strips.slip[there].ravel(),
-                 each(friction), each(speed), each(number), each(power))
+    return Cells(
+        np.repeat(there, count),
+        wheel_ends[:, :-1].ravel(),
+        wheel_ends[:, 1:].ravel(),
+        rail_ends[:, :-1].ravel(),
+        rail_ends[:, 1:].ravel(),
+        width.ravel(),
+        2.0 * strips.half_length[there].ravel(),
+        strips.power[there].ravel(),
+        strips.line_load[there].ravel(),
+        strips.slip[there].ravel(),
+        each(friction),
+        each(speed),
+        each(number),
+        each(power),
+    )
 
 
 def _between(ends, node, values):
     """Values (n, 17) at the ``ends`` of strips, linear between those (n, 16) at their nodes and beyond."""
     step = np.diff(node, axis=1)
     slope = np.diff(values, axis=1) / np.where(step > 0.0, step, 1.0)
-    left = np.concatenate([[0], np.arange(node.shape[1] - 1), [node.shape[1] - 1]])     # node before an end
+    left = np.concatenate([[0], np.arange(node.shape[1] - 1), [node.shape[1] - 1]])  # node before an end
     by = np.concatenate([[0], np.arange(node.shape[1] - 1), [node.shape[1] - 2]])
     found = values[:, left] + slope[:, by] * (ends - node[:, left])
     return np.maximum.accumulate(found, axis=1)
@@ -140,25 +163,48 @@ def station_cells(rows, side, wheel, rail):
     """The :class:`Cells` of a file of an FMU, with the arcs of both parts."""
     stations = rows.stations
     place, half, pressure, power, slip = (
-        rows.runs(side, name, stations) for name in ("station", "half_length", "pressure", "power", "slip"))
-    on_wheel, on_rail = (arc.at(rows.runs(side, f"{part}_place", stations))
-                         for part, arc in (("wheel", wheel), ("rail", rail)))
+        rows.runs(side, name, stations) for name in ("station", "half_length", "pressure", "power", "slip")
+    )
+    on_wheel, on_rail = (
+        arc.at(rows.runs(side, f"{part}_place", stations)) for part, arc in (("wheel", wheel), ("rail", rail))
+    )
     of = np.clip(rows.runs(side, "patch_of", stations).astype(int), 1, PATCH_LIMIT) - 1
-    numbers = [np.stack(list(found), axis=1) for found in
-               zip(*(patch_numbers(rows, side, k + 1) for k in range(PATCH_LIMIT)))]
-    friction, number, patch_power, longest, highest = (np.take_along_axis(found, of, axis=1)
-                                                       for found in numbers)
+    numbers = [
+        np.stack(list(found), axis=1)
+        for found in zip(*(patch_numbers(rows, side, k + 1) for k in range(PATCH_LIMIT)))
+    ]
+    friction, number, patch_power, longest, highest = (
+        np.take_along_axis(found, of, axis=1) for found in numbers
+    )
     width = np.diff(_middles(place), axis=1)
     ends = [np.sort(_middles(values), axis=1) for values in (on_wheel, on_rail)]
     length, load = 2.0 * _hats(half), 0.5 * np.pi * _hats(half * pressure)
-    narrow = (length <= 0.0) & (power > 0.0)                  # a patch between two stations
+    narrow = (length <= 0.0) & (power > 0.0)  # a patch between two stations
     length = np.where(narrow, longest, length)
     load = np.where(narrow, 0.25 * np.pi * highest * length, load)
     each = np.broadcast_to(np.abs(rows["speed"])[:, None], width.shape)
     row = np.broadcast_to(np.arange(len(width))[:, None], width.shape)
-    return Cells(*(np.ravel(found) for found in (
-        row, ends[0][:, :-1], ends[0][:, 1:], ends[1][:, :-1], ends[1][:, 1:], width, length, power, load,
-        slip, friction, each, number, patch_power)))
+    return Cells(
+        *(
+            np.ravel(found)
+            for found in (
+                row,
+                ends[0][:, :-1],
+                ends[0][:, 1:],
+                ends[1][:, :-1],
+                ends[1][:, 1:],
+                width,
+                length,
+                power,
+                load,
+                slip,
+                friction,
+                each,
+                number,
+                patch_power,
+            )
+        )
+    )
 
 
 def _middles(values):

@@ -103,18 +103,34 @@ def fatigue(table, *, yield_shear, direction="both", damage=None, surface_life=N
         raise ValueError(f"yield_shear is {yield_shear!r}; permitted is yield_shear > 0 Pa")
     check_choice("direction", direction, DIRECTIONS)
     table = table._as_table()
-    read = {name: _patches(table, name) for name in (
-        "normal_force", "area", "length", "width", "max_pressure", "creepage.x", "creepage.y",
-        "tangential.x", "tangential.y")}
+    read = {
+        name: _patches(table, name)
+        for name in (
+            "normal_force",
+            "area",
+            "length",
+            "width",
+            "max_pressure",
+            "creepage.x",
+            "creepage.y",
+            "tangential.x",
+            "tangential.y",
+        )
+    }
     if not np.nansum(np.abs(read["tangential.x"]) + np.abs(read["tangential.y"])) > 0.0:
-        raise ValueError("the table has no creep forces; fatigue needs ContactSystem(tangential_model="
-                         "\"strips\") and a speed")
+        raise ValueError(
+            "the table has no creep forces; fatigue needs ContactSystem(tangential_model="
+            '"strips") and a speed'
+        )
     there = read["area"] > 0.0
     read = {name: np.where(there, values, np.nan) for name, values in read.items()}
     found = indices(read, yield_shear, damage or wear_number_damage, surface_life)
     # a wheel that is driven is pushed forward by the rail
-    counts = {"both": np.isfinite(found.damage), "driven": read["tangential.x"] > 0.0,
-              "braked": read["tangential.x"] < 0.0}[direction]
+    counts = {
+        "both": np.isfinite(found.damage),
+        "driven": read["tangential.x"] > 0.0,
+        "braked": read["tangential.x"] < 0.0,
+    }[direction]
     found = replace(found, damage=np.where(there, np.where(counts, found.damage, 0.0), np.nan))
     places = _places(table)
     return replace(found, **{name: np.where(there, values, np.nan) for name, values in places.items()})
@@ -131,10 +147,21 @@ def indices(read, yield_shear, damage, surface_life):
     if surface_life is not None:
         cycles, exponent = surface_life
         life = np.where(np.isnan(index), np.nan, np.maximum(index, 0.0) ** exponent / cycles)
-    below = load / (np.pi * read["length"] * read["width"]) * (1.0 + used**2)       # a b = length width / 4
+    below = load / (np.pi * read["length"] * read["width"]) * (1.0 + used**2)  # a b = length width / 4
     nowhere = np.full(index.shape, np.nan)
-    return Fatigue(number, damage(number), used, mean_peak, mean_peak / yield_shear, index,
-                   used - yield_shear / peak, life, below, nowhere, nowhere)
+    return Fatigue(
+        number,
+        damage(number),
+        used,
+        mean_peak,
+        mean_peak / yield_shear,
+        index,
+        used - yield_shear / peak,
+        life,
+        below,
+        nowhere,
+        nowhere,
+    )
 
 
 def wear_number_damage(wear_number, breaks=BREAKS):
@@ -166,7 +193,8 @@ def shakedown_limit(friction):
 
     By Melan's theorem residual stresses can take everything but the shear stress along the surface, so that
     p0 / k is 1 over its largest value, for p0 = 1, under p = sqrt(1 - x^2) with the traction friction p
-    (Johnson, Contact Mechanics, 1985, section 9.2).  It is 4 without friction, and 1 / friction where the surface yields, beyond about 0.37.
+    (Johnson, Contact Mechanics, 1985, section 9.2).  It is 4 without friction, and 1 / friction where the
+    surface yields, beyond about 0.37.
 
     >>> import numpy as np
     >>> np.round(shakedown_limit([0.0, 0.5]), 3).tolist()
@@ -187,15 +215,16 @@ def line_shear(x, z):
     are its imaginary part and derivative.
     """
     w = x + 1j * z
-    root = np.sqrt(w - 1.0) * np.sqrt(w + 1.0)              # tends to w far away
+    root = np.sqrt(w - 1.0) * np.sqrt(w + 1.0)  # tends to w far away
     slope = 1.0 - w / root
     return -z * slope.imag, (w - root).imag + z * slope.real
 
 
 def _patches(table, name):
     """An output of every patch, (n, 2, 3)."""
-    return np.stack([[table[f"{side}.patch[{k + 1}].{name}"] for k in range(PATCH_LIMIT)]
-                     for side in SIDES]).transpose(2, 0, 1)
+    return np.stack(
+        [[table[f"{side}.patch[{k + 1}].{name}"] for k in range(PATCH_LIMIT)] for side in SIDES]
+    ).transpose(2, 0, 1)
 
 
 def _places(table):
@@ -208,7 +237,10 @@ def _places(table):
     for name, values in found.items():
         for strips in sides:
             weights = [strip.power * strip.width + 1e-300 * strip.width for strip in strips]
-            values.append([np.sum(getattr(strip, name) * weight, axis=1)
-                           / np.maximum(np.sum(weight, axis=1), 1e-320)
-                           for strip, weight in zip(strips, weights)])
+            values.append(
+                [
+                    np.sum(getattr(strip, name) * weight, axis=1) / np.maximum(np.sum(weight, axis=1), 1e-320)
+                    for strip, weight in zip(strips, weights)
+                ]
+            )
     return {name: np.array(values).transpose(2, 0, 1) for name, values in found.items()}

@@ -13,50 +13,11 @@ Traceback (most recent call last):
 ValueError: Zobory needs mild, severe and limit; they have no default, since no source of them was read
 """
 
-import inspect
-from dataclasses import fields
-
 import numpy as np
 
-from ..methods.numbers import Checked, frozen, number
+from ..methods.numbers import frozen, number
 from ..methods.words import did_you_mean
-
-#: Density of steel [kg/m3], by which laws of volume and laws of mass agree.
-STEEL = 7850.0
-#: What a law, or a user's function, may read, by these names.
-READ = {
-    "power_density": "friction power over the strip's area [W/m2]",
-    "pressure": "mean pressure of the strip [Pa]",
-    "slip": "sliding velocity where the strip slides [m/s]",
-    "friction": "coefficient of friction [1]",
-    "speed": "rolling speed [m/s]",
-    "wear_number": "T gamma of the strip's patch, without spin [N]",
-    "patch_power": "friction power of the strip's patch [W]",
-}
-
-
-def calibration():
-    """The field that every law has."""
-    return number(1.0, 1e-9, 1e3, "1", "Factor on the rate, such as a share of dry running")
-
-
-def required(low, high, unit, meaning):
-    """A field without a default: no source of its number was read."""
-    return number(None, low, high, unit, meaning)
-
-
-class Law(Checked):
-    """Base of the laws; ``regimes`` are the names of what ``regime`` numbers."""
-
-    regimes: tuple = ("wear",)
-
-    def __post_init__(self):
-        missing = [one.name for one in fields(self) if getattr(self, one.name) is None]
-        if missing:
-            words = f"{', '.join(missing[:-1])} and {missing[-1]}" if missing[1:] else missing[0]
-            raise ValueError(f"{type(self).__name__} needs {words}; {'they have' if missing[1:] else 'it has'} "
-                             "no default, since no source of them was read")
-        super().__post_init__()
+from .law import READ, STEEL, Law, OwnLaw, calibration, required
 
 
 @frozen
@@ -132,8 +93,11 @@ class ArchardMap(Law):
 
     def coefficient(self, pressure, slip):
         """k for each strip."""
-        k = (self.slow + (self.middle - self.slow) * self._behind(slip, self.first)
-             + (self.fast - self.middle) * self._behind(slip, self.second))
+        k = (
+            self.slow
+            + (self.middle - self.slow) * self._behind(slip, self.first)
+            + (self.fast - self.middle) * self._behind(slip, self.second)
+        )
         edge = self.share * self.hardness
         high = np.where(pressure > edge, 1.0, 0.0) if self.blend == 0.0 else self._behind(pressure, edge)
         return k + (self.pressed - k) * high
@@ -185,14 +149,19 @@ class BritishRail(Law):
     def loss(self, wear_number):
         """Loss of cross-section per distance, times the diameter [m2]."""
         beyond = self.steep * wear_number - self.offset
-        return np.where(wear_number < self.first, self.mild * wear_number,
-                        np.where(wear_number < self.second, self.plateau, beyond))[()]
+        return np.where(
+            wear_number < self.first,
+            self.mild * wear_number,
+            np.where(wear_number < self.second, self.plateau, beyond),
+        )[()]
 
     def rate(self, *, power_density, speed, wear_number, patch_power, **_):
         """Mass per area and time [kg/(m2 s)]."""
         if np.any(np.isnan(wear_number) & (np.asarray(power_density) > 0.0)):
-            raise ValueError("T gamma is not known; BritishRail needs creepage.x, creepage.y, tangential.x "
-                             "and tangential.y of each patch")
+            raise ValueError(
+                "T gamma is not known; BritishRail needs creepage.x, creepage.y, tangential.x "
+                "and tangential.y of each patch"
+            )
         each = np.pi * STEEL * self.loss(wear_number) * speed / np.where(patch_power > 0.0, patch_power, 1.0)
         return self.calibration * each * power_density
 
@@ -223,33 +192,6 @@ class Zobory(Law):
         return self.calibration * k * power_density
 
 
-class OwnLaw:
-    """A user's function of some of the arrays in READ, by their names."""
-
-    regimes = ("wear",)
-
-    def __init__(self, function):
-        names = inspect.signature(function).parameters
-        known = [name for name, one in names.items() if one.kind in (one.POSITIONAL_OR_KEYWORD, one.KEYWORD_ONLY)]
-        for name in known:
-            if name not in READ and names[name].default is inspect.Parameter.empty:
-                raise ValueError(f"the law reads {name!r}; permitted are {', '.join(READ)}"
-                                 f"{did_you_mean(name, READ)}")
-        self.function, self.names = function, [name for name in known if name in READ]
-        self.takes_all = any(one.kind is one.VAR_KEYWORD for one in names.values())
-
-    def __repr__(self):
-        return getattr(self.function, "__name__", repr(self.function))
-
-    def regime(self, *, power_density, **_):
-        """All the same."""
-        return np.zeros(np.shape(power_density), dtype=int)
-
-    def rate(self, **given):
-        """What the function returns."""
-        return self.function(**(given if self.takes_all else {name: given[name] for name in self.names}))
-
-
 LAWS = {"usfd": Usfd, "archard": ArchardMap, "british-rail": BritishRail, "zobory": Zobory}
 
 
@@ -259,10 +201,12 @@ def law_of(law):
     >>> law_of(lambda power_density: 1e-9 * power_density).rate(power_density=3.0, slip=0.1)
     3.0000000000000004e-09
     """
-    if isinstance(law, type) or isinstance(law, str) or not (hasattr(law, "rate") or callable(law)):
+    if isinstance(law, (type, str)) or not (hasattr(law, "rate") or callable(law)):
         meant = did_you_mean(law, LAWS) if isinstance(law, str) else ""
-        raise ValueError(f"law is {law!r}; permitted are Usfd(), ArchardMap(...), BritishRail(...), "
-                         f"Zobory(...), and a function of {', '.join(READ)}{meant}")
+        raise ValueError(
+            f"law is {law!r}; permitted are Usfd(), ArchardMap(...), BritishRail(...), "
+            f"Zobory(...), and a function of {', '.join(READ)}{meant}"
+        )
     if hasattr(law, "rate"):
         return law if hasattr(law, "regime") else OwnLaw(law.rate)
     return OwnLaw(law)

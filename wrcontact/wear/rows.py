@@ -18,10 +18,12 @@ from ..state import WheelsetState
 
 #: Share of rows that may be left out.
 MOST_LEFT_OUT = 0.1
-NEEDED = "wear needs results with creep forces: ContactSystem(tangential_model=\"strips\", wear_outputs=True)"
+NEEDED = 'wear needs results with creep forces: ContactSystem(tangential_model="strips", wear_outputs=True)'
 #: How a file's results are made.
-NEEDED_OF_FILES = ("wear needs results with creep forces and the outputs of wear: an FMU with the parameters "
-                   "tangential_model and wear_outputs")
+NEEDED_OF_FILES = (
+    "wear needs results with creep forces and the outputs of wear: an FMU with the parameters "
+    "tangential_model and wear_outputs"
+)
 BY_TIME = "time*speed"
 
 
@@ -59,11 +61,20 @@ class Rows:
     @property
     def stations(self):
         """The number of stations of an outline."""
-        numbers = [int(found[1]) for name in self.columns
-                   if (found := re.fullmatch(r"right\.power\[(\d+)\]", name))]
+        numbers = [
+            int(found[1]) for name in self.columns if (found := re.fullmatch(r"right\.power\[(\d+)\]", name))
+        ]
         if not numbers:
             raise ValueError(f"{self.name} has no column 'right.power[1]'; {NEEDED_OF_FILES}")
         return max(numbers)
+
+    def picked(self, places):
+        """Some of the rows."""
+        if self.table is not None:
+            table = self.table[places]
+            return Rows(TableColumns(table), table, self.name)
+        columns = {name: np.asarray(values)[places] for name, values in self.columns.items()}
+        return Rows(columns, None, self.name)
 
     def valid(self):
         """Which rows (n,) count; ValueError if more than MOST_LEFT_OUT do not."""
@@ -75,12 +86,16 @@ class Rows:
         if not len(good):
             raise ValueError(f"{self.name} has no rows; permitted are tables of one row or more")
         if (left_out := np.count_nonzero(~good)) > MOST_LEFT_OUT * len(good):
-            raise ValueError(f"{left_out} of {len(good)} rows of {self.name} have a status other than 0 or "
-                             f"numbers that are not finite; permitted are {100 * MOST_LEFT_OUT:g} % of them")
+            raise ValueError(
+                f"{left_out} of {len(good)} rows of {self.name} have a status other than 0 or "
+                f"numbers that are not finite; permitted are {100 * MOST_LEFT_OUT:g} % of them"
+            )
         slow = good & ~(np.abs(self["speed"]) > 0.0)
         if np.any(slow):
-            raise ValueError(f"speed is 0 in row {int(np.argmax(slow))} of {self.name}; permitted is a speed "
-                             "that is not zero, since wear is counted per distance")
+            raise ValueError(
+                f"speed is 0 in row {int(np.argmax(slow))} of {self.name}; permitted is a speed "
+                "that is not zero, since wear is counted per distance"
+            )
         return good
 
 
@@ -116,8 +131,11 @@ def rows_of_table(table):
 
 def refuse_without_creep(rows, needed_words):
     """ValueError if no row has a creep force where wheels roll."""
-    power = sum(np.nansum(np.abs(rows.get(f"{side}.{name}", 0.0))) for side in SIDES
-                for name in ("friction_power", "wear_number"))
+    power = sum(
+        np.nansum(np.abs(rows.get(f"{side}.{name}", 0.0)))
+        for side in SIDES
+        for name in ("friction_power", "wear_number")
+    )
     if power == 0.0:
         raise ValueError(f"{rows.name} has no creep forces; {needed_words}")
 
@@ -127,13 +145,16 @@ def rows_of_file(results):
     if isinstance(results, (str, os.PathLike)):
         path = Path(results)
         columns, name = _read(path), path.name
-    elif hasattr(results, "keys"):
-        columns, name = {key: np.asarray(results[key]) for key in results.keys()}, "the results"
+    elif hasattr(results, "keys") or getattr(getattr(results, "dtype", None), "names", None):
+        names = list(results) if hasattr(results, "keys") else results.dtype.names
+        columns, name = {key: np.asarray(results[key]) for key in names}, "the results"
     else:
-        raise ValueError(f"results is {type(results).__name__}; permitted are the path of a .csv or .parquet "
-                         "file, a pandas.DataFrame, and a dictionary of columns")
+        raise ValueError(
+            f"results is {type(results).__name__}; permitted are the path of a .csv or .parquet file, what "
+            "fmpy returns, a pandas.DataFrame, and a dictionary of columns"
+        )
     rows = Rows(columns, None, name)
-    rows["speed"], rows.stations                    # both are needed
+    rows["speed"], rows.stations  # both are needed
     refuse_without_creep(rows, NEEDED_OF_FILES)
     return rows
 
@@ -147,13 +168,16 @@ def _read(path):
     with open(path, encoding="utf-8-sig") as file:
         names = [name.strip().strip('"') for name in file.readline().rstrip("\n").split(",")]
         if len(names) < 2:
-            raise ValueError(f"{path} has the first line {','.join(names)[:60]!r}; permitted is a line of "
-                             "names with commas, as fmpy writes it")
+            raise ValueError(
+                f"{path} has the first line {','.join(names)[:60]!r}; permitted is a line of "
+                "names with commas, as fmpy writes it"
+            )
         try:
             numbers = np.genfromtxt(file, delimiter=",", dtype=float)
         except ValueError as wrong:
-            raise ValueError(f"{path} has lines that differ in their number of cells: "
-                             f"{' '.join(str(wrong).split())[:120]}") from None
+            raise ValueError(
+                f"{path} has lines that differ in their number of cells: {' '.join(str(wrong).split())[:120]}"
+            ) from None
     numbers = numbers.reshape(-1, len(names)) if numbers.size else np.empty((0, len(names)))
     return dict(zip(names, numbers.T))
 
@@ -173,15 +197,19 @@ def distances(rows, distance, column):
     else:
         found = _shares(rows[column], rows, column)
     if not (np.all(found[np.isfinite(rows["speed"])] >= 0.0) and np.sum(found) > 0.0):
-        raise ValueError(f"distance is {float(np.min(found)):g} m in a row of {rows.name}; permitted is "
-                         "distance >= 0 m, and a sum above 0 m")
+        raise ValueError(
+            f"distance is {float(np.min(found)):g} m in a row of {rows.name}; permitted is "
+            "distance >= 0 m, and a sum above 0 m"
+        )
     return found
 
 
 def _shares(values, rows, name):
     """Half the way to both neighbours (n,) of values that do not fall."""
     if len(values) < 2 or np.any(np.diff(values) < 0.0):
-        raise ValueError(f"column {name!r} of {rows.name} falls, or has fewer than two rows; permitted are "
-                         "rows in their order")
+        raise ValueError(
+            f"column {name!r} of {rows.name} falls, or has fewer than two rows; permitted are "
+            "rows in their order"
+        )
     steps = np.diff(values)
     return 0.5 * (np.append(steps, 0.0) + np.insert(steps, 0, 0.0))

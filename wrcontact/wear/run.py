@@ -53,8 +53,16 @@ def wear_run(simulate, system, law, mileage, depth_step=1e-4, *, part="wheel", s
         check_choice("a keyword of wear_run", name, OPTIONS)
     check_choice("method", options.get("method", METHODS[0]), METHODS)
     law = law_of(law)
-    plan = Plan(simulate, law, part, dict(zip(SIDES, profiles_of(system, part))), mileage, depth_step,
-                smoothing, options)
+    plan = Plan(
+        simulate,
+        law,
+        part,
+        dict(zip(SIDES, profiles_of(system, part))),
+        mileage,
+        depth_step,
+        smoothing,
+        options,
+    )
     store = Store(options.pop("store", None), plan, system)
     steps, worn = store.read()
     system = with_profiles(system, part, worn) if worn else system
@@ -68,8 +76,10 @@ def wear_run(simulate, system, law, mileage, depth_step=1e-4, *, part="wheel", s
             if worn:
                 system = with_profiles(system, part, [worn[side] for side in SIDES])
             if len(steps) > MOST_STEPS:
-                raise ValueError(f"mileage is {mileage:g}, which needs more than {MOST_STEPS} steps of "
-                                 f"{depth_step:g} m; permitted are larger steps, or less mileage")
+                raise ValueError(
+                    f"mileage is {mileage:g}, which needs more than {MOST_STEPS} steps of "
+                    f"{depth_step:g} m; permitted are larger steps, or less mileage"
+                )
     return WearRun(tuple(steps), part)
 
 
@@ -98,12 +108,13 @@ class Plan(NamedTuple):
         left = self.mileage - done
         if not left > LEAST * self.mileage:
             nothing = {side: (np.array([0.0, 1e-9]), np.zeros(2)) for side in SIDES}
-            return WearStep(done, 0.0, profiles, nothing, dict.fromkeys(SIDES, 0.0), shapes, conicity, {},
-                            0), None
+            return WearStep(
+                done, 0.0, profiles, nothing, dict.fromkeys(SIDES, 0.0), shapes, conicity, {}, 0
+            ), None
         wear = self.filled(self.simulate(system), system)
         names = {side: f"{side}.{self.part}" for side in SIDES}
         arcs = {side: wear.arcs[name] for side, name in names.items()}
-        deepest = max(np.max(wear.depth(name)[1]) for name in names.values())      # before it is smoothed
+        deepest = max(np.max(wear.depth(name)[1]) for name in names.values())  # before it is smoothed
         length = min(left, self.depth_step / deepest) if deepest > 0.0 else left
         depth = {side: wear.smooth_depth(name, self.smoothing) * length for side, name in names.items()}
         if self.options.get("method", METHODS[0]) == "midpoint":
@@ -113,8 +124,9 @@ class Plan(NamedTuple):
         where = {side: (arc.own_places, depth[side]) for side, arc in arcs.items()}
         taken = {side: float(np.sum(depth[side]) * arcs[side].width) for side in SIDES}
         shares = {side: wear.shares(name) for side, name in names.items()}
-        return WearStep(done, float(length), profiles, where, taken, shapes, conicity, shares,
-                        wear.left_out), worn
+        return WearStep(
+            done, float(length), profiles, where, taken, shapes, conicity, shares, wear.left_out
+        ), worn
 
     def halfway(self, system, arcs, depth, length):
         """Wear of the profiles after half of a step, and the depth of the whole one by it, at the same points
@@ -125,7 +137,9 @@ class Plan(NamedTuple):
         for side in SIDES:
             name = f"{side}.{self.part}"
             places = moved_places(arcs[side], 0.5 * depth[side], worn[side])
-            found[side] = wear.arcs[name].interpolated(wear.smooth_depth(name, self.smoothing), places) * length
+            found[side] = (
+                wear.arcs[name].interpolated(wear.smooth_depth(name, self.smoothing), places) * length
+            )
         return wear, found
 
     def shape(self, profile, side, steps):
@@ -139,8 +153,9 @@ class Plan(NamedTuple):
         """What ``simulate`` has returned, as a :class:`~wrcontact.Wear`."""
         if isinstance(found, Wear):
             return found
-        wear = Wear(system, self.law, **{name: value for name, value in self.options.items()
-                                         if name != "method"})
+        wear = Wear(
+            system, self.law, **{name: value for name, value in self.options.items() if name != "method"}
+        )
         for section in found if isinstance(found, list) else [found]:
             wear.add(*(section if isinstance(section, tuple) else (section,)))
         return wear
@@ -161,5 +176,11 @@ def with_profiles(system, part, profiles):
         wheel, left_wheel = right, left
     else:
         rail, left_rail = right, left
-    parameters = {**parameters, "wheel": wheel, "rail": rail, "left_wheel": left_wheel, "left_rail": left_rail}
+    parameters = {
+        **parameters,
+        "wheel": wheel,
+        "rail": rail,
+        "left_wheel": left_wheel,
+        "left_rail": left_rail,
+    }
     return rebuilt(kind, parameters, (wheel, rail, left_wheel, left_rail))

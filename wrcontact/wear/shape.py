@@ -60,13 +60,20 @@ def wheel_shape(profile, new=None, worn_area=0.0):
     level = float(profile.height(0.0))
     height, thickness, steepness = _flange(y, z - level, profile.start)
     tread = z[y > TREAD]
-    behind = np.maximum.accumulate(tread[::-1])[::-1]         # highest radius from here outwards
+    behind = np.maximum.accumulate(tread[::-1])[::-1]  # highest radius from here outwards
     inner = np.minimum.accumulate(tread)
     hollow = max(float(np.max(behind - inner)), 0.0)
     lost = float(new.height(0.0)) - level if new is not None else 0.0
     bent = y[(y >= BENT[0]) & (y <= BENT[1])]
-    return WheelShape(height, thickness, steepness, hollow if hollow > 1e-9 else 0.0, lost,
-                      float(np.max(np.abs(profile.curvature(bent)))), float(worn_area))
+    return WheelShape(
+        height,
+        thickness,
+        steepness,
+        hollow if hollow > 1e-9 else 0.0,
+        lost,
+        float(np.max(np.abs(profile.curvature(bent)))),
+        float(worn_area),
+    )
 
 
 def _flange(y, z, back):
@@ -74,7 +81,7 @@ def _flange(y, z, back):
     tip = int(np.argmax(np.where(y < 0.0, z, -np.inf)))
     if not z[tip] > FLANGE:
         return math.nan, math.nan, math.nan
-    front = slice(tip, int(np.argmin(np.abs(y))) + 1)          # from the tip to the running circle z falls
+    front = slice(tip, int(np.argmin(np.abs(y))) + 1)  # from the tip to the running circle z falls
     at = [float(np.interp(-level, -z[front], y[front])) for level in (ABOVE, z[tip] - BELOW_TIP)]
     return float(z[tip]), at[0] - back, at[0] - at[1]
 
@@ -86,8 +93,13 @@ def rolling_conicity(system):
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        rigid = type(system)((system.left_wheel, system.wheel), (system.left_rail, system.rail),
-                             **geometry_of(system), contact_mode="rigid", normal_model="hertz")
+        rigid = type(system)(
+            (system.left_wheel, system.wheel),
+            (system.left_rail, system.rail),
+            **geometry_of(system),
+            contact_mode="rigid",
+            normal_model="hertz",
+        )
         table = rigid.evaluate_many(SHIFTS, outputs="geometry")
     difference = table.right.rolling_radius - table.left.rolling_radius
     there = np.isfinite(difference)
@@ -98,6 +110,13 @@ def rolling_conicity(system):
 
 def geometry_of(system):
     """Track and wheelset of a system, for another one with other methods."""
-    names = ("rail_inclination", "gauge", "gauge_depth", "running_circle_distance", "nominal_radius",
-             "left_rail_inclination", "left_nominal_radius")
+    names = (
+        "rail_inclination",
+        "gauge",
+        "gauge_depth",
+        "running_circle_distance",
+        "nominal_radius",
+        "left_rail_inclination",
+        "left_nominal_radius",
+    )
     return {name: system.parameters[name] for name in names}

@@ -76,21 +76,32 @@ class WearRun(ShortText):
         """A xarray.Dataset over step and side; heights and depths over ``place`` [m] too."""
         xarray = needed("xarray", "to_xarray")
         first = [self.steps[0].profiles[side] for side in SIDES]
-        place = RASTER * np.arange(np.ceil(min(one.start for one in first) / RASTER),
-                                   np.floor(max(one.stop for one in first) / RASTER) + 1)
+        place = RASTER * np.arange(
+            np.ceil(min(one.start for one in first) / RASTER),
+            np.floor(max(one.stop for one in first) / RASTER) + 1,
+        )
         over = ("step", "side")
         height = [[step.profiles[side].height(place) for side in SIDES] for step in self.steps]
-        depth = [[np.interp(place, *step.depth[side], left=0.0, right=0.0) for side in SIDES]
-                 for step in self.steps]
+        depth = [
+            [np.interp(place, *step.depth[side], left=0.0, right=0.0) for side in SIDES]
+            for step in self.steps
+        ]
         found = {
             "height": ((*over, "place"), height, {"units": "m", "long_name": "height of the profile, down"}),
             "depth": ((*over, "place"), depth, {"units": "m", "long_name": "taken off along the normal"}),
             "equivalent_conicity": ("step", self.conicity, {"units": "1", "long_name": "at 3 mm, with roll"}),
-            "left_out": ("step", [step.left_out for step in self.steps], {"long_name": "rows left out"})}
+            "left_out": ("step", [step.left_out for step in self.steps], {"long_name": "rows left out"}),
+        }
         for name in WheelShape.__dataclass_fields__ if self.part == "wheel" else ("worn_area",):
-            found[name] = (over, np.transpose([self.shape(name, side) for side in SIDES]),
-                           {"units": UNITS.get(name, "m")})
-        labels = {"step": np.arange(len(self.steps)), "side": list(SIDES),
-                  "place": ("place", place, {"units": "m"}),
-                  "distance": ("step", self.distance, {"units": "m" if self.part == "wheel" else "1"})}
+            found[name] = (
+                over,
+                np.transpose([self.shape(name, side) for side in SIDES]),
+                {"units": UNITS.get(name, "m")},
+            )
+        labels = {
+            "step": np.arange(len(self.steps)),
+            "side": list(SIDES),
+            "place": ("place", place, {"units": "m"}),
+            "distance": ("step", self.distance, {"units": "m" if self.part == "wheel" else "1"}),
+        }
         return xarray.Dataset(found, labels)

@@ -115,14 +115,21 @@ def _zones(arc, depth, start, stop):
     y_new, z_new = (y + into * slope) / MM, (z - into) / MM
     if not np.all(np.diff(y_new) > 0.0):
         at = int(np.argmin(np.diff(y_new)))
-        raise ValueError(f"the worn profile {profile.name} folds at y = {y_new[at]:.4g} mm, where the depth is "
-                         f"{1e3 * d[at]:.3g} mm; permitted are smaller steps or more smoothing")
+        raise ValueError(
+            f"the worn profile {profile.name} folds at y = {y_new[at]:.4g} mm, where the depth is "
+            f"{1e3 * d[at]:.3g} mm; permitted are smaller steps or more smoothing"
+        )
     tangent = [(1, float(slope[k])) if not free else "not-a-knot" for k, free in zip((0, -1), ends)]
     spline = CubicSpline(y_new, z_new, bc_type=tuple(tangent))
-    new = [Polynomial(float(a), float(b), tuple(map(float, piece[::-1])), float(a))
-           for a, b, piece in zip(y_new[:-1], y_new[1:], spline.c.T)]
-    return [*_cut(profile.zones, None, y_new[0] if not ends[0] else None), *new,
-            *_cut(profile.zones, y_new[-1] if not ends[1] else None, None, behind=True)]
+    new = [
+        Polynomial(float(a), float(b), tuple(map(float, piece[::-1])), float(a))
+        for a, b, piece in zip(y_new[:-1], y_new[1:], spline.c.T)
+    ]
+    return [
+        *_cut(profile.zones, None, y_new[0] if not ends[0] else None),
+        *new,
+        *_cut(profile.zones, y_new[-1] if not ends[1] else None, None, behind=True),
+    ]
 
 
 def _cut(zones, low, high, behind=False):
@@ -131,8 +138,7 @@ def _cut(zones, low, high, behind=False):
     if limit is None:
         return []
     if behind:
-        return [replace(zone, start=max(zone.start, limit)) for zone in zones
-                if zone.stop > limit + SLIVER]
+        return [replace(zone, start=max(zone.start, limit)) for zone in zones if zone.stop > limit + SLIVER]
     return [replace(zone, stop=min(zone.stop, limit)) for zone in zones if zone.start < limit - SLIVER]
 
 
@@ -141,7 +147,7 @@ def _top(zones):
     heights = [float(zone(zone.start)[0]) for zone in zones]
     k = int(np.argmin(heights))
     best = (heights[k], zones[k].start)
-    for zone in zones[max(k - 1, 0):k + 2]:
+    for zone in zones[max(k - 1, 0) : k + 2]:
         at = 0.5 * (zone.start + zone.stop)
         for _ in range(6):
             _, slope, bend = (float(part) for part in zone(at))
