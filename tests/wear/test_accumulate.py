@@ -124,7 +124,6 @@ def test_results_of_the_native_fmu_wear_as_python_s(fmus, tmp_path):
         [time, *(values for _, values in given)], names=["time", *(n for n, _ in given)]
     )
     names = [name for name in columns_of(table()) if "patch[" in name or "[" in name or "power" in name]
-    # results of a step are those of the inputs at its end
     found = fmpy.simulate_fmu(
         str(fmus[2]),
         stop_time=59.0,
@@ -136,14 +135,16 @@ def test_results_of_the_native_fmu_wear_as_python_s(fmus, tmp_path):
     )
     write_csv(tmp_path / "result.csv", found)
     direct = wrcontact.Wear(system(), wrcontact.Usfd())
-    direct.add_fmu(columns_of(table()), distance=1.0)
+    # fmpy sets the inputs of a step at its beginning, and reads the results at its end
+    shifted = table()[np.maximum(np.arange(60) - 1, 0)]
+    direct.add_fmu(columns_of(shifted), distance=1.0)
     for results in (found, tmp_path / "result.csv"):
         wear = wrcontact.Wear(system(), wrcontact.Usfd())
         wear.add_fmu(results, distance=1.0)
         assert (wear.rows, wear.left_out) == (60, 0)
         for part in PARTS:
-            assert wear.mass(part) == pytest.approx(direct.mass(part), rel=0.05), part
-            assert wear.depth(part)[1].max() == pytest.approx(direct.depth(part)[1].max(), rel=0.1), part
+            depth = direct.depth(part)[1]
+            assert wear.depth(part)[1] == pytest.approx(depth, rel=1e-6, abs=1e-6 * depth.max()), part
 
 
 def test_distance_counts_and_not_time():
