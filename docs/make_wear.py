@@ -103,9 +103,10 @@ if __name__ == "__main__":
     deepest = whole.smooth_depth("wheel", 1e-3).max()
     shares = ", ".join(f"{100 * share:.1f} % {name}" for name, share in whole.shares("wheel").items())
     worst = max(step.left_out for step in run.steps)
-    put("laboratory", f"With new wheels the law without calibration takes 1 mm in {1e-3 / deepest / 1e3:.0f} km at "
-        f"the deepest place; by mass {shares}. The run over {run.distance[-1] / 1e6:.0f} 000 km with "
-        f"{route.CALIBRATION:g} of it has {len(run.steps) - 1} steps; of its rows at most {worst} are left out.")
+    put("laboratory", "With new wheels the law without calibration takes 1 mm in "
+        f"{1e-3 / deepest / 1e3:.0f} km at the deepest place; by mass {shares}. The run over "
+        f"{run.distance[-1] / 1e6:.0f} 000 km with {route.CALIBRATION:g} of it has {len(run.steps) - 1} "
+        f"steps; of the rows of a step at most {worst} are left out.")
     save(wear_depth_figure(whole, DISTANCE), IMAGES / "wear_depth.png")
     found = [wrcontact.fatigue(table, yield_shear=YIELD) for table, _ in tables]
     everything = joined(found)

@@ -130,6 +130,15 @@ def test_many_pieces_are_read_as_one_by_one():
     assert slope == pytest.approx(worn.slope(y), abs=1e-10)
 
 
+def test_a_place_alone_has_the_bits_of_an_array():
+    """Joints of many zones are checked one by one."""
+    arc = Arc(system().wheel)
+    for zone in (*system().wheel.zones, *worn_profile(arc, bump(arc, 0.2e-3)).zones[::40]):
+        for y in np.linspace(zone.start, zone.stop, 5):
+            alone, array = zone(float(y)), np.array(zone(np.array([y])))[:, 0]
+            assert np.array_equal(alone, array, equal_nan=True), (zone, y)
+
+
 def test_a_curve_that_folds_is_refused():
     """A hollow circle of 20 mm cannot lose 30 mm of depth on the way to its centre; one mm in steps of 0.1 mm
     with depths that jump folds a steep flank."""

@@ -6,8 +6,8 @@ laboratory numbers of dry discs wear much faster than wheels in service (docs/gu
 
 Only a constant that was read in a source has a default.  The others have to be given.
 
->>> Usfd().rate(power_density=5e6 * 20.0, speed=20.0) / 20.0       # kg/m/m2 at T gamma / A = 5 N/mm2
-0.0265
+>>> round(float(Usfd().rate(power_density=5e6 * 20.0, speed=20.0)), 6)      # 20 m/s, T gamma / A = 5 N/mm2
+0.53
 >>> Zobory()
 Traceback (most recent call last):
 ValueError: Zobory needs mild, severe and limit; they have no default, since no source of them was read
