@@ -8,12 +8,18 @@ wheel comes by once a turn:
 with the distances as weights, and the nominal radius r.
 """
 
+from __future__ import annotations
+
 import math
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ..conventions import SIDES
 from ..methods.numbers import check_choice
+from ..profiles.profile import Profile
+from ..state import WheelsetState
 from ..system import ContactSystem
 from .bins import Arc, deposit
 from .cells import station_cells, strip_cells
@@ -64,7 +70,9 @@ class Wear:
     (True, True)
     """
 
-    def __init__(self, system, law, *, mirrored=False, bin_width=0.25e-3):
+    def __init__(
+        self, system: ContactSystem, law: Any, *, mirrored: bool = False, bin_width: float = 0.25e-3
+    ) -> None:
         if not isinstance(system, ContactSystem):
             raise ValueError(f"system is {type(system).__name__}; permitted is a ContactSystem")
         if not 0.01e-3 <= bin_width <= 2e-3:
@@ -94,7 +102,7 @@ class Wear:
 
     # --- what has run ---------------------------------------------------------------------------------------
 
-    def add(self, table, distance=None):
+    def add(self, table: WheelsetState[Any, Any, Any], distance: ArrayLike | None = None) -> None:
         """Add a table of states with creep forces and outputs of wear.
 
         Parameters
@@ -110,7 +118,9 @@ class Wear:
         rows = rows_of_table(table)
         self._add(rows, distances(rows, distance, None))
 
-    def add_fmu(self, results, distance_column=BY_TIME, distance=None):
+    def add_fmu(
+        self, results: Any, distance_column: str = BY_TIME, distance: ArrayLike | None = None
+    ) -> None:
         """Add the results of an FMU with the parameters ``tangential_model`` and ``wear_outputs``.
 
         Parameters
@@ -165,15 +175,15 @@ class Wear:
     # --- what it takes off ----------------------------------------------------------------------------------
 
     @property
-    def distance(self):
+    def distance(self) -> float:
         """Distance that was added so far [m]."""
         return float(sum(np.sum(added.distance) for added in self.additions))
 
-    def arc(self, part):
+    def arc(self, part: str) -> Arc:
         """The :class:`~wrcontact.wear.bins.Arc` of a part: its places, bins and profile."""
         return self.arcs[self._part(part)]
 
-    def depth(self, part):
+    def depth(self, part: str) -> tuple[NDArray[Any], NDArray[Any]]:
         """Places (bins,) [m], and the depth there: per metre run of a wheel [1], per passage over a rail [m].
 
         Parameters
@@ -185,20 +195,20 @@ class Wear:
         total = sum(np.sum(self._sums(added, name), axis=0) for added in self.additions)
         return self.arcs[name].places, total / (self.distance * self._divisor(name))
 
-    def mass(self, part):
+    def mass(self, part: str) -> float:
         """Mass per metre run of a wheel [kg/m], or per passage over a metre of rail [kg/m]."""
         name = self._part(part)
         around = 2.0 * math.pi * self._radius(name) if name.endswith("wheel") else 1.0
         return float(np.sum(self.depth(part)[1]) * self.arcs[name].width * STEEL * around)
 
-    def shares(self, part):
+    def shares(self, part: str) -> dict[str, float]:
         """Share of the worn mass in each regime of the law, by its name."""
         name = self._part(part)
         names = [f"{side}.{name.partition('.')[2]}" for side in SIDES] if self.mirrored else [name]
         total = sum(added.regimes[one] for added in self.additions for one in names)
         return dict(zip(self.law.regimes, (total / (np.sum(total) or 1.0)).tolist()))
 
-    def error(self, part, *, smoothing=0.0, samples=200, seed=0):
+    def error(self, part: str, *, smoothing: float = 0.0, samples: int = 200, seed: int = 0) -> NDArray[Any]:
         """Standard error (bins,) of the depth, in its unit, by the bootstrap over poses.
 
         Each table that was added is drawn anew from its rows, or from 200 stretches of a longer one, since
@@ -219,7 +229,7 @@ class Wear:
             found.append(smoothed(total, arc, smoothing))
         return np.std(found, axis=0, ddof=1) / (self.distance * self._divisor(name))
 
-    def worn(self, part, distance, smoothing=1e-3):
+    def worn(self, part: str, distance: float, smoothing: float = 1e-3) -> Profile:
         """The worn :class:`~wrcontact.Profile` of a part.
 
         Parameters
@@ -254,7 +264,7 @@ class Wear:
         )
         return worn_profile(arc, depth, said)
 
-    def smooth_depth(self, part, smoothing):
+    def smooth_depth(self, part: str, smoothing: float) -> NDArray[Any]:
         """The smoothed depth (bins,) in the unit of :meth:`depth`."""
         return smoothed(self.depth(part)[1], self.arcs[self._part(part)], smoothing)
 

@@ -4,14 +4,20 @@ Each patch of each row is one passage.  Nothing of it is computed in a simulatio
 state or a table of them.
 """
 
+from __future__ import annotations
+
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..conventions import SIDES
 from ..kernel.layout import PATCH_LIMIT
 from ..methods.numbers import check_choice
 from ..results.words import ShortText
+from ..state import WheelsetState
 
 #: Breakpoints of the T gamma damage [N], and lines between them: (slope [1/N], constant).
 BREAKS = (20.0, 65.0, 175.0)
@@ -77,7 +83,14 @@ class Fatigue(ShortText):
         return 0.5 * (edges[1:] + edges[:-1]), sums
 
 
-def fatigue(table, *, yield_shear, direction="both", damage=None, surface_life=None):
+def fatigue(
+    table: WheelsetState[Any, Any, Any],
+    *,
+    yield_shear: float,
+    direction: str = "both",
+    damage: Callable[[NDArray[Any]], NDArray[Any]] | None = None,
+    surface_life: tuple[float, float] | None = None,
+) -> Fatigue:
     """The :class:`Fatigue` of each patch of a state or a table with creep forces.
 
     Parameters

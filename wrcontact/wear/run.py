@@ -1,12 +1,14 @@
 """Wear to a mileage: simulate, wear the profiles by a step, simulate with the worn ones, and so on."""
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..conventions import SIDES
 from ..methods.numbers import check_choice
 from ..progress import working
+from ..system import ContactSystem
 from .accumulate import Wear
 from .laws import law_of
 from .shape import WheelShape, rolling_conicity, wheel_shape
@@ -21,7 +23,17 @@ OPTIONS = ("method", "mirrored", "bin_width", "store")
 METHODS = ("midpoint", "euler")
 
 
-def wear_run(simulate, system, law, mileage, depth_step=1e-4, *, part="wheel", smoothing=1e-3, **options):
+def wear_run(
+    simulate: Callable[[ContactSystem], Any],
+    system: ContactSystem,
+    law: Any,
+    mileage: float,
+    depth_step: float = 1e-4,
+    *,
+    part: str = "wheel",
+    smoothing: float = 1e-3,
+    **options: Any,
+) -> WearRun:
     """Wear the wheels, or the rails, of a ``system`` to a ``mileage``: a :class:`WearRun`.
 
     Parameters

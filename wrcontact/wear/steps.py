@@ -1,11 +1,13 @@
 """What a run of wear has found: its steps, and what a data set of them has."""
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..conventions import SIDES
+from ..profiles.profile import Profile
 from ..results.convert import needed
 from ..results.words import ShortText
 from .shape import WheelShape
@@ -51,28 +53,28 @@ class WearRun(ShortText):
     part : "wheel" or "rail".
     """
 
-    steps: tuple
+    steps: tuple[WearStep, ...]
     part: str
 
     @property
-    def distance(self):
+    def distance(self) -> NDArray[Any]:
         """Distances (n,) [m] of the steps; of rails numbers of passages."""
         return np.array([step.distance for step in self.steps])
 
     @property
-    def conicity(self):
+    def conicity(self) -> NDArray[Any]:
         """Equivalent conicity (n,) at 3 mm [1]."""
         return np.array([step.conicity for step in self.steps])
 
-    def profiles(self, side="right"):
+    def profiles(self, side: str = "right") -> tuple[Profile, ...]:
         """The profile of one side at each step, the last one worn to the mileage."""
         return tuple(step.profiles[side] for step in self.steps)
 
-    def shape(self, name, side="right"):
+    def shape(self, name: str, side: str = "right") -> NDArray[Any]:
         """A dimension (n,) of :class:`~wrcontact.wear.WheelShape` over the steps."""
         return np.array([getattr(step.shapes[side], name) for step in self.steps])
 
-    def to_xarray(self):
+    def to_xarray(self) -> Any:
         """A xarray.Dataset over step and side; heights and depths over ``place`` [m] too."""
         xarray = needed("xarray", "to_xarray")
         first = [self.steps[0].profiles[side] for side in SIDES]
