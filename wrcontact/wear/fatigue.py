@@ -23,6 +23,18 @@ from ..state import WheelsetState
 BREAKS = (20.0, 65.0, 175.0)
 RISE, FALL = (2.22e-7, -4.44e-6), (-9.09e-8, 1.59e-5)
 DIRECTIONS = ("both", "driven", "braked")
+#: Outputs of a patch that are read.
+READ = (
+    "normal_force",
+    "area",
+    "length",
+    "width",
+    "max_pressure",
+    "creepage.x",
+    "creepage.y",
+    "tangential.x",
+    "tangential.y",
+)
 #: Points along and below a line contact, in half its length, for the shakedown limit.
 ALONG, BELOW = np.linspace(-3.0, 3.0, 601), np.linspace(0.005, 1.5, 300)
 
@@ -116,20 +128,7 @@ def fatigue(
         raise ValueError(f"yield_shear is {yield_shear!r}; permitted is yield_shear > 0 Pa")
     check_choice("direction", direction, DIRECTIONS)
     table = table._as_table()
-    read = {
-        name: _patches(table, name)
-        for name in (
-            "normal_force",
-            "area",
-            "length",
-            "width",
-            "max_pressure",
-            "creepage.x",
-            "creepage.y",
-            "tangential.x",
-            "tangential.y",
-        )
-    }
+    read = {name: _patches(table, name) for name in READ}
     if not np.nansum(np.abs(read["tangential.x"]) + np.abs(read["tangential.y"])) > 0.0:
         raise ValueError(
             "the table has no creep forces; fatigue needs ContactSystem(tangential_model="

@@ -64,21 +64,16 @@ def wear_run(
     for name in options:
         check_choice("a keyword of wear_run", name, OPTIONS)
     check_choice("method", options.get("method", METHODS[0]), METHODS)
-    law = law_of(law)
-    plan = Plan(
-        simulate,
-        law,
-        part,
-        dict(zip(SIDES, profiles_of(system, part))),
-        mileage,
-        depth_step,
-        smoothing,
-        options,
-    )
-    store = Store(options.pop("store", None), plan, system)
+    new = dict(zip(SIDES, profiles_of(system, part)))
+    plan = Plan(simulate, law_of(law), part, new, mileage, depth_step, smoothing, options)
+    return WearRun(tuple(_steps(plan, Store(options.pop("store", None), plan, system), system)), part)
+
+
+def _steps(plan, store, system):
+    """All steps to the mileage, those that the ``store`` has already first."""
     steps, worn = store.read()
-    system = with_profiles(system, part, worn) if worn else system
-    with working("wear", round(mileage)) as advance:
+    system = with_profiles(system, plan.part, worn) if worn else system
+    with working("wear", round(plan.mileage)) as advance:
         advance(round(_reached(steps)))
         while not steps or steps[-1].length > 0.0:
             step, worn = plan.step(system, steps)
@@ -86,13 +81,13 @@ def wear_run(
             store.write(step, worn, len(steps) - 1)
             advance(round(step.length))
             if worn:
-                system = with_profiles(system, part, [worn[side] for side in SIDES])
+                system = with_profiles(system, plan.part, [worn[side] for side in SIDES])
             if len(steps) > MOST_STEPS:
                 raise ValueError(
-                    f"mileage is {mileage:g}, which needs more than {MOST_STEPS} steps of "
-                    f"{depth_step:g} m; permitted are larger steps, or less mileage"
+                    f"mileage is {plan.mileage:g}, which needs more than {MOST_STEPS} steps of "
+                    f"{plan.depth_step:g} m; permitted are larger steps, or less mileage"
                 )
-    return WearRun(tuple(steps), part)
+    return steps
 
 
 def _reached(steps):
