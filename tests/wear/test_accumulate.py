@@ -148,16 +148,14 @@ def test_results_of_the_native_fmu_wear_as_python_s(fmus, tmp_path):
 
 
 def test_distance_counts_and_not_time():
-    """Rows of time 1 s at 10 and 30 m/s stand for 10 and 30 m."""
-    inputs = {name: values[[20, 20]] for name, values in poses()[0].items()}
+    """Two poses, each for 0.5 s, at 10 and 30 m/s stand for 5 and 15 m."""
+    inputs = {name: values[[20, 45]] for name, values in poses()[0].items()}
     found = columns_of(system().evaluate_many(**{**inputs, "speed": [10.0, 30.0]}))
     wear = wrcontact.Wear(system(), energy)
     wear.add_fmu({**found, "time": np.array([0.0, 1.0])})
-    assert wear.distance == pytest.approx(0.5 * (10.0 + 30.0))
-    work = 0.5 * (
-        10.0 * found["right.friction_power"][0] / 10.0 + 30.0 * found["right.friction_power"][1] / 30.0
-    )
-    assert wear.mass("right.wheel") == pytest.approx(1e-9 * work / 20.0, rel=1e-9)
+    assert wear.distance == pytest.approx(20.0)
+    each = found["right.friction_power"] / [10.0, 30.0]  # [J/m]
+    assert wear.mass("right.wheel") == pytest.approx(1e-9 * (5.0 * each[0] + 15.0 * each[1]) / 20.0, rel=1e-9)
 
 
 def test_mirror_images_wear_alike():
