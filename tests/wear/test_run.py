@@ -155,7 +155,7 @@ def test_pictures_show_what_there_is():
     run = wrcontact.wear_run(simulate, system(), wrcontact.Usfd(), 4e5, mirrored=True)
     figure = plots.wear_figure(run)
     titles = [panel.get_title(loc="left") for panel in figure.axes]
-    assert {"right wheel", "Worn depth, along the normal", "Change of dimensions"} <= set(titles)
+    assert {"right wheel, depth enlarged 10 times", "Change of dimensions"} <= set(titles)
     area = next(panel for panel in figure.axes if panel.get_title(loc="left") == "Worn cross-section")
     assert area.lines[0].get_ydata()[-1] == pytest.approx(run.shape("worn_area", "left")[-1] * 1e6)
     wear = wrcontact.Wear(system(), wrcontact.Usfd())

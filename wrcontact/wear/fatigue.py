@@ -134,7 +134,7 @@ def fatigue(
             "the table has no creep forces; fatigue needs ContactSystem(tangential_model="
             '"strips") and a speed'
         )
-    there = read["area"] > 0.0
+    there = (read["area"] > 0.0) & (read["max_pressure"] > 0.0) & (read["width"] > 0.0)
     read = {name: np.where(there, values, np.nan) for name, values in read.items()}
     found = indices(read, yield_shear, damage or wear_number_damage, surface_life)
     # a wheel that is driven is pushed forward by the rail
