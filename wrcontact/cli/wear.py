@@ -89,7 +89,7 @@ COURSE = [
     option(
         "distance",
         float,
-        10000.0,
+        1000.0,
         "Distance that a wheel runs; of a rail the passages, in thousands",
         flag="--distance-km",
     ),
@@ -154,10 +154,12 @@ def wear(
     """Wear a wheel or a rail over a distance, from the results of an FMU.
 
     Each row of the results is a pose; it counts by the distance that it stands for. The law says what each
-    pose takes off, and the profile is moved along its normal. More than 2 mm is too much for one step: the
-    worn profile then has to be simulated again.
+    pose takes off, and the profile is moved along its normal. The laws are those of dry laboratories, much
+    faster than service; --calibration is a factor. More than 2 mm is too much for one step: the worn profile
+    then has to be simulated again.
 
-    Example: wrcontact wear results.csv --law usfd --distance-km 50000 --output worn.json --plot
+    Example: wrcontact wear results.csv --law usfd --calibration 0.04 --distance-km 50000 --output worn.json
+    --plot
     """
     if output is not None and output.suffix.lower() != ".json":
         raise Refused(f"--output is {str(output)!r}; permitted is a file that ends in .json")

@@ -51,7 +51,7 @@ class Usfd(Law):
         x = power_density / speed
         return np.where(x < self.first, 0, np.where(x < self.second, 1, 2))
 
-    def rate(self, *, power_density, speed, **_):
+    def rate(self, power_density, pressure=None, slip=None, friction=None, *, speed, **_):
         """Mass per area and time [kg/(m2 s)]."""
         x = power_density / speed
         beyond = self.steep * (x - self.second) + self.plateau
@@ -108,7 +108,7 @@ class ArchardMap(Law):
             return np.where(values >= edge, 1.0, 0.0)
         return np.clip((values / edge - 1.0 + self.blend) / (2.0 * self.blend), 0.0, 1.0)
 
-    def rate(self, *, power_density, pressure, slip, friction, **_):
+    def rate(self, power_density, pressure, slip, friction, **_):
         """Mass per area and time [kg/(m2 s)]."""
         if np.any(np.isnan(friction) & (np.asarray(power_density) > 0.0)):
             raise ValueError("friction is not known; ArchardMap needs left.friction and right.friction")
@@ -155,7 +155,9 @@ class BritishRail(Law):
             np.where(wear_number < self.second, self.plateau, beyond),
         )[()]
 
-    def rate(self, *, power_density, speed, wear_number, patch_power, **_):
+    def rate(
+        self, power_density, pressure=None, slip=None, friction=None, *, speed, wear_number, patch_power, **_
+    ):
         """Mass per area and time [kg/(m2 s)]."""
         if np.any(np.isnan(wear_number) & (np.asarray(power_density) > 0.0)):
             raise ValueError(
@@ -186,7 +188,7 @@ class Zobory(Law):
         """0 or 1 for each strip."""
         return np.where(power_density < self.limit, 0, 1)
 
-    def rate(self, *, power_density, **_):
+    def rate(self, power_density, pressure=None, slip=None, friction=None, **_):
         """Mass per area and time [kg/(m2 s)]."""
         k = np.where(power_density < self.limit, self.mild, self.severe)
         return self.calibration * k * power_density
