@@ -18,23 +18,25 @@ from .system import ContactSystem
 from .wheel import WheelContact, WheelState
 
 __version__ = "1.0.0"
-#: Functions that are imported when they are first used: an FMU does not have them.
-_FUNCTIONS = {"interpolate": ".sweeps.interpolation", "sweep": ".sweeps.run"}
+#: What is imported when it is first used, and where from: an FMU does not have it.
+_ELSEWHERE = {"interpolate": ".sweeps.interpolation", "sweep": ".sweeps.run",
+              **dict.fromkeys(("ArchardMap", "BritishRail", "Usfd", "Wear", "WearRun", "Zobory", "fatigue",
+                               "wear_run"), ".wear")}
 __all__ = ["ContactSystem", "CreepForces", "CreepPatch", "Friction", "GuidingForces", "Material", "Profile",
            "ProfileFile", "ProfileWarning", "Status", "Stepper", "Track", "UnusualValueWarning",
            "WheelContact", "WheelState", "Wheelset", "WheelsetState", "check", "check_fleet", "creep_forces",
            "elliptic_patch", "explain", "guiding_forces", "low_pass", "motion_of", "outlined_patch",
-           "patch_of", "sliding_mean", *_methods, *_FUNCTIONS]
+           "patch_of", "sliding_mean", *_methods, *_ELSEWHERE]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
-_LATER = frozenset({"conditioning", "fleet", "halfspace", "plots", "study"})
+_LATER = frozenset({"conditioning", "fleet", "halfspace", "plots", "study", "wear"})
 
 
 def __getattr__(name):
     if name in _LATER:
         return import_module(f".{name}", __name__)
-    if name in _FUNCTIONS:
-        return getattr(import_module(_FUNCTIONS[name], __name__), name)
+    if name in _ELSEWHERE:
+        return getattr(import_module(_ELSEWHERE[name], __name__), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

@@ -10,6 +10,7 @@ from . import fleet as fleet
 from . import halfspace as halfspace
 from . import plots as plots
 from . import study as study
+from . import wear as wear
 from .conditioning import Conditioning
 from .fleet import Fleet
 from .system import ContactSystem as ContactSystem
@@ -64,6 +65,14 @@ from .methods.tangential import Polach as Polach
 from .methods.tangential import HalfspaceRolling as HalfspaceRolling
 from .sweeps.interpolation import interpolate as interpolate
 from .sweeps.run import sweep as sweep
+from .wear.laws import ArchardMap as ArchardMap
+from .wear.laws import BritishRail as BritishRail
+from .wear.laws import Usfd as Usfd
+from .wear.accumulate import Wear as Wear
+from .wear.steps import WearRun as WearRun
+from .wear.laws import Zobory as Zobory
+from .wear.fatigue import fatigue as fatigue
+from .wear.run import wear_run as wear_run
 
 __version__: str
 

@@ -5,6 +5,7 @@ from collections import namedtuple
 from tests.helpers.paths import ROOT
 from tests.helpers.planted_laws import LAWS
 from tests.helpers.planted_strips import STRIP_LAWS
+from tests.helpers.planted_wear import WORN
 
 #: ``old`` occurs once in the kernel, and is replaced by ``new``; the tests in the room or the file
 #: ``first`` run before all others. ``module`` is the flat name of the kernel's file, or the path of a
@@ -151,7 +152,7 @@ ERRORS = [
     Error("drawn_bound", "low = min(max(low, start), stop)", "low = max(max(low, start), stop)",
           "the search takes the bends at the end of a profile for those of a stretch", "search",
           "prepare_scan"),
-    *(Error(*law) for law in (*LAWS, *STRIP_LAWS)),
+    *(Error(*law) for law in (*LAWS, *STRIP_LAWS, *WORN)),
 ]
 
 

@@ -19,7 +19,7 @@ PACKAGE = ROOT / "wrcontact"
 #: Rooms from upstream to downstream.
 ORDER = ("storage", "progress", "conventions", "methods", "interface", *(f"kernel.{room}" for room in ROOMS),
          "kernel.binding", "profiles", "results", "status", "state", "motion", "stepper", "halfspace",
-         "creep", "system", "wheel", "sweeps", "simulation", "conditioning", "plots", "fleet",
+         "creep", "system", "wheel", "sweeps", "simulation", "conditioning", "wear", "plots", "fleet",
          "study", "fmu", "cli")
 #: What a user holds; nothing else stands loose at the top of the package.
 TOP = {"system", "wheel", "stepper", "state", "status", "conventions"}

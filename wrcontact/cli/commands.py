@@ -1,4 +1,4 @@
-"""The commands ``demo``, ``build``, ``solve``, ``sweep``, ``plot``, ``check`` and ``figures``."""
+"""The commands ``demo``, ``build``, ``solve``, ``sweep``, ``plot``, ``check``, ``wear`` and ``figures``."""
 
 import os
 import sys
@@ -37,6 +37,7 @@ from .report import (
 from .shifts import shifts_of
 from .tables import writes_tables
 from .typed import Typed, remark_lines, typed
+from .wear import wear
 
 main = typer.Typer(
     name="wrcontact", cls=Door, add_completion=False, pretty_exceptions_enable=False,
@@ -320,6 +321,9 @@ def check(geometry,
     for target in (output, *([file] if file else [])):
         check_file(target)
     check_one(_system(geometry, smoothing), output, file)
+
+
+main.command(cls=Command, rich_help_panel=CONTACT)(with_all(reads_files(takes(geometry=GEOMETRY)(wear))))
 
 
 @main.command(cls=Command, rich_help_panel=STUDY)

@@ -29,6 +29,7 @@ from .solid import wheel_on_rail
 from .style import new_figure, save
 from .sweep import sweep, sweep_figure
 from .traction import PatchTractions, patch_tractions
+from .wear import fatigue_figure, shakedown_figure, wear_depth_figure, wear_figure
 
 __all__ = [
     "PatchTractions",
@@ -39,6 +40,7 @@ __all__ = [
     "contact_lines",
     "creep_curves",
     "demo_figure",
+    "fatigue_figure",
     "find_jumps",
     "hero_figure",
     "history",
@@ -51,7 +53,10 @@ __all__ = [
     "read_run",
     "roll_angle",
     "save",
+    "shakedown_figure",
     "sweep",
     "sweep_figure",
+    "wear_depth_figure",
+    "wear_figure",
     "wheel_on_rail",
 ]

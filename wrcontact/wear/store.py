@@ -1,0 +1,115 @@
+"""A folder with the steps of a run of wear, so that it goes on where it was interrupted."""
+
+import hashlib
+import json
+from dataclasses import asdict
+from pathlib import Path
+
+import numpy as np
+
+from ..conventions import SIDES
+from ..profiles.files import prepared_text, read_profile
+from ..profiles.options import ProfileFile
+from ..profiles.profile import Profile
+from ..storage.atomic import write_atomically
+from .shape import WheelShape
+from .steps import WearStep
+
+
+class Store:
+    """The folder of a run; None keeps nothing.
+
+    Each step is ``step_00000.json``, and the worn profiles behind it are prepared profiles such as
+    ``worn_00000_right.json``, which :class:`~wrcontact.ContactSystem` reads.
+    """
+
+    def __init__(self, folder, plan, system):
+        self.folder, self.plan = None if folder is None else Path(folder), plan
+        zones = [
+            prepared_text(one) for one in (system.left_wheel, system.wheel, system.left_rail, system.rail)
+        ]
+        said = [
+            plan.part,
+            repr(plan.law),
+            plan.depth_step,
+            plan.smoothing,
+            sorted(map(repr, plan.options.items())),
+        ]
+        numbers = sorted(
+            f"{name}={value!r}"
+            for name, value in system.parameters.items()
+            if not name.endswith(("wheel", "rail"))
+        )
+        self.mark = hashlib.sha256(json.dumps([said, zones, numbers]).encode()).hexdigest()
+
+    def read(self):
+        """Steps so far, and the worn profiles (left, right) behind the last one, or None."""
+        if self.folder is None:
+            return [], None
+        self.folder.mkdir(parents=True, exist_ok=True)
+        steps = []
+        while self._file(len(steps)).exists():
+            content = json.loads(self._file(len(steps)).read_text(encoding="utf-8"))
+            if content["mark"] != self.mark:
+                raise ValueError(
+                    f"store is {str(self.folder)!r}, which has another run; permitted is an empty "
+                    "folder, or that of a run with the same profiles, law and steps"
+                )
+            if content["distance"] + content["length"] > self.plan.mileage * (1.0 + 1e-9):
+                raise ValueError(
+                    f"mileage is {self.plan.mileage:g} and the store has "
+                    f"{content['distance'] + content['length']:g} already; permitted is at least "
+                    "that"
+                )
+            if content["length"] == 0.0 and content["distance"] < self.plan.mileage * (1.0 - 1e-9):
+                break  # the end of a run that goes on now
+            steps.append(self._step(content, len(steps)))
+        if not steps or steps[-1].length == 0.0:
+            return steps, None
+        return steps, [self._profile(len(steps) - 1, side) for side in SIDES]
+
+    def write(self, step, worn, number):
+        """Keep a step, and the ``worn`` profiles by side behind it."""
+        if self.folder is None:
+            return
+        for side, profile in (worn or {}).items():
+            write_atomically(self._profile_file(number, side), prepared_text(profile).encode())
+        content = {
+            "mark": self.mark,
+            "distance": step.distance,
+            "length": step.length,
+            "depth": {side: [part.tolist() for part in both] for side, both in step.depth.items()},
+            "taken": step.taken,
+            "conicity": step.conicity,
+            "shares": step.shares,
+            "left_out": step.left_out,
+            "shapes": {side: asdict(shape) for side, shape in step.shapes.items()},
+        }
+        write_atomically(self._file(number), json.dumps(content).encode())
+
+    def _step(self, content, number):
+        profiles = {
+            side: self._profile(number - 1, side) if number else self.plan.new[side] for side in SIDES
+        }
+        depth = {side: tuple(map(np.array, both)) for side, both in content["depth"].items()}
+        shapes = {side: WheelShape(**shape) for side, shape in content["shapes"].items()}
+        return WearStep(
+            content["distance"],
+            content["length"],
+            profiles,
+            depth,
+            content["taken"],
+            shapes,
+            content["conicity"],
+            content["shares"],
+            content["left_out"],
+        )
+
+    def _profile(self, number, side):
+        return read_profile(ProfileFile(self._profile_file(number, side)), self.plan.part, None, Profile)
+
+    def _profile_file(self, number, side):
+        return self.folder / f"worn_{number:05d}_{side}.json"
+
+    def _file(self, number):
+        return self.folder / f"step_{number:05d}.json"
