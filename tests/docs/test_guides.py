@@ -40,7 +40,8 @@ def marks(name):
     return compiler + [pytest.mark.full] * (name in (*WITH_FMUS, BUILDS, *SLOW))
 
 
-EXAMPLES = [pytest.param(name, marks=marks(name)) for name, page in PAGES.items() if "```python" in page]
+EXAMPLES = [pytest.param(name, marks=marks(name)) for name, page in PAGES.items()
+            if "```python" in page and name != "gallery.md"]        # test_gallery.py runs that
 pytestmark = pytest.mark.skipif(not default_kernel().compiled,
                                 reason="the examples of pages want the compiled library, and none is here")
 

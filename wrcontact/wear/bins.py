@@ -14,8 +14,8 @@ RASTER = 0.01e-3
 class Arc:
     """The curve of a ``profile`` by its arc length, as a contact sees it.
 
-    Contacts name places on a rail in the frame of the inclined head (docs/reference/conventions.md), on a wheel in that
-    of the profile; ``abscissa`` is that coordinate.
+    Contacts name places on a rail in the frame of the inclined head (docs/reference/conventions.md), on a
+    wheel in that of the profile; ``abscissa`` is that coordinate.
 
     Attributes
     ----------
