@@ -2,7 +2,7 @@
 
     python docs/make_wear.py [OUT]
 
-A run that OUT has already is not run again; without one it takes ten minutes on two cores.
+A run that OUT has already is not run again; without one it takes about nine minutes on two cores.
 """
 
 import re

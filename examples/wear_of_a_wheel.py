@@ -7,7 +7,7 @@ suspension runs on the forces of the native contact FMU (examples/hunting_wheels
 trailing one of its bogie, on rails that are not quite straight.  The motion is the wheelset's own.  What it
 does then wears its wheels by 0.15 mm at most, an FMU is packed with the worn ones, and it runs again.
 
-It takes seven minutes on two cores.  A run is kept in OUT/wear_run and goes on from there when the program is
+It takes eight minutes on two cores.  A run is kept in OUT/wear_run and goes on from there when the program is
 started again.
 """
 
