@@ -2,6 +2,7 @@
 
 import os
 import signal
+import time
 from dataclasses import replace
 
 import pytest
@@ -27,9 +28,10 @@ def client():
 
 
 @needs_linux
-@pytest.mark.parametrize("dying", [1, 2])
-def test_workers_die(tmp_path, client, dying):
-    """One of two, or both, with a profile file that the workers do not have."""
+@pytest.mark.parametrize("dying, after", [(1, 0), (2, 0), (2, 2)])
+def test_workers_die(tmp_path, client, dying, after):
+    """One of two, or both, with a profile file that the workers do not have; at once, or some time after the
+    third block, when other blocks are finished whose numbers have not been fetched."""
     file = points_file(tmp_path / "worn.csv", wrcontact.ContactSystem().wheel)
     system = wrcontact.ContactSystem(wheel=str(file))
     file.unlink()
@@ -39,6 +41,7 @@ def test_workers_die(tmp_path, client, dying):
     def progress(*numbers):
         told.append(numbers)
         if len(told) == 3:
+            time.sleep(after)
             for pid in pids[:dying]:
                 os.kill(pid, signal.SIGKILL)
 

@@ -1,7 +1,7 @@
 """The blocks of a sweep, solved by threads, by the workers of Dask, or, on the half-space, by processes."""
 
 import math
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from concurrent.futures import CancelledError, ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 
 import numpy as np
@@ -99,10 +99,11 @@ def _solve_once(task, client, corners, advance):
     futures = client.map(_solve, corners.tolist(), task=shipped, pure=False, batch_size=BATCH)
     try:
         for future in distributed.as_completed(futures):
-            if future.status == "cancelled":
+            try:
+                states, wrong = future.result()
+            except CancelledError:      # also where its worker has died since the block was finished
                 lost += 1
                 continue
-            states, wrong = future.result()
             future.release()        # or it would be done again where its worker dies
             advance(states, wrong)
             told += states
