@@ -113,6 +113,9 @@ class Patch(View[_N]):
     def creepage(self) -> Creepage[_N]:
         """Velocity of the wheel against the rail in the plane of a patch, over the rolling speed."""
     @property
+    def fatigue_damage(self) -> _N:
+        """T gamma damage of a passage; a sum of 1 begins a crack [1]."""
+    @property
     def force(self) -> Vector[_N]:
         """Force of the rail on the wheel, forward, to the right, down [N]."""
     @property
@@ -140,11 +143,20 @@ class Patch(View[_N]):
     def saturation(self) -> _N:
         """Creep force over friction times normal force [1]."""
     @property
+    def shakedown_ratio(self) -> _N:
+        """Peak pressure of an ellipse with its load and area, over yield_shear [1]."""
+    @property
     def stick_share(self) -> _N:
         """Share of the area that sticks; zero where the model does not know it [1]."""
     @property
+    def surface_fatigue_index(self) -> _N:
+        """Creep force over normal force, minus 1 / shakedown_ratio; above zero the surface yields at every passage [1]."""
+    @property
     def tangential(self) -> Tangential[_N]:
         """Creep force and moment of a patch on its wheel."""
+    @property
+    def wear_number(self) -> _N:
+        """Wear number T gamma: creep forces times creepages without spin; this and what follows is zero without fatigue_outputs [N]."""
     @property
     def width(self) -> _N:
         """Width in the contact plane [m]."""

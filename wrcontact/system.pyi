@@ -78,6 +78,8 @@ class ContactSystem:
         rail_vertical_damping: float | tuple[float, float] = 0.0,
         independent_wheels: bool = False,
         wear_outputs: bool = False,
+        fatigue_outputs: bool = False,
+        yield_shear: float = 300000000.0,
         stations: int = 31,
         smoothing: float | None = None,
         left_wheel: _OneProfile | None = None,

@@ -89,6 +89,8 @@ class WheelContact:
         rail_lateral_damping: float = 0.0,
         rail_vertical_damping: float = 0.0,
         wear_outputs: bool = False,
+        fatigue_outputs: bool = False,
+        yield_shear: float = 300000000.0,
         stations: int = 31,
         smoothing: float | None = None,
     ) -> None: ...

@@ -239,6 +239,26 @@ def saturation(wheel, k):
            / (friction(wheel) * wheel[f"patch[{k}].normal_force"]), EXACT)
 
 
+def of_fatigue(value, margin):
+    """A witness of an output of fatigue, zero where a scene does not ask for it: ``value`` of T gamma [N],
+    utilised friction [1] and the peak of an ellipse [Pa], over the yield stress in shear [Pa]."""
+    def witness(wheel, k):
+        yielding = wheel.yield_shear
+        if not yielding or k > wheel.count:
+            yield 0.0, 0.0
+            return
+        x, y, slip_x, slip_y, load, area = of_patch(
+            wheel, k, "tangential.x", "tangential.y", "creepage.x", "creepage.y", "normal_force", "area")
+        number = abs(x * slip_x) + abs(y * slip_y)
+        yield value(number, hypot(x, y) / load, 1.5 * load / area, yielding), margin
+    return witness
+
+
+def damage(number, *_):
+    """Lines through the corners of the figure, at 20, 65 and 175 N; its formulas miss the last two by 0.1 %."""
+    return np.interp(number, [20.0, 65.0, 175.0], [0.0, 9.99e-6, 0.0])
+
+
 def power(wheel, k):
     """Of the creep force and its moment on the wheel's surface, which is moved with the wheelset."""
     slide, turning = patch_moves(wheel, k)

@@ -33,7 +33,7 @@ ROUGH = 1.5
 #: Parameters and inputs by the names of the FMU, and the status: a centred wheelset; one that is shifted,
 #: yawed and unevenly loaded; flange root and flange on the left, at planes of their own; three patches on the
 #: right; Hertz; a pressed wheelset that rolls with friction; one whose wheels nearly stand, so that all
-#: slides; and one whose left wheel carries nothing.
+#: slides; one that creeps a little; and one whose left wheel carries nothing.
 SCENES = {
     "centred": ({}, {}, 0),
     "yawed": ({"wear_outputs": True}, {"lateral_shift": 3e-3, "yaw": 0.01, "load_transfer": 0.2}, 0),
@@ -44,15 +44,19 @@ SCENES = {
     "hertz": ({"normal_model": "hertz", "wear_outputs": True},
               {"lateral_shift": 3e-3, "yaw": 0.01, "load_transfer": 0.2}, 0),
     "compliant": ({"contact_mode": "compliant", "tangential_model": "polach", "contact_damping": 0.5,
-                   "wear_outputs": True},
+                   "wear_outputs": True, "fatigue_outputs": True, "yield_shear": 270e6},
                   {"lateral_shift": 4e-3, "yaw": 5e-3, "normal_force": 1.0, "vertical_shift_input": 0.134e-3,
                    "roll_input": -0.253e-3, "speed": 20.0, "lateral_velocity": 0.05,
                    "vertical_velocity": -0.01, "yaw_rate": 0.03, "roll_rate": 0.02, "wheel_rate": 44.0,
                    "track_curvature": 2e-3, "left.friction": 0.25, "right.friction": 0.4}, 0),
-    "sliding": ({"tangential_model": "fastsim", "wear_outputs": True},
+    "sliding": ({"tangential_model": "fastsim", "wear_outputs": True, "fatigue_outputs": True},
                 {"lateral_shift": 1e-3, "yaw": 0.0, "speed": 20.0, "wheel_rate": 5.0, "lateral_velocity": 0.0,
                  "vertical_velocity": 0.0, "yaw_rate": 0.0, "roll_rate": 0.0, "track_curvature": 0.0,
                  "left.friction": 0.25, "right.friction": 0.4}, 0),
+    "mild": ({"tangential_model": "polach", "fatigue_outputs": True},
+             {"lateral_shift": 1e-3, "yaw": 2e-3, "speed": 20.0, "wheel_rate": 43.6, "lateral_velocity": 0.0,
+              "vertical_velocity": 0.0, "yaw_rate": 0.0, "roll_rate": 0.0, "track_curvature": 0.0,
+              "left.friction": 0.3, "right.friction": 0.3}, 0),
     "unloaded": ({"wear_outputs": True}, {"lateral_shift": 1e-3, "load_transfer": 1.0}, 1),
 }
 
@@ -70,6 +74,7 @@ class Scene:
         for wheel in self.wheels.values():
             wheel.tangential = start.get("tangential_model", "none")
             wheel.damping, wheel.worn = start.get("contact_damping", 0.0), start.get("wear_outputs", False)
+            wheel.yield_shear = start.get("yield_shear", 300e6) if "fatigue_outputs" in start else 0.0
 
     def wanted(self, name):
         """(Value, tolerance) pairs of the output called ``name``."""
@@ -435,6 +440,11 @@ PATCH = {
     "max_shear": ("Pa", creep.max_shear),
     "friction_power": ("W", creep.patch_power),
     "saturation": ("1", creep.saturation),
+    "wear_number": ("N", creep.of_fatigue(lambda number, *_: number, EXACT)),
+    "fatigue_damage": ("1", creep.of_fatigue(creep.damage, 1e-8)),
+    "shakedown_ratio": ("1", creep.of_fatigue(lambda _, used, peak, limit: peak / limit, EXACT)),
+    "surface_fatigue_index": ("1", creep.of_fatigue(lambda _, used, peak, limit: used - limit / peak,
+                                                    EXACT)),
 }
 OUTLINE = {
     "station": ("m", station),

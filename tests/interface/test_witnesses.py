@@ -63,7 +63,7 @@ def scenes():
 @pytest.mark.parametrize("kind", PAGES)
 def test_every_output_has_a_witness_of_its_name_and_unit(kind):
     found = outputs(PAGES[kind])
-    assert len(found) == 803 + 1        # and the status
+    assert len(found) == 827 + 1        # and the status
     assert {folded(name)[0] for name in found} == set(WITNESSES)
     for name, (unit, _, _) in found.items():
         assert unit == WITNESSES[folded(name)[0]][0], name

@@ -47,6 +47,10 @@ WORDS = {
                           "of --wheel-rate",
     "wear_outputs": "Compute what models of wear read: the place on both profiles, the friction power and "
                     "the patch at each station of an outline",
+    "fatigue_outputs": "Compute T gamma, its damage, the shakedown ratio and the surface fatigue index of "
+                       "each patch",
+    "yield_shear": "Yield stress in cyclic shear of wheel or rail, read with --fatigue-outputs; give that of "
+                   "your steel",
     "left_friction": "Left wheel: coefficient of friction, read with a --tangential-model",
     "right_friction": "Right wheel: coefficient of friction, read with a --tangential-model",
     "flange_friction_angle": "Contact angle half-way between the friction of the tread and that of the "

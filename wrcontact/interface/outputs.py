@@ -48,6 +48,13 @@ PATCH = (
     Output("max_shear", "Pa", 1e8, "largest traction; zero where the model does not know it", 0.0),
     Output("friction_power", "W", 1e3, "power that friction takes from the motion"),
     Output("saturation", "1", 1.0, "creep force over friction times normal force", 0.0),
+    Output("wear_number", "N", 100.0, "wear number T gamma: creep forces times creepages without spin; this "
+           "and what follows is zero without fatigue_outputs", 0.0),
+    Output("fatigue_damage", "1", 1e-6, "T gamma damage of a passage; a sum of 1 begins a crack", 0.0),
+    Output("shakedown_ratio", "1", 1.0, "peak pressure of an ellipse with its load and area, over "
+           "yield_shear", 0.0),
+    Output("surface_fatigue_index", "1", 0.1, "creep force over normal force, minus 1 / shakedown_ratio; "
+           "above zero the surface yields at every passage"),
 )
 
 #: Outputs of one wheel.  Those up to ``curvature_y`` are its geometry, those from ``penetration`` on follow

@@ -91,6 +91,11 @@ OTHERS = {
     "wear_outputs": Number(False, 0, 1, "1", "Whether the outputs of wear are computed: wheel_place, "
                            "rail_place, power and patch_of at the stations of an outline, and in Python the "
                            "strips of each patch", switch=True),
+    "fatigue_outputs": Number(False, 0, 1, "1", "Whether the outputs of fatigue are computed: wear_number, "
+                              "fatigue_damage, shakedown_ratio and surface_fatigue_index of each patch",
+                              switch=True),
+    "yield_shear": Number(300e6, 1e7, 1e10, "Pa", "Yield stress in cyclic shear of wheel or rail, read with "
+                          "fatigue_outputs; give that of your steel"),
     "stations": Number(STATION_COUNT, STATION_LEAST, STATION_LIMIT, "1", "Stations of a patch's outline",
                        whole=True, python_only=True),
     "smoothing": Number(None, 0.0, 0.5e-3, "m", "Permitted RMS distance between the curve and the points of "

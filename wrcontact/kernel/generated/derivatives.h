@@ -147,6 +147,11 @@ static inline int64_t derivative_fastsim__strip_push_t(double* push, lanes* push
 static inline int64_t derivative_fastsim__march_strip_t(double* v12, lanes* result_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, lanes rate_t, double push, lanes push_t, double across, lanes across_t, double turning, lanes turning_t);
 static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
 
+/* derivative_fatigue.py */
+static inline int64_t derivative_fatigue__wear_number_damage_t(double* damage, lanes* damage_t, double wear_number, lanes wear_number_t);
+static inline int64_t derivative_fatigue__report_damage_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double yield_shear, lanes yield_shear_t);
+static inline int64_t derivative_fatigue__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t);
+
 /* derivative_filling.py */
 static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side);
 static inline int64_t derivative_filling__forget_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);

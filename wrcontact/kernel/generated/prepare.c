@@ -1759,6 +1759,7 @@ static inline int64_t prepare_tables__write_methods(array_double_1d setup, array
     (*cspan_at(&tables, layout__TABLES_LOAD)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LOAD)));
     (*cspan_at(&tables, layout__TABLES_TANGENTIAL)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_TANGENTIAL_MODEL)));
     (*cspan_at(&tables, layout__TABLES_WEAR)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_WEAR_OUTPUTS)) != 0.0);
+    (*cspan_at(&tables, layout__TABLES_FATIGUE)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_FATIGUE_OUTPUTS)) != 0.0);
     (*cspan_at(&tables, layout__TABLES_NORMAL_MODEL)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_NORMAL_MODEL)));
     (*cspan_at(&tables, layout__TABLES_SEPARATION)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_SEPARATION)));
     (*cspan_at(&tables, layout__TABLES_LONGITUDINAL)) = (double)((*cspan_at(&setup, layout__SETUP_PARAMETERS + layout__PARAMETERS_LONGITUDINAL_CURVATURE)));

@@ -46,6 +46,11 @@ static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d tables, array_double_
 static OUT_OF_LINE int64_t elastic__iterate(double* result_0_0001, int64_t* result_1_0001, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right);
 static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* result_1, array_double_1d tables, array_double_1d work, double roll, double left, double right);
 
+/* wheelset/fatigue.py */
+static inline double fatigue__wear_number_damage(double wear_number);
+static OUT_OF_LINE int64_t fatigue__report_damage(array_double_1d work, int64_t patch, int64_t out, double yield_shear);
+static OUT_OF_LINE int64_t fatigue__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear);
+
 /* wheelset/forces.py */
 static inline int64_t forces__press_patch(array_double_1d work, int64_t motion, int64_t patch);
 static inline double forces__about_axle(array_double_1d work, int64_t motion, double moment_x, double moment_y, double moment_z);
@@ -1274,6 +1279,67 @@ static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, dou
 }
 
 
+/* ---- From wheelset/fatigue.py; change that one.
+ *
+ * The outputs of rolling contact fatigue of each patch.  wrcontact.fatigue has the same, and more, of tables.
+ */
+
+/* The outputs of fatigue of a side, of steel with this yield stress in cyclic shear [Pa]. */
+static OUT_OF_LINE int64_t fatigue__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear)
+{
+    int64_t number_end;
+    int64_t number;
+    int64_t rank;
+    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
+    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    {
+        rank = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number + layout__PATCH_RANK)));
+        if ((rank > INT64_C(0)) && (rank <= layout__PATCH_LIMIT))
+        {
+            fatigue__report_damage(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - INT64_C(1)), yield_shear);
+        }
+    }
+    return INT64_C(0);
+}
+
+/* Those of one patch: p0 is 3 N / (2 A), the peak of an ellipse (Ekberg, Kabo and Andersson 2002). */
+static OUT_OF_LINE int64_t fatigue__report_damage(array_double_1d work, int64_t patch, int64_t out, double yield_shear)
+{
+    double load;
+    double force;
+    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
+    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = fatigue__wear_number_damage((*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER)));
+    load = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    if ((load > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) > 0.0))
+    {
+        (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = 1.5 * load / ((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) * yield_shear);
+        force = sqrt((*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)));
+        (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = force / load - 1.0 / (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO));
+    }
+    return INT64_C(0);
+}
+
+/* T gamma damage [1] of a passage. */
+static inline double fatigue__wear_number_damage(double wear_number)
+{
+    double damage;
+    damage = 0.0;
+    if (wear_number >= fatigue__LARGEST)
+    {
+        damage = fatigue__FALL * wear_number + fatigue__FALL_CONSTANT;
+        if (damage < 0.0)
+        {
+            damage = 0.0;
+        }
+    }
+    else if (wear_number >= fatigue__FIRST_BREAK)
+    {
+        damage = fatigue__RISE * wear_number + fatigue__RISE_CONSTANT;
+    }
+    return damage;
+}
+
+
 /* ---- From wheelset/forces.py; change that one.
  *
  * Where forces add up: those of a patch, then of a wheel, then of the wheelset, and nowhere else.
@@ -1670,6 +1736,10 @@ static inline int64_t report__report_side(array_double_1d tables, array_double_1
         report__report_load(work, side, out, mirror);
         report__report_deflection(work, tables, side, out, mirror);
         report__report_patches(work, side, out, mirror);
+        if ((*cspan_at(&tables, layout__TABLES_FATIGUE)) == 1.0)
+        {
+            fatigue__report_fatigue(work, side, out, (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR)));
+        }
     }
     for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
     {
@@ -1851,6 +1921,10 @@ static inline int64_t report__report_patch(array_double_1d work, int64_t patch, 
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_MAX_SHEAR)) = (*cspan_at(&work, patch + layout__PATCH_MAX_SHEAR));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_FRICTION_POWER)) = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_FRICTION_POWER));
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SATURATION)) = (*cspan_at(&work, patch + layout__PATCH_SATURATION));
+    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = 0.0;
+    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = 0.0;
+    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = 0.0;
+    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = 0.0;
     return INT64_C(0);
 }
 

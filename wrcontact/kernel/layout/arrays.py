@@ -201,6 +201,7 @@ class Tables:
     load: int                       # one of LOAD_...
     tangential: int                 # one of TANGENTIAL_...
     wear: bool                      # whether outputs of wear follow the others
+    fatigue: bool                   # whether those of fatigue are computed
     shear_modulus: float            # G of wheel and rail [Pa]
     rolling: To(RollingTable)       # what the models of creep forces read; 0 where none is chosen
     parameters: Parameters          # all of the setup's

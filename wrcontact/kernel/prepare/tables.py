@@ -187,6 +187,7 @@ def write_methods(setup: Setup, tables: Tables):
     tables.load = setup.parameters.load
     tables.tangential = setup.parameters.tangential_model
     tables.wear = setup.parameters.wear_outputs != 0.0
+    tables.fatigue = setup.parameters.fatigue_outputs != 0.0
     tables.normal_model = setup.parameters.normal_model
     tables.separation = setup.parameters.separation
     tables.longitudinal = setup.parameters.longitudinal_curvature

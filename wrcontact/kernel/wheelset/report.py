@@ -13,6 +13,7 @@ from ..layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, PATCH_LIMIT, ROLLING_STRIP_
                       SideSearch, StripOutputs, Tables, Vector, WearRuns, Work, clear, copy, offset, seldom)
 from ..patch.outline import wear_place
 from ..surface.rails import on_springs
+from .fatigue import report_fatigue
 from .shared_power import share_power
 from .requested import has_creep_forces, is_requested
 from .rubbing import strip_slip
@@ -56,6 +57,8 @@ def report_side(tables: Tables, work: Work, index: int):
         report_load(side, out, mirror)
         report_deflection(tables, side, out, mirror)
         report_patches(side, out, mirror)
+        if tables.fatigue:
+            report_fatigue(side, out, tables.parameters.yield_shear)
     for i in range(first, SIDE_SIZE):
         out[i] = tables.absent
     if first <= SIDE_PENETRATION:
@@ -174,6 +177,10 @@ def report_patch(patch: Patch, out: PatchOutputs, mirror: float):
     out.max_shear = patch.max_shear
     out.friction_power = patch.forces.friction_power
     out.saturation = patch.saturation
+    out.wear_number = 0.0
+    out.fatigue_damage = 0.0
+    out.shakedown_ratio = 0.0
+    out.surface_fatigue_index = 0.0
 
 
 def write_vector(out: Vector, vector: Vector, plane: float, across: float):
