@@ -78,7 +78,9 @@ field side, on both sides; <code>tangential.moment</code> is the moment on the w
 wheel, on both sides. The force is opposite to the creepages: a driven wheel has creepage.x &lt; 0 and tangential.x &gt; 0.
 <code>saturation</code> is the creep force over friction times normal force; <code>friction_power</code> is what friction takes
 from the motion, &minus;V<sub>ref</sub> (&xi; F<sub>x</sub> + &eta; F<sub>y</sub> + &phi; M<sub>z</sub>) with the creepages' own
-directions; <code>wear_number</code> is T&gamma; without spin. <code>driving_torque</code> is the torque of the creep forces about
+directions; <code>wear_number</code> is T&gamma; without spin. If <code>fatigue_outputs</code> is true, each patch also has its
+T&gamma;, the damage of a passage that follows from it, and its place in the shakedown map for the yield stress
+<code>yield_shear</code>. <code>driving_torque</code> is the torque of the creep forces about
 the axle, positive where they turn the wheels forward; it is negative on a driven wheelset. <code>shear</code> times
 <code>slip</code> is the friction power per area over the outline. With <code>load</code> vertical creep forces are part of the
 vertical load.</p>

@@ -4,6 +4,7 @@ import numpy as np
 
 from ..conventions import SIDES
 from ..wear import Fatigue, fatigue, shakedown_limit
+from ..wear.fatigue import YIELD_SHEAR
 from .style import INK, MM, QUIET, SIDE_COLOUR, in_lines, new_figure, styled
 
 #: Profiles over mileage: light at the beginning, dark at the end.
@@ -123,7 +124,7 @@ def wear_depth_figure(wear, distance, smoothing=1e-3, per=KILOMETRE):
 
 
 @styled
-def shakedown_figure(table, yield_shear=None, ax=None):
+def shakedown_figure(table, yield_shear=YIELD_SHEAR, ax=None):
     """The shakedown map of a table of states or a :class:`~wrcontact.wear.Fatigue`: each patch by its
     utilised friction and its peak pressure over the yield stress in shear [Pa].
 

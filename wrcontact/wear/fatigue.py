@@ -1,7 +1,7 @@
 """Rolling contact fatigue of each patch: T gamma damage, surface fatigue index, shakedown map.
 
-Each patch of each row is one passage.  Nothing of it is computed in a simulation; the functions take a
-state or a table of them.
+Each patch of each row is one passage.  The functions take a state or a table of them; an FMU has some of
+these numbers too, with the parameter fatigue_outputs.
 """
 
 from __future__ import annotations
@@ -14,15 +14,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..conventions import SIDES
+from ..interface.parameters import PARAMETERS
 from ..kernel.layout import PATCH_LIMIT
+from ..kernel.wheelset import fatigue as kernel
 from ..methods.numbers import check_choice
 from ..results.words import ShortText
 from ..state import WheelsetState
 
 #: Breakpoints of the T gamma damage [N], and lines between them: (slope [1/N], constant).
-BREAKS = (20.0, 65.0, 175.0)
-RISE, FALL = (2.22e-7, -4.44e-6), (-9.09e-8, 1.59e-5)
+BREAKS = (kernel.FIRST_BREAK, kernel.LARGEST, 175.0)
+RISE, FALL = (kernel.RISE, kernel.RISE_CONSTANT), (kernel.FALL, kernel.FALL_CONSTANT)
 DIRECTIONS = ("both", "driven", "braked")
+#: That of the parameter of FMUs [Pa].
+YIELD_SHEAR = PARAMETERS["yield_shear"].default
 #: Outputs of a patch that are read.
 READ = (
     "normal_force",
@@ -98,7 +102,7 @@ class Fatigue(ShortText):
 def fatigue(
     table: WheelsetState[Any, Any, Any],
     *,
-    yield_shear: float,
+    yield_shear: float = YIELD_SHEAR,
     direction: str = "both",
     damage: Callable[[NDArray[Any]], NDArray[Any]] | None = None,
     surface_life: tuple[float, float] | None = None,
@@ -107,8 +111,8 @@ def fatigue(
 
     Parameters
     ----------
-    yield_shear : yield stress in cyclic shear k [Pa] of the steel; it has no default, since no source of one
-        was read.  300e6 is often used for rails.
+    yield_shear : yield stress in cyclic shear k [Pa].  The default is often used for rails, but no source of
+        it was read: give that of your steel.
     direction : which traction damages the rail: "both", or that of "driven" or of "braked" wheels alone.
     damage : function of T gamma [N] that returns the damage; None is :func:`wear_number_damage`.
     surface_life : None, or (cycles, exponent) of N_f = cycles FI^-exponent, for ``surface_damage``.

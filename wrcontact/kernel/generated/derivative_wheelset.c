@@ -266,66 +266,6 @@ static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d wo
  * Derivatives of fatigue.py.
  */
 
-/* Derivative of ``report_fatigue``. */
-static inline int64_t derivative_fatigue__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t)
-{
-    int64_t number_end;
-    int64_t number;
-    int64_t rank;
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
-    {
-        rank = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number + layout__PATCH_RANK)));
-        if ((rank > INT64_C(0)) && (rank <= layout__PATCH_LIMIT))
-        {
-            derivative_fatigue__report_damage_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - INT64_C(1)), yield_shear, yield_shear_t);
-        }
-    }
-    return INT64_C(0);
-}
-
-/* Derivative of ``report_damage``. */
-static inline int64_t derivative_fatigue__report_damage_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double yield_shear, lanes yield_shear_t)
-{
-    double v1;
-    lanes v1_t;
-    lanes load_t;
-    double load;
-    double v2;
-    double v3;
-    double v4;
-    double v5;
-    double v6;
-    lanes force_t;
-    double force;
-    double v7;
-    double v8;
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_WEAR_NUMBER))) = each((*lanes_at(&work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER)));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
-    derivative_fatigue__wear_number_damage_t(&v1, &v1_t, (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER)), (*lanes_at(&work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER)));
-    EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE))) = each(v1_t);
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = v1;
-    EACH_LANE each(load_t) = each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)));
-    load = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    if ((load > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) > 0.0))
-    {
-        v2 = 1.5 * load;
-        v3 = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) * yield_shear;
-        v4 = v2 / v3;
-        EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO))) = (1.5 * each(load_t) - v4 * (each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) * yield_shear + (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) * each(yield_shear_t))) / v3;
-        (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = v4;
-        v5 = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
-        v6 = sqrt(v5);
-        EACH_LANE each(force_t) = derivative_rates__root_rate(v6, each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) + (each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)))));
-        force = v6;
-        v7 = force / load;
-        v8 = 1.0 / (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO));
-        EACH_LANE each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX))) = (each(force_t) - v7 * each(load_t)) / load - (-v8) * each((*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO))) / (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO));
-        (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = v7 - v8;
-    }
-    return INT64_C(0);
-}
-
 /* Derivative of ``wear_number_damage``. */
 static inline int64_t derivative_fatigue__wear_number_damage_t(double* damage, lanes* damage_t, double wear_number, lanes wear_number_t)
 {
@@ -345,6 +285,25 @@ static inline int64_t derivative_fatigue__wear_number_damage_t(double* damage, l
     {
         EACH_LANE each((*damage_t)) = fatigue__RISE * each(wear_number_t);
         (*damage) = fatigue__RISE * wear_number + fatigue__RISE_CONSTANT;
+    }
+    return 0;
+}
+
+/* Derivative of ``shakedown_ratio``. */
+static inline int64_t derivative_fatigue__shakedown_ratio_t(double* ratio, lanes* ratio_t, array_double_1d work, array_lanes_1d work_t, int64_t patch, double yield_shear, lanes yield_shear_t)
+{
+    double v1;
+    double v2;
+    double v3;
+    (*ratio_t) = all_lanes(0.0);
+    (*ratio) = 0.0;
+    if ((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) > 0.0)
+    {
+        v1 = 1.5 * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+        v2 = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) * yield_shear;
+        v3 = v1 / v2;
+        EACH_LANE each((*ratio_t)) = (1.5 * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) - v3 * (each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA))) * yield_shear + (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) * each(yield_shear_t))) / v2;
+        (*ratio) = v3;
     }
     return 0;
 }
@@ -754,7 +713,7 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
         derivative_report__report_patches_t(work, work_t, side, out, mirror, all_lanes(0.0));
         if ((*cspan_at(&tables, layout__TABLES_FATIGUE)) == 1.0)
         {
-            derivative_fatigue__report_fatigue_t(work, work_t, side, out, (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR)), all_lanes(0.0));
+            derivative_report__report_fatigue_t(work, work_t, side, out, (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR)), all_lanes(0.0));
         }
     }
     for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
@@ -984,6 +943,58 @@ static inline int64_t derivative_report__report_patch_t(array_double_1d work, ar
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = 0.0;
     (*lanes_at(&work_t, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = all_lanes(0.0);
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = 0.0;
+    return INT64_C(0);
+}
+
+/* Derivative of ``report_fatigue``. */
+static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t)
+{
+    int64_t number_end;
+    int64_t number;
+    int64_t patch;
+    int64_t found;
+    double v1;
+    lanes v1_t;
+    double v2;
+    lanes v2_t;
+    lanes ratio_t;
+    double ratio;
+    double v3;
+    double v4;
+    lanes force_t;
+    double force;
+    double v5;
+    double v6;
+    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
+    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    {
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+        if (((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) > INT64_C(0)) && ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) <= layout__PATCH_LIMIT))
+        {
+            found = out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) - INT64_C(1));
+            EACH_LANE each((*lanes_at(&work_t, found + layout__PATCH_OUTPUTS_WEAR_NUMBER))) = each((*lanes_at(&work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER)));
+            (*cspan_at(&work, found + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
+            derivative_fatigue__wear_number_damage_t(&v1, &v1_t, (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER)), (*lanes_at(&work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER)));
+            EACH_LANE each((*lanes_at(&work_t, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE))) = each(v1_t);
+            (*cspan_at(&work, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = v1;
+            derivative_fatigue__shakedown_ratio_t(&v2, &v2_t, work, work_t, patch, yield_shear, yield_shear_t);
+            EACH_LANE each(ratio_t) = each(v2_t);
+            ratio = v2;
+            EACH_LANE each((*lanes_at(&work_t, found + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO))) = each(ratio_t);
+            (*cspan_at(&work, found + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = ratio;
+            if (ratio > 0.0)
+            {
+                v3 = (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y));
+                v4 = sqrt(v3);
+                EACH_LANE each(force_t) = derivative_rates__root_rate(v4, each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_X))) + (each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y))) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * each((*lanes_at(&work_t, patch + layout__PATCH_CREEP_Y)))));
+                force = v4;
+                v5 = force / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+                v6 = 1.0 / ratio;
+                EACH_LANE each((*lanes_at(&work_t, found + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX))) = (each(force_t) - v5 * each((*lanes_at(&work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)))) / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) - (-v6) * each(ratio_t) / ratio;
+                (*cspan_at(&work, found + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = v5 - v6;
+            }
+        }
+    }
     return INT64_C(0);
 }
 

@@ -149,8 +149,7 @@ static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, 
 
 /* derivative_fatigue.py */
 static inline int64_t derivative_fatigue__wear_number_damage_t(double* damage, lanes* damage_t, double wear_number, lanes wear_number_t);
-static inline int64_t derivative_fatigue__report_damage_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double yield_shear, lanes yield_shear_t);
-static inline int64_t derivative_fatigue__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t);
+static inline int64_t derivative_fatigue__shakedown_ratio_t(double* ratio, lanes* ratio_t, array_double_1d work, array_lanes_1d work_t, int64_t patch, double yield_shear, lanes yield_shear_t);
 
 /* derivative_filling.py */
 static inline int64_t derivative_filling__clear_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side);
@@ -354,6 +353,7 @@ static inline int64_t derivative_report__report_load_t(array_double_1d work, arr
 static inline int64_t derivative_report__report_deflection_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t out, double mirror, lanes mirror_t);
 static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t);
 static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t);
+static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t);
 static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t outline, int64_t stations, bool rubbing);
 static inline int64_t derivative_report__complete_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t worn, bool rubbing);
 static inline int64_t derivative_report__report_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, bool requested);

@@ -48,8 +48,7 @@ static OUT_OF_LINE int64_t elastic__solve_elastic(double* result_0, int64_t* res
 
 /* wheelset/fatigue.py */
 static inline double fatigue__wear_number_damage(double wear_number);
-static OUT_OF_LINE int64_t fatigue__report_damage(array_double_1d work, int64_t patch, int64_t out, double yield_shear);
-static OUT_OF_LINE int64_t fatigue__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear);
+static inline double fatigue__shakedown_ratio(array_double_1d work, int64_t patch, double yield_shear);
 
 /* wheelset/forces.py */
 static inline int64_t forces__press_patch(array_double_1d work, int64_t motion, int64_t patch);
@@ -75,6 +74,7 @@ static inline int64_t report__report_load(array_double_1d work, int64_t side, in
 static inline int64_t report__report_deflection(array_double_1d work, array_double_1d tables, int64_t side, int64_t out, double mirror);
 static inline int64_t report__report_patch(array_double_1d work, int64_t patch, int64_t out, double mirror);
 static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror);
+static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear);
 static inline int64_t report__outline_place(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t report__report_outline(array_double_1d work, int64_t side, int64_t outline, int64_t stations, bool rubbing);
 static OUT_OF_LINE int64_t report__complete_strips(array_double_1d work, int64_t patch, int64_t worn, bool rubbing);
@@ -1281,43 +1281,8 @@ static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, dou
 
 /* ---- From wheelset/fatigue.py; change that one.
  *
- * The outputs of rolling contact fatigue of each patch.  wrcontact.fatigue has the same, and more, of tables.
+ * Rolling contact fatigue of a patch.  wrcontact.fatigue has the same, and more, of tables.
  */
-
-/* The outputs of fatigue of a side, of steel with this yield stress in cyclic shear [Pa]. */
-static OUT_OF_LINE int64_t fatigue__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear)
-{
-    int64_t number_end;
-    int64_t number;
-    int64_t rank;
-    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
-    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
-    {
-        rank = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number + layout__PATCH_RANK)));
-        if ((rank > INT64_C(0)) && (rank <= layout__PATCH_LIMIT))
-        {
-            fatigue__report_damage(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - INT64_C(1)), yield_shear);
-        }
-    }
-    return INT64_C(0);
-}
-
-/* Those of one patch: p0 is 3 N / (2 A), the peak of an ellipse (Ekberg, Kabo and Andersson 2002). */
-static OUT_OF_LINE int64_t fatigue__report_damage(array_double_1d work, int64_t patch, int64_t out, double yield_shear)
-{
-    double load;
-    double force;
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
-    (*cspan_at(&work, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = fatigue__wear_number_damage((*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER)));
-    load = (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    if ((load > 0.0) && ((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) > 0.0))
-    {
-        (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = 1.5 * load / ((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) * yield_shear);
-        force = sqrt((*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)));
-        (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = force / load - 1.0 / (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO));
-    }
-    return INT64_C(0);
-}
 
 /* T gamma damage [1] of a passage. */
 static inline double fatigue__wear_number_damage(double wear_number)
@@ -1337,6 +1302,20 @@ static inline double fatigue__wear_number_damage(double wear_number)
         damage = fatigue__RISE * wear_number + fatigue__RISE_CONSTANT;
     }
     return damage;
+}
+
+/* p0 over the yield stress in cyclic shear [Pa], with p0 = 3 N / (2 A), the peak of an ellipse (Ekberg,
+ * Kabo and Andersson 2002).
+ */
+static inline double fatigue__shakedown_ratio(array_double_1d work, int64_t patch, double yield_shear)
+{
+    double ratio;
+    ratio = 0.0;
+    if ((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) > 0.0)
+    {
+        ratio = 1.5 * (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) / ((*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_AREA)) * yield_shear);
+    }
+    return ratio;
 }
 
 
@@ -1738,7 +1717,7 @@ static inline int64_t report__report_side(array_double_1d tables, array_double_1
         report__report_patches(work, side, out, mirror);
         if ((*cspan_at(&tables, layout__TABLES_FATIGUE)) == 1.0)
         {
-            fatigue__report_fatigue(work, side, out, (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR)));
+            report__report_fatigue(work, side, out, (*cspan_at(&tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR)));
         }
     }
     for (i = first; i < layout__SIDE_SIZE; i += INT64_C(1))
@@ -1925,6 +1904,36 @@ static inline int64_t report__report_patch(array_double_1d work, int64_t patch, 
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = 0.0;
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = 0.0;
     (*cspan_at(&work, out + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = 0.0;
+    return INT64_C(0);
+}
+
+/* The outputs of fatigue of a wheel, for this yield stress in cyclic shear [Pa]. */
+static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear)
+{
+    int64_t number_end;
+    int64_t number;
+    int64_t patch;
+    int64_t found;
+    double ratio;
+    double force;
+    number_end = (int64_t)((*cspan_at(&work, side + layout__SIDE_SEARCH_PATCH_COUNT)));
+    for (number = INT64_C(0); number < number_end; number += INT64_C(1))
+    {
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+        if (((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) > INT64_C(0)) && ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) <= layout__PATCH_LIMIT))
+        {
+            found = out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * ((int64_t)((*cspan_at(&work, patch + layout__PATCH_RANK))) - INT64_C(1));
+            (*cspan_at(&work, found + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = (*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
+            (*cspan_at(&work, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = fatigue__wear_number_damage((*cspan_at(&work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER)));
+            ratio = fatigue__shakedown_ratio(work, patch, yield_shear);
+            (*cspan_at(&work, found + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO)) = ratio;
+            if (ratio > 0.0)
+            {
+                force = sqrt((*cspan_at(&work, patch + layout__PATCH_CREEP_X)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_X)) + (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)) * (*cspan_at(&work, patch + layout__PATCH_CREEP_Y)));
+                (*cspan_at(&work, found + layout__PATCH_OUTPUTS_SURFACE_FATIGUE_INDEX)) = force / (*cspan_at(&work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)) - 1.0 / ratio;
+            }
+        }
+    }
     return INT64_C(0);
 }
 

@@ -5,6 +5,7 @@ signs of the patch's lateral creepage and spin, and so have their moments: they 
 normal from the rail to the wheel on both sides.
 """
 
+from math import sqrt
 from typing import Final
 
 from ..layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, PATCH_LIMIT, ROLLING_STRIP_LIMIT, RUN_COUNT, SIDES_BOTH,
@@ -13,7 +14,7 @@ from ..layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, PATCH_LIMIT, ROLLING_STRIP_
                       SideSearch, StripOutputs, Tables, Vector, WearRuns, Work, clear, copy, offset, seldom)
 from ..patch.outline import wear_place
 from ..surface.rails import on_springs
-from .fatigue import report_fatigue
+from .fatigue import shakedown_ratio, wear_number_damage
 from .shared_power import share_power
 from .requested import has_creep_forces, is_requested
 from .rubbing import strip_slip
@@ -181,6 +182,22 @@ def report_patch(patch: Patch, out: PatchOutputs, mirror: float):
     out.fatigue_damage = 0.0
     out.shakedown_ratio = 0.0
     out.surface_fatigue_index = 0.0
+
+
+@seldom
+def report_fatigue(side: SideSearch, out: SideOutputs, yield_shear: float):
+    """The outputs of fatigue of a wheel, for this yield stress in cyclic shear [Pa]."""
+    for number in range(side.patch_count):
+        patch = side.patches[number]
+        if patch.rank > 0 and patch.rank <= PATCH_LIMIT:
+            found = out.patch[patch.rank - 1]
+            found.wear_number = patch.forces.wear_number
+            found.fatigue_damage = wear_number_damage(patch.forces.wear_number)
+            ratio = shakedown_ratio(patch, yield_shear)
+            found.shakedown_ratio = ratio
+            if ratio > 0.0:
+                force = sqrt(patch.creep_x * patch.creep_x + patch.creep_y * patch.creep_y)
+                found.surface_fatigue_index = force / patch.totals.load - 1.0 / ratio
 
 
 def write_vector(out: Vector, vector: Vector, plane: float, across: float):
