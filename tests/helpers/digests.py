@@ -55,7 +55,7 @@ OTHERS = [
     {"tangential_model": "strips", "poisson_ratio": 0.3, **FRICTION},
     {"wheel": ("cone20", "cone40"), "rail": "60E1", "rail_inclination": (0.025, 0.05)},
     {"normal_model": "hertz", "longitudinal_curvature": "basic"},
-    {"wear_outputs": True, "tangential_model": "strips", "contact_mode": "elastic"},
+    {"wear_outputs": True, "fatigue_outputs": True, "tangential_model": "strips", "contact_mode": "elastic"},
 ]
 
 
