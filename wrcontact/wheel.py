@@ -26,7 +26,8 @@ class WheelState(Side):
     side : "right" or "left".
     status : a :class:`~wrcontact.Status`; (n,) of a table.
     inputs : those of the wheel by name.
-    names : of the outputs; ``state["patch[1].area"]`` is the value of one, ``table[3]`` the state of a row.
+    names : of the outputs; ``state["patch[1].area"]`` is the value of one, ``state["speed"]`` that of an
+        input, ``table[3]`` the state of a row.
     """
 
     __slots__ = ("side", "_state")
@@ -52,10 +53,17 @@ class WheelState(Side):
         return tuple(name.partition(".")[2] for name in self._state.names if name.startswith(f"{self.side}."))
 
     def __getitem__(self, key):
-        """An output by its name, ``state["patch[1].area"]``; of a table also a row or rows."""
-        if isinstance(key, str):
-            return self._state[f"{self.side}.{key}"]
-        return WheelState(self._state[key], self.side)
+        """An output or input by its name, ``state["patch[1].area"]``; of a table also a row or rows."""
+        if not isinstance(key, str):
+            return WheelState(self._state[key], self.side)
+        if key == "status":
+            return self.status
+        row = wheel_inputs(self.side).get(key)
+        return self._state[row.name if row else f"{self.side}.{key}"]
+
+    def _as_table(self):
+        """This table; of one pose a table of one row."""
+        return WheelState(self._state._as_table(), self.side)
 
     def to_dict(self):
         """Status, inputs and all outputs by name, dicts in dicts."""

@@ -60,6 +60,10 @@ profile: wrcontact.Profile = wrcontact.check(system).system.wheel
 swept = wrcontact.sweep(system, {"yaw": np.linspace(0.0, 1e-3, 3)}, ["roll"], "a.zarr", workers=2, speed=10.0)
 between: NDArray[Any] = wrcontact.interpolate(swept, method="cubic")(yaw=0.5e-3)["roll"]
 worst: float = wrcontact.interpolate("a.zarr").errors["roll"].worst
+wears = wrcontact.Wear(wrcontact.WheelContact(), wrcontact.Usfd())
+wears.add(wrcontact.WheelContact().evaluate_many(lateral_shift=[0.0]))
+cracks = wrcontact.fatigue(wrcontact.WheelContact().evaluate(), yield_shear=3e8).damage
+bad = wrcontact.Wear("S1002", wrcontact.Usfd())  # wrong: a system or a wheel
 bad = wrcontact.sweep(system, {"yaw": [0.0]}, speed="fast")  # wrong: a number
 bad = system.evaluate(lateralshift=1e-3)  # wrong: no such input
 bad = wrcontact.ContactSystem(contact_mode="elastik")  # wrong: no such mode

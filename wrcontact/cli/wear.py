@@ -10,20 +10,27 @@ import typer
 from rich import box
 from rich.table import Table
 
-from .. import ContactSystem
+from .. import ContactSystem, WheelContact
+from ..methods.numbers import check_choice
 from ..methods.words import did_you_mean
 from ..profiles.files import prepared_text
 from ..progress import working
 from ..results.words import fixed
 from ..storage.atomic import write_atomically
 from ..wear import Wear, wheel_shape
-from ..wear.accumulate import PARTS
+from ..wear.accumulate import PARTS, PARTS_OF_ONE
 from ..wear.laws import LAWS
 from .door import Refused, check_file, sentences
 from .options import number
 from .report import console
 from .typed import typed
 
+#: Words of the package and of the command.
+OTHERS = (
+    ("mirrored is True", "--mirrored is given"),
+    ("with a WheelContact", "with --part wheel or rail"),
+    ("with a ContactSystem", "with --part left.wheel, right.wheel, left.rail or right.rail"),
+)
 #: Rows on the shape of a wheel: words, attribute, factor to mm.
 SHAPE = (
     ("flange height Sh", "flange_height"),
@@ -101,7 +108,13 @@ COURSE = [
         flag="--distance-column",
         metavar="NAME",
     ),
-    option("part", str, "right.wheel", "What wears", metavar="|".join(PARTS)),
+    option(
+        "part",
+        str,
+        "right.wheel",
+        "What wears; wheel or rail with the results of the FMU of one wheel",
+        metavar="|".join(PARTS + PARTS_OF_ONE),
+    ),
     option("mirrored", bool, False, "Mean of both sides: the vehicle turns and runs both ways"),
     option("smoothing", float, 1.0, "Smoothing of the depth over the arc", flag="--smoothing-mm"),
 ]
@@ -136,7 +149,8 @@ def wear(
         Path,
         typer.Argument(
             metavar="RESULTS",
-            help="Results of an FMU with tangential_model and wear_outputs: .csv or .parquet with its names",
+            help="Results of an FMU, also of one wheel, with tangential_model and wear_outputs: .csv or "
+            ".parquet with its names",
         ),
     ],
     law,
@@ -173,7 +187,9 @@ def wear(
             f"RESULTS is {str(results)!r}, which is no file; permitted is a file of an FMU's results"
         )
     with sentences(typed):
-        system = ContactSystem(**geometry)
+        check_choice("--part", part, PARTS + PARTS_OF_ONE)
+        one = part in PARTS_OF_ONE and not course["mirrored"]
+        system = WheelContact(**geometry) if one else ContactSystem(**geometry)
     with sentences(_in_options), working("wear"):
         found = Wear(system, chosen, mirrored=course["mirrored"])
         found.add_fmu(results, distance_column=course["column"])
@@ -194,11 +210,12 @@ def _in_options(sentence):
     for name, option in (
         ("distance is ", "--distance-km is about "),
         ("smoothing is ", "--smoothing-mm: "),
-        ("part is ", "--part is "),
     ):
         if sentence.startswith(name):
             return option + sentence.removeprefix(name)
-    return sentence.replace("mirrored is True", "--mirrored is given")
+    for words, option in OTHERS:
+        sentence = sentence.replace(words, option)
+    return sentence
 
 
 def _print(found, part, distance, smoothing, worn):

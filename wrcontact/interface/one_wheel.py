@@ -1,5 +1,7 @@
 """One wheel on one rail: which inputs and parameters of a wheelset it has, and its names for them."""
 
+from functools import cache
+
 from .inputs import INPUTS
 from .outputs import SIDES
 from .parameters import LEFT, PARAMETERS
@@ -23,6 +25,7 @@ def own_name(name, side):
     return "" if name in WITHOUT else name
 
 
+@cache
 def wheel_inputs(side):
     """The rows of a wheelset's inputs that the wheel of this ``side`` has, by its own names."""
     return {own: row for row in INPUTS if (own := own_name(row.name, side))}

@@ -26,9 +26,10 @@ FRICTION = np.linspace(0.0, 0.6, 121)
 
 
 @styled
-def wear_figure(run, side="right"):
-    """Figure of a :class:`~wrcontact.WearRun`: profiles and worn depth over the mileage, and what a workshop
-    measures."""
+def wear_figure(run, side=None):
+    """Figure of a :class:`~wrcontact.WearRun`: profiles and worn depth of a ``side`` over the mileage, and
+    what a workshop measures; None is the right side, or the only wheel."""
+    side = side or run.sides[-1]
     figure = new_figure(9.6, 8.4)
     axes = figure.subplot_mosaic([["profile", "profile"], ["depth", "sizes"], ["conicity", "area"]])
     per, unit = (KILOMETRE, "km") if run.part == "wheel" else (1.0, "passages")
@@ -55,7 +56,7 @@ def wear_figure(run, side="right"):
         axes["conicity"].plot(distance, run.conicity, color=INK)
     axes["sizes"].set(title="Change of dimensions", xlabel=unit, ylabel="mm")
     axes["conicity"].set(title="Equivalent conicity at 3 mm", xlabel=unit, ylabel="tan γ", ylim=(0, None))
-    for one, line in zip(SIDES, ("-", "--")):
+    for one, line in zip(run.sides, ("-", "--")):
         area = run.shape("worn_area", one) / SQUARE_MM
         axes["area"].plot(distance, area, color=SIDE_COLOUR[one], label=one, linestyle=line)
     axes["area"].set(title="Worn cross-section", xlabel=unit, ylabel="mm²", ylim=(0, None))
@@ -98,8 +99,8 @@ def wear_depth_figure(wear, distance, smoothing=1e-3, per=KILOMETRE):
     figure = new_figure(9.6, 5.6)
     axes = figure.subplots(2, sharex=False)
     for panel, part in zip(axes, ("wheel", "rail")):
-        for side in SIDES[1:] if wear.mirrored else SIDES:
-            name = f"{side}.{part}"
+        for side in (wear.side,) if wear.side else SIDES[1:] if wear.mirrored else SIDES:
+            name = part if wear.side else f"{side}.{part}"
             count = distance if part == "wheel" else 1.0
             factor = count / MM if part == "wheel" else 1e9  # nm per passage
             places, _ = wear.depth(name)
@@ -133,16 +134,17 @@ def shakedown_figure(table, yield_shear=YIELD_SHEAR, ax=None):
     found = table if isinstance(table, Fatigue) else fatigue(table, yield_shear=yield_shear)
     figure = new_figure(7.0, 5.0) if ax is None else ax.get_figure()
     panel = figure.subplots() if ax is None else ax
-    for k, side in enumerate(SIDES):
-        there = np.isfinite(found.shakedown_ratio[:, k])
+    for side in found.sides:
+        friction, ratio = (found.of_side(name, side) for name in ("utilised_friction", "shakedown_ratio"))
+        there = np.isfinite(ratio)
         panel.scatter(
-            found.utilised_friction[:, k][there],
-            found.shakedown_ratio[:, k][there],
+            friction[there],
+            ratio[there],
             s=14,
-            color=SIDE_COLOUR[side],
+            color=SIDE_COLOUR[side or "right"],
             alpha=0.6,
             linewidths=0,
-            label=f"{side} patches",
+            label=f"{side} patches" if side else "patches",
         )
     panel.plot(FRICTION, shakedown_limit(FRICTION), color=INK, label="shakedown of a line contact")
     beyond = FRICTION > 0.15
@@ -162,12 +164,14 @@ def shakedown_figure(table, yield_shear=YIELD_SHEAR, ax=None):
 
 @styled
 def fatigue_figure(found, name="damage", part="rail", weights=None, width=1e-3):
-    """Histogram of a number of a :class:`~wrcontact.wear.Fatigue` over the profiles of both sides."""
+    """Histogram of a number of a :class:`~wrcontact.wear.Fatigue` over the profiles of both sides, or of one
+    wheel."""
     figure = new_figure(8.4, 3.6)
     panel = figure.subplots()
-    for shift, side in zip((-0.2, 0.2), SIDES):
+    for shift, side in zip((-0.2, 0.2), found.sides):
         places, sums = found.histogram(name, part, side, width, weights)
-        panel.bar((places + shift * width) / MM, sums, 0.4 * width / MM, color=SIDE_COLOUR[side], label=side)
+        colour, label = SIDE_COLOUR[side or "right"], side or "one wheel"
+        panel.bar((places + shift * width) / MM, sums, 0.4 * width / MM, color=colour, label=label)
     title = f"{name.replace('_', ' ').capitalize()} over the {part}, sum of all passages"
     panel.set(xlabel="across, field side + [mm]", title=in_lines(title, 8.4), ylabel=name.replace("_", " "))
     panel.legend()

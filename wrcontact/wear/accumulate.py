@@ -16,19 +16,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..conventions import SIDES
 from ..methods.numbers import check_choice
 from ..profiles.profile import Profile
 from ..state import WheelsetState
 from ..system import ContactSystem
+from ..wheel import WheelContact, WheelState
 from .bins import Arc, deposit
 from .cells import station_cells, strip_cells
 from .law import STEEL
 from .laws import law_of
-from .rows import BY_TIME, distances, rows_of_file, rows_of_table
+from .rows import BY_TIME, distances, prefixes_of, rows_of_file, rows_of_table, whole_of
 from .update import DEEPEST, smoothed, worn_profile
 
-PARTS = tuple(f"{side}.{part}" for part in ("wheel", "rail") for side in SIDES)
+KINDS = ("wheel", "rail")
+#: What wears of a wheelset, and of one wheel.
+PARTS, PARTS_OF_ONE = (
+    tuple(f"{prefix}{kind}" for kind in KINDS for prefix in prefixes_of(side)) for side in (None, "right")
+)
 #: Rows that are worked on at once.
 CHUNK = 4096
 #: Parts of a table that the bootstrap draws: single rows, or stretches of a long one.
@@ -51,7 +55,8 @@ class Wear:
 
     Parameters
     ----------
-    system : :class:`~wrcontact.ContactSystem` whose profiles wear.
+    system : :class:`~wrcontact.ContactSystem` whose profiles wear, or a :class:`~wrcontact.WheelContact`,
+        whose parts are "wheel" and "rail" instead of "right.wheel" and so on.
     law : an object of :mod:`wrcontact.wear.laws`, or a function of some of its arrays by their names.
     mirrored : both wheels wear alike, and both rails: the vehicle turns and runs both ways.  They then have
         the mean of left and right; otherwise each its own.
@@ -60,6 +65,7 @@ class Wear:
     Attributes
     ----------
     distance : that was added so far [m]; rows, left_out : how many rows were, and how many were not.
+    side : that of the wheel of a WheelContact; None of a wheelset.
 
     >>> import wrcontact
     >>> system = wrcontact.ContactSystem(tangential_model="strips", wear_outputs=True)
@@ -71,12 +77,18 @@ class Wear:
     """
 
     def __init__(
-        self, system: ContactSystem, law: Any, *, mirrored: bool = False, bin_width: float = 0.25e-3
+        self,
+        system: ContactSystem | WheelContact,
+        law: Any,
+        *,
+        mirrored: bool = False,
+        bin_width: float = 0.25e-3,
     ) -> None:
-        if not isinstance(system, ContactSystem):
-            raise ValueError(f"system is {type(system).__name__}; permitted is a ContactSystem")
+        system, self.side = whole_of(system)
         if not 0.01e-3 <= bin_width <= 2e-3:
             raise ValueError(f"bin_width is {bin_width!r} m; permitted is 1e-05 ... 0.002 m")
+        if mirrored and self.side:
+            raise ValueError("mirrored is True with one wheel; permitted is that with a wheelset")
         if mirrored and not system.equal_sides:
             raise ValueError(
                 "mirrored is True and the left side differs from the right one; permitted is that "
@@ -95,14 +107,20 @@ class Wear:
                 "rail": Arc(system.left_rail, system.side_parameters("left")["rail_inclination"], bin_width),
             }
         )
+        self.prefixes = prefixes_of(self.side)
         self.arcs = {
-            name: (left if name.startswith("left") else right)[name.partition(".")[2]] for name in PARTS
+            name: (left if name.startswith("left.") else right)[name.rpartition(".")[2]]
+            for name in (PARTS if self.side is None else PARTS_OF_ONE)
         }
         self.additions, self.rows, self.left_out = [], 0, 0
 
     # --- what has run ---------------------------------------------------------------------------------------
 
-    def add(self, table: WheelsetState[Any, Any, Any], distance: ArrayLike | None = None) -> None:
+    def add(
+        self,
+        table: WheelsetState[Any, Any, Any] | WheelState[Any, Any, Any],
+        distance: ArrayLike | None = None,
+    ) -> None:
         """Add a table of states with creep forces and outputs of wear.
 
         Parameters
@@ -115,13 +133,14 @@ class Wear:
         ValueError
             in one sentence, without creep forces or speed, or if more than a tenth of the rows is left out.
         """
-        rows = rows_of_table(table)
+        rows = rows_of_table(table, self.side)
         self._add(rows, distances(rows, distance, None))
 
     def add_fmu(
         self, results: Any, distance_column: str = BY_TIME, distance: ArrayLike | None = None
     ) -> None:
-        """Add the results of an FMU with the parameters ``tangential_model`` and ``wear_outputs``.
+        """Add the results of an FMU with the parameters ``tangential_model`` and ``wear_outputs``; of one
+        wheel those of its FMU, ``wrcontact build --native --single-wheel``.
 
         Parameters
         ----------
@@ -130,7 +149,7 @@ class Wear:
         distance_column : "time*speed" integrates the speed; or the column with the distance run [m].
         distance : instead, what each row stands for [m].
         """
-        rows = rows_of_file(results)
+        rows = rows_of_file(results, self.side)
         self._add(rows, distances(rows, distance, None if distance is not None else distance_column))
 
     def _add(self, rows, distance):
@@ -151,9 +170,9 @@ class Wear:
 
     def _rub(self, rows, distance, block, added):
         """Add what some rows take off to the sums."""
-        for side in SIDES:
-            arcs = [self.arcs[f"{side}.{part}"] for part in ("wheel", "rail")]
-            cells = (station_cells if rows.table is None else strip_cells)(rows, side, *arcs).rubbing()
+        for prefix in self.prefixes:
+            arcs = [self.arcs[f"{prefix}{part}"] for part in KINDS]
+            cells = (station_cells if rows.table is None else strip_cells)(rows, prefix, *arcs).rubbing()
             if not len(cells.row):
                 continue
             read = cells.read()
@@ -165,8 +184,8 @@ class Wear:
                 )
             amount = rate * cells.length / (STEEL * cells.speed) * cells.width * distance[cells.row]
             regime = self.law.regime(**read)
-            for part, arc in zip(("wheel", "rail"), arcs):
-                name = f"{side}.{part}"
+            for part, arc in zip(KINDS, arcs):
+                name = f"{prefix}{part}"
                 added.sums[name] += deposit(
                     arc, *cells.stretches(part), amount, block[cells.row], len(added.distance)
                 )
@@ -188,8 +207,8 @@ class Wear:
 
         Parameters
         ----------
-        part : "left.wheel", "right.wheel", "left.rail" or "right.rail".  Places are those of contacts: of a
-            rail in the frame of the inclined head.
+        part : "left.wheel", "right.wheel", "left.rail" or "right.rail"; of one wheel "wheel" or "rail".
+            Places are those of contacts: of a rail in the frame of the inclined head.
         """
         name = self._part(part)
         total = sum(np.sum(self._sums(added, name), axis=0) for added in self.additions)
@@ -204,7 +223,7 @@ class Wear:
     def shares(self, part: str) -> dict[str, float]:
         """Share of the worn mass in each regime of the law, by its name."""
         name = self._part(part)
-        names = [f"{side}.{name.partition('.')[2]}" for side in SIDES] if self.mirrored else [name]
+        names = [prefix + name.partition(".")[2] for prefix in self.prefixes] if self.mirrored else [name]
         total = sum(added.regimes[one] for added in self.additions for one in names)
         return dict(zip(self.law.regimes, (total / (np.sum(total) or 1.0)).tolist()))
 
@@ -269,9 +288,9 @@ class Wear:
         return smoothed(self.depth(part)[1], self.arcs[self._part(part)], smoothing)
 
     def _part(self, part):
-        if self.mirrored and part in ("wheel", "rail"):
+        if self.mirrored and part in KINDS:
             part = f"right.{part}"
-        check_choice("part", part, PARTS)
+        check_choice("part", part, tuple(self.arcs))
         if not self.additions:
             raise ValueError("nothing has run yet; permitted is that after add or add_fmu")
         return part
@@ -284,7 +303,8 @@ class Wear:
         return 0.5 * (added.sums[f"left.{other}"] + added.sums[f"right.{other}"])
 
     def _radius(self, name):
-        return self.system.side_parameters(name.partition(".")[0])["nominal_radius"]
+        side = "left" if name.startswith("left.") else "right"
+        return self.system.side_parameters(side)["nominal_radius"]
 
     def _divisor(self, name):
         """From volumes per passage in a bin to depths."""

@@ -87,15 +87,15 @@ def sliding(power, line_load, slip, friction):
     return np.where((share > 0.0) & np.isfinite(found), found, slip)
 
 
-def patch_numbers(rows, side, k):
+def patch_numbers(rows, prefix, k):
     """Of patch k (1 ...) of a side, each (n,): friction, T gamma [N], friction power [W], length [m] and
     largest pressure [Pa]."""
 
     def get(name):
-        return rows.get(f"{side}.patch[{k}].{name}")
+        return rows.get(f"{prefix}patch[{k}].{name}")
 
     along, across, limit = get("tangential.x"), get("tangential.y"), get("saturation") * get("normal_force")
-    given = rows.get(f"{side}.friction")
+    given = rows.get(f"{prefix}friction")
     with np.errstate(divide="ignore", invalid="ignore"):
         used = np.hypot(along, across) / limit
     friction = np.where(np.isfinite(used) & (limit > 0.0), used, given)
@@ -103,12 +103,12 @@ def patch_numbers(rows, side, k):
     return friction, number, get("friction_power"), get("length"), get("max_pressure")
 
 
-def strip_cells(rows, side, wheel, rail):
+def strip_cells(rows, prefix, wheel, rail):
     """The :class:`Cells` of a table of states, with the :class:`~wrcontact.wear.bins.Arc` of both parts."""
     speed = np.abs(rows["speed"])
     parts = [
-        _strips_of_patch(strips, wheel, rail, speed, patch_numbers(rows, side, k + 1))
-        for k, strips in enumerate(getattr(rows.table, side).strips)
+        _strips_of_patch(strips, wheel, rail, speed, patch_numbers(rows, prefix, k + 1))
+        for k, strips in enumerate(rows.strips(prefix))
     ]
     return _joined(parts)
 
@@ -159,19 +159,20 @@ def _between(ends, node, values):
     return np.maximum.accumulate(found, axis=1)
 
 
-def station_cells(rows, side, wheel, rail):
+def station_cells(rows, prefix, wheel, rail):
     """The :class:`Cells` of a file of an FMU, with the arcs of both parts."""
     stations = rows.stations
     place, half, pressure, power, slip = (
-        rows.runs(side, name, stations) for name in ("station", "half_length", "pressure", "power", "slip")
+        rows.runs(prefix, name, stations) for name in ("station", "half_length", "pressure", "power", "slip")
     )
     on_wheel, on_rail = (
-        arc.at(rows.runs(side, f"{part}_place", stations)) for part, arc in (("wheel", wheel), ("rail", rail))
+        arc.at(rows.runs(prefix, f"{part}_place", stations))
+        for part, arc in (("wheel", wheel), ("rail", rail))
     )
-    of = np.clip(rows.runs(side, "patch_of", stations).astype(int), 1, PATCH_LIMIT) - 1
+    of = np.clip(rows.runs(prefix, "patch_of", stations).astype(int), 1, PATCH_LIMIT) - 1
     numbers = [
         np.stack(list(found), axis=1)
-        for found in zip(*(patch_numbers(rows, side, k + 1) for k in range(PATCH_LIMIT)))
+        for found in zip(*(patch_numbers(rows, prefix, k + 1) for k in range(PATCH_LIMIT)))
     ]
     friction, number, patch_power, longest, highest = (
         np.take_along_axis(found, of, axis=1) for found in numbers

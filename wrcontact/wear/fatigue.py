@@ -20,6 +20,8 @@ from ..kernel.wheelset import fatigue as kernel
 from ..methods.numbers import check_choice
 from ..results.words import ShortText
 from ..state import WheelsetState
+from ..wheel import WheelState
+from .rows import prefixes_of
 
 #: Breakpoints of the T gamma damage [N], and lines between them: (slope [1/N], constant).
 BREAKS = (kernel.FIRST_BREAK, kernel.LARGEST, 175.0)
@@ -45,8 +47,8 @@ ALONG, BELOW = np.linspace(-3.0, 3.0, 601), np.linspace(0.005, 1.5, 300)
 
 @dataclass(frozen=True, repr=False)
 class Fatigue(ShortText):
-    """Fatigue of the patches of a table; arrays (n, 2, 3): row, side (left, right), patch.  NaN where there
-    is no patch.
+    """Fatigue of the patches of a table; arrays (n, 2, 3): row, side (left, right), patch; of one wheel
+    (n, 3): row, patch.  NaN where there is no patch.
 
     Attributes
     ----------
@@ -74,20 +76,34 @@ class Fatigue(ShortText):
     wheel_place: np.ndarray
     rail_place: np.ndarray
 
-    def histogram(self, name, part="rail", side="right", width=1e-3, weights=None):
+    @property
+    def sides(self):
+        """The sides that the arrays have, ("left", "right"); (None,) of one wheel."""
+        return SIDES if self.damage.ndim == 3 else (None,)
+
+    def of_side(self, name, side=None):
+        """An array (n, 3) of one side; None is the right one, or the only wheel."""
+        values = getattr(self, name)
+        if values.ndim == 3:
+            side = "right" if side is None else side
+            check_choice("side", side, SIDES)
+            return values[:, SIDES.index(side)]
+        if side is not None:
+            raise ValueError(f"side is {side!r}; permitted with one wheel is none")
+        return values
+
+    def histogram(self, name, part="rail", side=None, width=1e-3, weights=None):
         """Places [m] of bins, and the sums over rows of ``name``, such as "damage", in each.
 
         Parameters
         ----------
-        part, side : "wheel" or "rail", "left" or "right".
+        part, side : "wheel" or "rail", "left" or "right"; None is "right", or the only wheel.
         width : of a bin [m].
         weights : (n,) passages of each row; None is one each.
         """
         check_choice("part", part, ("wheel", "rail"))
-        check_choice("side", side, SIDES)
         check_choice("name", name, tuple(vars(self)))
-        k = SIDES.index(side)
-        place, value = getattr(self, f"{part}_place")[:, k], getattr(self, name)[:, k]
+        place, value = self.of_side(f"{part}_place", side), self.of_side(name, side)
         if weights is not None:
             value = value * np.asarray(weights, dtype=float)[:, None]
         there = np.isfinite(place) & np.isfinite(value)
@@ -100,14 +116,15 @@ class Fatigue(ShortText):
 
 
 def fatigue(
-    table: WheelsetState[Any, Any, Any],
+    table: WheelsetState[Any, Any, Any] | WheelState[Any, Any, Any],
     *,
     yield_shear: float = YIELD_SHEAR,
     direction: str = "both",
     damage: Callable[[NDArray[Any]], NDArray[Any]] | None = None,
     surface_life: tuple[float, float] | None = None,
 ) -> Fatigue:
-    """The :class:`Fatigue` of each patch of a state or a table with creep forces.
+    """The :class:`Fatigue` of each patch of a state or a table with creep forces, of a wheelset or of one
+    wheel.
 
     Parameters
     ----------
@@ -131,8 +148,13 @@ def fatigue(
     if not yield_shear > 0.0:
         raise ValueError(f"yield_shear is {yield_shear!r}; permitted is yield_shear > 0 Pa")
     check_choice("direction", direction, DIRECTIONS)
-    table = table._as_table()
-    read = {name: _patches(table, name) for name in READ}
+    if not isinstance(table, (WheelsetState, WheelState)):
+        raise ValueError(
+            f"table is {type(table).__name__}; permitted is what evaluate_many or evaluate returns"
+        )
+    table, one = table._as_table(), isinstance(table, WheelState)
+    prefixes = prefixes_of(table.side if one else None)
+    read = {name: _patches(table, prefixes, name) for name in READ}
     if not np.nansum(np.abs(read["tangential.x"]) + np.abs(read["tangential.y"])) > 0.0:
         raise ValueError(
             "the table has no creep forces; fatigue needs ContactSystem(tangential_model="
@@ -148,8 +170,9 @@ def fatigue(
         "braked": read["tangential.x"] < 0.0,
     }[direction]
     found = replace(found, damage=np.where(there, np.where(counts, found.damage, 0.0), np.nan))
-    places = _places(table)
-    return replace(found, **{name: np.where(there, values, np.nan) for name, values in places.items()})
+    places = _places([table] if one else [table.left, table.right])
+    found = replace(found, **{name: np.where(there, values, np.nan) for name, values in places.items()})
+    return replace(found, **{name: values[:, 0] for name, values in vars(found).items()}) if one else found
 
 
 def indices(read, yield_shear, damage, surface_life):
@@ -236,18 +259,18 @@ def line_shear(x, z):
     return -z * slope.imag, (w - root).imag + z * slope.real
 
 
-def _patches(table, name):
-    """An output of every patch, (n, 2, 3)."""
+def _patches(table, prefixes, name):
+    """An output of every patch, (n, sides, 3)."""
     return np.stack(
-        [[table[f"{side}.patch[{k + 1}].{name}"] for k in range(PATCH_LIMIT)] for side in SIDES]
+        [[table[f"{prefix}patch[{k + 1}].{name}"] for k in range(PATCH_LIMIT)] for prefix in prefixes]
     ).transpose(2, 0, 1)
 
 
-def _places(table):
-    """Centres of friction (n, 2, 3) on both profiles; empty without outputs of wear."""
+def _places(sides):
+    """Centres of friction (n, sides, 3) on both profiles; empty without outputs of wear."""
     found = {"wheel_place": [], "rail_place": []}
     try:
-        sides = [getattr(table, side).strips for side in SIDES]
+        sides = [side.strips for side in sides]
     except AttributeError:
         return {}
     for name, values in found.items():

@@ -15,10 +15,12 @@ from ..methods.words import did_you_mean
 from ..results.columns import has_wear
 from ..results.convert import needed
 from ..state import WheelsetState
+from ..system import ContactSystem
+from ..wheel import WheelContact, WheelState
 
 #: Share of rows that may be left out.
 MOST_LEFT_OUT = 0.1
-NEEDED = 'wear needs results with creep forces: ContactSystem(tangential_model="strips", wear_outputs=True)'
+NEEDED = 'wear needs results with creep forces: {}(tangential_model="strips", wear_outputs=True)'
 #: How a file's results are made.
 NEEDED_OF_FILES = (
     "wear needs results with creep forces and the outputs of wear: an FMU with the parameters "
@@ -27,17 +29,35 @@ NEEDED_OF_FILES = (
 BY_TIME = "time*speed"
 
 
+def whole_of(system):
+    """The :class:`~wrcontact.ContactSystem` of a ``system`` whose profiles wear, and the side of its only
+    wheel, None of a wheelset; ValueError if it is none."""
+    if isinstance(system, WheelContact):
+        return system.system, system.side
+    if isinstance(system, ContactSystem):
+        return system, None
+    raise ValueError(
+        f"system is {type(system).__name__}; permitted is a ContactSystem, or a WheelContact of one wheel"
+    )
+
+
+def prefixes_of(side):
+    """What the names of each side begin with; nothing of one wheel."""
+    return tuple(f"{one}." for one in SIDES) if side is None else ("",)
+
+
 class Rows:
-    """Columns by name; ``rows["right.power[3]"]`` is (n,).
+    """Columns by name; ``rows["right.power[3]"]`` is (n,), of one wheel ``rows["power[3]"]``.
 
     Attributes
     ----------
     table : the table of states, or None for a file.
     name : for sentences.
+    prefixes : see :func:`prefixes_of`.
     """
 
-    def __init__(self, columns, table, name):
-        self.columns, self.table, self.name = columns, table, name
+    def __init__(self, columns, table, name, prefixes):
+        self.columns, self.table, self.name, self.prefixes = columns, table, name, prefixes
 
     def __len__(self):
         return len(self["speed"])
@@ -54,35 +74,42 @@ class Rows:
         """A column, or ``default`` (n,) where there is none."""
         return self[name] if name in self.columns else np.full(len(self), default)
 
-    def runs(self, side, name, stations):
+    def runs(self, prefix, name, stations):
         """Columns (n, stations) of an outline."""
-        return np.stack([self[f"{side}.{name}[{j + 1}]"] for j in range(stations)], axis=1)
+        return np.stack([self[f"{prefix}{name}[{j + 1}]"] for j in range(stations)], axis=1)
+
+    def strips(self, prefix):
+        """Strips of each patch of a table."""
+        return (getattr(self.table, prefix[:-1]) if prefix else self.table).strips
 
     @property
     def stations(self):
         """The number of stations of an outline."""
+        first = f"{self.prefixes[-1]}power["
         numbers = [
-            int(found[1]) for name in self.columns if (found := re.fullmatch(r"right\.power\[(\d+)\]", name))
+            int(found[1])
+            for name in self.columns
+            if (found := re.fullmatch(rf"{re.escape(first)}(\d+)\]", name))
         ]
         if not numbers:
-            raise ValueError(f"{self.name} has no column 'right.power[1]'; {NEEDED_OF_FILES}")
+            raise ValueError(f"{self.name} has no column '{first}1]'; {NEEDED_OF_FILES}")
         return max(numbers)
 
     def picked(self, places):
         """Some of the rows."""
         if self.table is not None:
             table = self.table[places]
-            return Rows(TableColumns(table), table, self.name)
+            return Rows(TableColumns(table, self.prefixes), table, self.name, self.prefixes)
         columns = {name: np.asarray(values)[places] for name, values in self.columns.items()}
-        return Rows(columns, None, self.name)
+        return Rows(columns, None, self.name, self.prefixes)
 
     def valid(self):
         """Which rows (n,) count; ValueError if more than MOST_LEFT_OUT do not."""
         good = np.isfinite(self["speed"])
         if "status" in self:
             good &= self["status"] == 0
-        for side in SIDES:
-            good &= np.isfinite(self.get(f"{side}.friction_power", 0.0))
+        for prefix in self.prefixes:
+            good &= np.isfinite(self.get(f"{prefix}friction_power", 0.0))
         if not len(good):
             raise ValueError(f"{self.name} has no rows; permitted are tables of one row or more")
         if (left_out := np.count_nonzero(~good)) > MOST_LEFT_OUT * len(good):
@@ -102,12 +129,12 @@ class Rows:
 class TableColumns:
     """A table of states as a mapping of names to columns."""
 
-    def __init__(self, table):
+    def __init__(self, table, prefixes):
         self.table = table
-        self.names = set(table.names)
+        self.names = {"status", "speed", *(f"{prefix}friction" for prefix in prefixes), *table.names}
 
     def __contains__(self, name):
-        return name in ("status", "speed", "left.friction", "right.friction") or name in self.names
+        return name in self.names
 
     def __iter__(self):
         return iter(self.names)
@@ -116,32 +143,40 @@ class TableColumns:
         return self.table[name]
 
 
-def rows_of_table(table):
-    """:class:`Rows` of a table of states; ValueError without outputs of wear or creep forces."""
-    if not isinstance(table, WheelsetState):
-        raise ValueError(f"table is {type(table).__name__}; permitted is what evaluate_many returns")
-    if table.values.ndim == 1:
-        table = table._as_table()
+def rows_of_table(table, side=None):
+    """:class:`Rows` of a table of states of a wheelset, or of the wheel of a ``side``; ValueError without
+    outputs of wear or creep forces."""
+    kind, maker = (WheelsetState, ContactSystem) if side is None else (WheelState, WheelContact)
+    if not isinstance(table, kind):
+        raise ValueError(
+            f"table is {type(table).__name__}; permitted with a {maker.__name__} is what its evaluate_many "
+            "returns"
+        )
+    if side is not None and table.side != side:
+        raise ValueError(f"table is of a {table.side} wheel; permitted is one of a {side} wheel")
+    table, needed_words = table._as_table(), NEEDED.format(maker.__name__)
     if not has_wear(table._values.shape[-1]):
-        raise ValueError(f"the table has no outputs of wear; {NEEDED}")
-    rows = Rows(TableColumns(table), table, "the table")
-    refuse_without_creep(rows, NEEDED)
+        raise ValueError(f"the table has no outputs of wear; {needed_words}")
+    prefixes = prefixes_of(side)
+    rows = Rows(TableColumns(table, prefixes), table, "the table", prefixes)
+    refuse_without_creep(rows, needed_words)
     return rows
 
 
 def refuse_without_creep(rows, needed_words):
     """ValueError if no row has a creep force where wheels roll."""
     power = sum(
-        np.nansum(np.abs(rows.get(f"{side}.{name}", 0.0)))
-        for side in SIDES
+        np.nansum(np.abs(rows.get(f"{prefix}{name}", 0.0)))
+        for prefix in rows.prefixes
         for name in ("friction_power", "wear_number")
     )
     if power == 0.0:
         raise ValueError(f"{rows.name} has no creep forces; {needed_words}")
 
 
-def rows_of_file(results):
-    """:class:`Rows` of a file of an FMU's results, .csv or .parquet, or of columns by name."""
+def rows_of_file(results, side=None):
+    """:class:`Rows` of a file of an FMU's results, .csv or .parquet, or of columns by name; of the FMU of one
+    wheel with a ``side``."""
     if isinstance(results, (str, os.PathLike)):
         path = Path(results)
         columns, name = _read(path), path.name
@@ -153,7 +188,11 @@ def rows_of_file(results):
             f"results is {type(results).__name__}; permitted are the path of a .csv or .parquet file, what "
             "fmpy returns, a pandas.DataFrame, and a dictionary of columns"
         )
-    rows = Rows(columns, None, name)
+    rows = Rows(columns, None, name, prefixes_of(side))
+    if side is None and "power[1]" in columns:
+        raise ValueError(f"{name} has results of one wheel; permitted with a ContactSystem are a wheelset's")
+    if side is not None and "right.power[1]" in columns:
+        raise ValueError(f"{name} has results of a wheelset; permitted with a WheelContact are one wheel's")
     rows["speed"], rows.stations  # both are needed
     refuse_without_creep(rows, NEEDED_OF_FILES)
     return rows

@@ -1,6 +1,7 @@
 """Wear to a mileage: simulate, wear the profiles by a step, simulate with the worn ones, and so on."""
 
 from collections.abc import Callable
+from copy import copy
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -9,8 +10,10 @@ from ..conventions import SIDES
 from ..methods.numbers import check_choice
 from ..progress import working
 from ..system import ContactSystem
+from ..wheel import WheelContact
 from .accumulate import Wear
 from .laws import law_of
+from .rows import whole_of
 from .shape import WheelShape, rolling_conicity, wheel_shape
 from .steps import WearRun, WearStep
 from .store import Store
@@ -24,8 +27,8 @@ METHODS = ("midpoint", "euler")
 
 
 def wear_run(
-    simulate: Callable[[ContactSystem], Any],
-    system: ContactSystem,
+    simulate: Callable[[Any], Any],
+    system: ContactSystem | WheelContact,
     law: Any,
     mileage: float,
     depth_step: float = 1e-4,
@@ -35,6 +38,8 @@ def wear_run(
     **options: Any,
 ) -> WearRun:
     """Wear the wheels, or the rails, of a ``system`` to a ``mileage``: a :class:`WearRun`.
+
+    The system is a :class:`~wrcontact.ContactSystem`, or a :class:`~wrcontact.WheelContact` for one wheel.
 
     Parameters
     ----------
@@ -64,8 +69,9 @@ def wear_run(
     for name in options:
         check_choice("a keyword of wear_run", name, OPTIONS)
     check_choice("method", options.get("method", METHODS[0]), METHODS)
-    new = dict(zip(SIDES, profiles_of(system, part)))
-    plan = Plan(simulate, law_of(law), part, new, mileage, depth_step, smoothing, options)
+    plan = Plan(
+        simulate, law_of(law), part, profiles_of(system, part), mileage, depth_step, smoothing, options
+    )
     return WearRun(tuple(_steps(plan, Store(options.pop("store", None), plan, system), system)), part)
 
 
@@ -81,7 +87,7 @@ def _steps(plan, store, system):
             store.write(step, worn, len(steps) - 1)
             advance(round(step.length))
             if worn:
-                system = with_profiles(system, plan.part, [worn[side] for side in SIDES])
+                system = with_profiles(system, plan.part, worn)
             if len(steps) > MOST_STEPS:
                 raise ValueError(
                     f"mileage is {plan.mileage:g}, which needs more than {MOST_STEPS} steps of "
@@ -107,29 +113,35 @@ class Plan(NamedTuple):
     smoothing: float
     options: dict
 
+    @property
+    def names(self):
+        """What wears, by side, in the words of :class:`~wrcontact.Wear`; one wheel has the name alone."""
+        return {side: self.part if len(self.new) == 1 else f"{side}.{self.part}" for side in self.new}
+
     def step(self, system, steps):
         """The next :class:`WearStep`, and the worn profiles behind it by side; None at the end."""
-        done, profiles = _reached(steps), dict(zip(SIDES, profiles_of(system, self.part)))
-        shapes = {side: self.shape(profiles[side], side, steps) for side in SIDES}
-        conicity = rolling_conicity(system) if self.part == "wheel" else np.nan
+        done, profiles = _reached(steps), profiles_of(system, self.part)
+        shapes = {side: self.shape(profile, side, steps) for side, profile in profiles.items()}
+        rolls = self.part == "wheel" and isinstance(system, ContactSystem)
+        conicity = rolling_conicity(system) if rolls else np.nan
         left = self.mileage - done
         if not left > LEAST * self.mileage:
-            nothing = {side: (np.array([0.0, 1e-9]), np.zeros(2)) for side in SIDES}
+            nothing = {side: (np.array([0.0, 1e-9]), np.zeros(2)) for side in self.new}
             return WearStep(
-                done, 0.0, profiles, nothing, dict.fromkeys(SIDES, 0.0), shapes, conicity, {}, 0
+                done, 0.0, profiles, nothing, dict.fromkeys(self.new, 0.0), shapes, conicity, {}, 0
             ), None
         wear = self.filled(self.simulate(system), system)
-        names = {side: f"{side}.{self.part}" for side in SIDES}
-        arcs = {side: wear.arcs[name] for side, name in names.items()}
+        names = self.names
+        arcs = {side: wear.arc(name) for side, name in names.items()}
         deepest = max(np.max(wear.depth(name)[1]) for name in names.values())  # before it is smoothed
         length = min(left, self.depth_step / deepest) if deepest > 0.0 else left
         depth = {side: wear.smooth_depth(name, self.smoothing) * length for side, name in names.items()}
         if self.options.get("method", METHODS[0]) == "midpoint":
             wear, depth = self.halfway(system, arcs, depth, length)
-        worn = {side: worn_profile(arcs[side], depth[side]) for side in SIDES}
+        worn = {side: worn_profile(arcs[side], depth[side]) for side in names}
         # places in the profile's own frame, also of an inclined rail
         where = {side: (arc.own_places, depth[side]) for side, arc in arcs.items()}
-        taken = {side: float(np.sum(depth[side]) * arcs[side].width) for side in SIDES}
+        taken = {side: float(np.sum(depth[side]) * arcs[side].width) for side in names}
         shares = {side: wear.shares(name) for side, name in names.items()}
         return WearStep(
             done, float(length), profiles, where, taken, shapes, conicity, shares, wear.left_out
@@ -138,14 +150,13 @@ class Plan(NamedTuple):
     def halfway(self, system, arcs, depth, length):
         """Wear of the profiles after half of a step, and the depth of the whole one by it, at the same points
         of the material."""
-        worn = {side: worn_profile(arcs[side], 0.5 * depth[side]) for side in SIDES}
-        middle = with_profiles(system, self.part, [worn[side] for side in SIDES])
+        worn = {side: worn_profile(arc, 0.5 * depth[side]) for side, arc in arcs.items()}
+        middle = with_profiles(system, self.part, worn)
         wear, found = self.filled(self.simulate(middle), middle), {}
-        for side in SIDES:
-            name = f"{side}.{self.part}"
+        for side, name in self.names.items():
             places = moved_places(arcs[side], 0.5 * depth[side], worn[side])
             found[side] = (
-                wear.arcs[name].interpolated(wear.smooth_depth(name, self.smoothing), places) * length
+                wear.arc(name).interpolated(wear.smooth_depth(name, self.smoothing), places) * length
             )
         return wear, found
 
@@ -169,15 +180,22 @@ class Plan(NamedTuple):
 
 
 def profiles_of(system, part):
-    """Wheels or rails (left, right) of a system."""
-    return (system.left_wheel, system.wheel) if part == "wheel" else (system.left_rail, system.rail)
+    """Wheels or rails of a system by side."""
+    whole, side = whole_of(system)
+    both = (whole.left_wheel, whole.wheel) if part == "wheel" else (whole.left_rail, whole.rail)
+    return dict(zip(SIDES, both)) if side is None else {side: both[1]}
 
 
 def with_profiles(system, part, profiles):
-    """The same wheelset and track with (left, right) wheels or rails; as a copy is made, without the remarks
-    that the user has read."""
+    """The same system with other wheels or rails by side; as a copy is made, without the remarks that the
+    user has read."""
+    if isinstance(system, WheelContact):
+        (profile,) = profiles.values()
+        wheel = copy(system)
+        wheel.system = with_profiles(system.system, part, dict.fromkeys(SIDES, profile))
+        return wheel
     rebuilt, (kind, parameters, (wheel, rail, left_wheel, left_rail)) = system.__reduce__()
-    left, right = profiles
+    left, right = (profiles[side] for side in SIDES)
     left = right if left.zones == right.zones else left
     if part == "wheel":
         wheel, left_wheel = right, left

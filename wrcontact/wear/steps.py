@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..conventions import SIDES
+from ..methods.numbers import check_choice
 from ..profiles.profile import Profile
 from ..results.convert import needed
 from ..results.words import ShortText
@@ -18,7 +18,7 @@ UNITS = {"curvature": "1/m", "worn_area": "m2"}
 
 
 class WearStep(NamedTuple):
-    """One step of a run; ``{side: ...}`` stands for left and right.
+    """One step of a run; ``{side: ...}`` stands for left and right, of one wheel for its own side.
 
     Attributes
     ----------
@@ -28,7 +28,7 @@ class WearStep(NamedTuple):
     depth : {side: (places (m,), depth that the step takes (m,))} [m].
     taken : {side: cross-section that the step takes} [m2].
     shapes : {side: WheelShape} before the step; of rails only the worn area.
-    conicity : equivalent conicity at 3 mm before the step [1].
+    conicity : equivalent conicity at 3 mm before the step [1]; NaN of rails and of one wheel.
     shares : {side: {regime: share}}; left_out : rows that were left out.
     """
 
@@ -51,10 +51,16 @@ class WearRun(ShortText):
     ----------
     steps : tuple of :class:`WearStep`; the last one has the profiles at the end, and no wear of its own.
     part : "wheel" or "rail".
+    sides : ("left", "right"), or the side of the only wheel.  Methods take one of them; None is the last.
     """
 
     steps: tuple[WearStep, ...]
     part: str
+
+    @property
+    def sides(self) -> tuple[str, ...]:
+        """The sides that there are."""
+        return tuple(self.steps[0].profiles)
 
     @property
     def distance(self) -> NDArray[Any]:
@@ -66,26 +72,34 @@ class WearRun(ShortText):
         """Equivalent conicity (n,) at 3 mm [1]."""
         return np.array([step.conicity for step in self.steps])
 
-    def profiles(self, side: str = "right") -> tuple[Profile, ...]:
+    def profiles(self, side: str | None = None) -> tuple[Profile, ...]:
         """The profile of one side at each step, the last one worn to the mileage."""
+        side = self._side(side)
         return tuple(step.profiles[side] for step in self.steps)
 
-    def shape(self, name: str, side: str = "right") -> NDArray[Any]:
+    def shape(self, name: str, side: str | None = None) -> NDArray[Any]:
         """A dimension (n,) of :class:`~wrcontact.wear.WheelShape` over the steps."""
+        side = self._side(side)
         return np.array([getattr(step.shapes[side], name) for step in self.steps])
+
+    def _side(self, side):
+        """A ``side`` that there is; None is the last."""
+        if side is not None:
+            check_choice("side", side, self.sides)
+        return side or self.sides[-1]
 
     def to_xarray(self) -> Any:
         """A xarray.Dataset over step and side; heights and depths over ``place`` [m] too."""
-        xarray = needed("xarray", "to_xarray")
-        first = [self.steps[0].profiles[side] for side in SIDES]
+        xarray, sides = needed("xarray", "to_xarray"), self.sides
+        first = [self.steps[0].profiles[side] for side in sides]
         place = RASTER * np.arange(
             np.ceil(min(one.start for one in first) / RASTER),
             np.floor(max(one.stop for one in first) / RASTER) + 1,
         )
         over = ("step", "side")
-        height = [[step.profiles[side].height(place) for side in SIDES] for step in self.steps]
+        height = [[step.profiles[side].height(place) for side in sides] for step in self.steps]
         depth = [
-            [np.interp(place, *step.depth[side], left=0.0, right=0.0) for side in SIDES]
+            [np.interp(place, *step.depth[side], left=0.0, right=0.0) for side in sides]
             for step in self.steps
         ]
         found = {
@@ -97,12 +111,12 @@ class WearRun(ShortText):
         for name in WheelShape.__dataclass_fields__ if self.part == "wheel" else ("worn_area",):
             found[name] = (
                 over,
-                np.transpose([self.shape(name, side) for side in SIDES]),
+                np.transpose([self.shape(name, side) for side in sides]),
                 {"units": UNITS.get(name, "m")},
             )
         labels = {
             "step": np.arange(len(self.steps)),
-            "side": list(SIDES),
+            "side": list(sides),
             "place": ("place", place, {"units": "m"}),
             "distance": ("step", self.distance, {"units": "m" if self.part == "wheel" else "1"}),
         }

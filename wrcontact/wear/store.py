@@ -7,11 +7,11 @@ from pathlib import Path
 
 import numpy as np
 
-from ..conventions import SIDES
 from ..profiles.files import prepared_text, read_profile
 from ..profiles.options import ProfileFile
 from ..profiles.profile import Profile
 from ..storage.atomic import write_atomically
+from .rows import whole_of
 from .shape import WheelShape
 from .steps import WearStep
 
@@ -25,9 +25,8 @@ class Store:
 
     def __init__(self, folder, plan, system):
         self.folder, self.plan = None if folder is None else Path(folder), plan
-        zones = [
-            prepared_text(one) for one in (system.left_wheel, system.wheel, system.left_rail, system.rail)
-        ]
+        whole, side = whole_of(system)
+        zones = [prepared_text(one) for one in (whole.left_wheel, whole.wheel, whole.left_rail, whole.rail)]
         said = [
             plan.part,
             repr(plan.law),
@@ -37,13 +36,14 @@ class Store:
         ]
         numbers = sorted(
             f"{name}={value!r}"
-            for name, value in system.parameters.items()
+            for name, value in whole.parameters.items()
             if not name.endswith(("wheel", "rail"))
         )
+        numbers += [] if side is None else [f"side={side!r}"]
         self.mark = hashlib.sha256(json.dumps([said, zones, numbers]).encode()).hexdigest()
 
     def read(self):
-        """Steps so far, and the worn profiles (left, right) behind the last one, or None."""
+        """Steps so far, and the worn profiles behind the last one by side, or None."""
         if self.folder is None:
             return [], None
         self.folder.mkdir(parents=True, exist_ok=True)
@@ -66,7 +66,7 @@ class Store:
             steps.append(self._step(content, len(steps)))
         if not steps or steps[-1].length == 0.0:
             return steps, None
-        return steps, [self._profile(len(steps) - 1, side) for side in SIDES]
+        return steps, {side: self._profile(len(steps) - 1, side) for side in self.plan.new}
 
     def write(self, step, worn, number):
         """Keep a step, and the ``worn`` profiles by side behind it."""
@@ -89,7 +89,7 @@ class Store:
 
     def _step(self, content, number):
         profiles = {
-            side: self._profile(number - 1, side) if number else self.plan.new[side] for side in SIDES
+            side: self._profile(number - 1, side) if number else new for side, new in self.plan.new.items()
         }
         depth = {side: tuple(map(np.array, both)) for side, both in content["depth"].items()}
         shapes = {side: WheelShape(**shape) for side, shape in content["shapes"].items()}
