@@ -28,6 +28,7 @@ from .laws import law_of
 from .rows import BY_TIME, distances, prefixes_of, rows_of_file, rows_of_table, whole_of
 from .update import DEEPEST, smoothed, worn_profile
 
+#: What wears of each side.
 KINDS = ("wheel", "rail")
 #: What wears of a wheelset, and of one wheel.
 PARTS, PARTS_OF_ONE = (

@@ -156,10 +156,7 @@ def fatigue(
     prefixes = prefixes_of(table.side if one else None)
     read = {name: _patches(table, prefixes, name) for name in READ}
     if not np.nansum(np.abs(read["tangential.x"]) + np.abs(read["tangential.y"])) > 0.0:
-        raise ValueError(
-            "the table has no creep forces; fatigue needs ContactSystem(tangential_model="
-            '"strips") and a speed'
-        )
+        raise ValueError('the table has no creep forces; fatigue needs tangential_model="strips" and a speed')
     there = (read["area"] > 0.0) & (read["max_pressure"] > 0.0) & (read["width"] > 0.0)
     read = {name: np.where(there, values, np.nan) for name, values in read.items()}
     found = indices(read, yield_shear, damage or wear_number_damage, surface_life)
