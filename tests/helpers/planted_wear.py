@@ -24,7 +24,7 @@ WORN = [
      f"{WEAR}/update.py"),
     ("worn_mirror", "mode=\"reflect\"", "mode=\"constant\"", "smoothing loses depth at the ends", MOVING,
      f"{WEAR}/update.py"),
-    ("worn_half", "worn_profile(arc, 0.5 * depth", "worn_profile(arc, 0.0 * depth",
+    ("worn_half", "worn_profile(arcs[side], 0.5 * depth", "worn_profile(arcs[side], 0.0 * depth",
      "the midpoint rule simulates the beginning twice", RUNNING, f"{WEAR}/run.py"),
     ("tired_area", "1.5 * load / area", "1.0 * load / area", "the mean pressure for the peak", TIRED,
      f"{WEAR}/fatigue.py"),

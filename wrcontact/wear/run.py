@@ -150,7 +150,7 @@ class Plan(NamedTuple):
     def halfway(self, system, arcs, depth, length):
         """Wear of the profiles after half of a step, and the depth of the whole one by it, at the same points
         of the material."""
-        worn = {side: worn_profile(arc, 0.5 * depth[side]) for side, arc in arcs.items()}
+        worn = {side: worn_profile(arcs[side], 0.5 * depth[side]) for side in arcs}
         middle = with_profiles(system, self.part, worn)
         wear, found = self.filled(self.simulate(middle), middle), {}
         for side, name in self.names.items():
