@@ -38,6 +38,8 @@ def test_an_unknown_input_is_told_from_known_ones(door, name, end):
 @pytest.mark.parametrize("name, end", [
     ("inclination", "did you mean rail_inclination or left_rail_inclination?"),
     ("speed", "speed is an input of evaluate"),
+    ("wheel_profile", "in Python it is wheel"),
+    ("left_rail_profile", "in Python it is left_rail"),
 ])
 def test_an_unknown_parameter_is_told_from_known_ones(name, end):
     with pytest.raises(TypeError) as refusal:

@@ -139,6 +139,7 @@ def test_the_data_set_has_the_run():
 @pytest.mark.parametrize(
     "given, words",
     [
+        ({"simulate": 3}, "simulate is 3; permitted is a function of a system"),
         ({"mileage": 0.0}, "mileage is 0.0; permitted is mileage > 0"),
         ({"depth_step": 0.1}, "depth_step is 0.1 m; permitted is 1e-06 ... 0.001 m"),
         ({"part": "axle"}, "part is 'axle'"),
@@ -148,7 +149,7 @@ def test_the_data_set_has_the_run():
 )
 def test_wrong_runs_are_refused(given, words):
     with pytest.raises(ValueError, match=words):
-        wrcontact.wear_run(simulate, system(), energy, **{"mileage": 1e3, **given})
+        wrcontact.wear_run(system=system(), law=energy, **{"simulate": simulate, "mileage": 1e3, **given})
 
 
 def test_pictures_show_what_there_is():

@@ -27,8 +27,9 @@ class CreepForces:
     max_shear: float                #: largest traction [Pa]
 
 
-def creep_forces(patch: CreepPatch | Patch[float], creepage_x: float = 0.0, creepage_y: float = 0.0, spin: float = 0.0,
-                 friction: float = 0.3, tangential_model: str | TangentialModel = "strips") -> CreepForces:
+def creep_forces(patch: CreepPatch | Patch[float], creepage_x: float = 0.0, creepage_y: float = 0.0,
+                 spin: float = 0.0, friction: float = 0.3,
+                 tangential_model: str | TangentialModel = "strips") -> CreepForces:
     """Creep force and moment of a patch in steady rolling.
 
     Parameters
