@@ -1,5 +1,6 @@
 """``wrcontact wear``: the worn profile after a distance, from the results of an FMU."""
 
+import re
 from functools import wraps
 from inspect import Parameter, Signature, signature
 from pathlib import Path
@@ -189,10 +190,14 @@ def wear(
             print(f"picture written to {picture}")
 
 
+def _in_kilometres(found):
+    return f"--distance-km is {float(found[1]) / 1e3:g}"
+
+
 def _in_options(sentence):
     """A sentence of the package with options in place of arguments."""
+    sentence = re.sub(r"^distance is (\S+)(?=[,;] )", _in_kilometres, sentence)
     for name, option in (
-        ("distance is ", "--distance-km is about "),
         ("smoothing is ", "--smoothing-mm: "),
         ("part is ", "--part is "),
     ):
