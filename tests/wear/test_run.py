@@ -154,6 +154,13 @@ def test_wrong_runs_are_refused(given, words):
 
 def test_pictures_show_what_there_is():
     run = wrcontact.wear_run(simulate, system(), wrcontact.Usfd(), 4e5, mirrored=True)
+    assert tuple(run) == run.steps
+    for wrong, words in (
+        (lambda: run.profiles("top"), "side is 'top'; permitted are 'left', 'right'"),
+        (lambda: run.shape("thickness"), "name is 'thickness'; .* did you mean flange_thickness"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            wrong()
     figure = plots.wear_figure(run)
     titles = [panel.get_title(loc="left") for panel in figure.axes]
     assert {"right wheel, depth enlarged 10 times", "Change of dimensions"} <= set(titles)

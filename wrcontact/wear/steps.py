@@ -1,5 +1,6 @@
 """What a run of wear has found: its steps, and what a data set of them has."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -7,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..conventions import SIDES
+from ..methods.numbers import check_choice
 from ..profiles.profile import Profile
 from ..results.convert import needed
 from ..results.words import ShortText
@@ -45,7 +47,7 @@ class WearStep(NamedTuple):
 
 @dataclass(frozen=True, repr=False)
 class WearRun(ShortText):
-    """A run to a mileage.
+    """A run to a mileage; ``for step in run`` goes over its steps.
 
     Attributes
     ----------
@@ -55,6 +57,9 @@ class WearRun(ShortText):
 
     steps: tuple[WearStep, ...]
     part: str
+
+    def __iter__(self) -> Iterator[WearStep]:
+        return iter(self.steps)
 
     @property
     def distance(self) -> NDArray[Any]:
@@ -68,10 +73,13 @@ class WearRun(ShortText):
 
     def profiles(self, side: str = "right") -> tuple[Profile, ...]:
         """The profile of one side at each step, the last one worn to the mileage."""
+        check_choice("side", side, SIDES)
         return tuple(step.profiles[side] for step in self.steps)
 
     def shape(self, name: str, side: str = "right") -> NDArray[Any]:
         """A dimension (n,) of :class:`~wrcontact.wear.WheelShape` over the steps."""
+        check_choice("name", name, tuple(WheelShape.__dataclass_fields__))
+        check_choice("side", side, SIDES)
         return np.array([getattr(step.shapes[side], name) for step in self.steps])
 
     def to_xarray(self) -> Any:
