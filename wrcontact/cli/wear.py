@@ -13,10 +13,8 @@ from rich.table import Table
 
 from .. import ContactSystem
 from ..methods.words import did_you_mean
-from ..profiles.files import prepared_text
 from ..progress import working
 from ..results.words import fixed
-from ..storage.atomic import write_atomically
 from ..wear import Wear, wheel_shape
 from ..wear.accumulate import PARTS
 from ..wear.laws import LAWS
@@ -181,7 +179,7 @@ def wear(
         worn = found.worn(part, distance, smoothing)
         _print(found, part, distance, smoothing, worn)
         if output:
-            write_atomically(output, prepared_text(worn).encode())
+            worn.save(output)
             print(f"worn profile written to {output}")
         if plot:
             from ..plots import save, wear_depth_figure
