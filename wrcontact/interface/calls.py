@@ -31,10 +31,12 @@ def input_values(arguments, keywords):
             raise unknown_input(name)
         place = PLACES[name]
         values[place] = value if type(value) in NUMBERS else checked_input(place, value)
-    if arguments and (len(arguments) > len(NAMED)
-                      or not keywords.keys().isdisjoint(NAMED[:len(arguments)])):
-        raise TypeError(f"{len(arguments)} inputs have no name; permitted are {', '.join(NAMED)}, each once, "
+    if len(arguments) > len(NAMED):
+        raise TypeError(f"{len(arguments)} inputs have no name; permitted are {', '.join(NAMED)}, "
                         "and others by name")
+    if arguments and (twice := keywords.keys() & set(NAMED[:len(arguments)])):
+        raise TypeError(f"{min(twice)} is given twice, by its place and by its name; permitted is one of "
+                        "the two")
     return values
 
 
