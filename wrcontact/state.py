@@ -207,7 +207,7 @@ class WheelsetState(View):
     @property
     def inputs(self):
         """The inputs by name and place, :class:`~wrcontact.results.inputs.Inputs`."""
-        return None if self._inputs is None else self._inputs.view(Inputs)
+        return None if self._inputs is None else Inputs.of(self._inputs, self._system is not None)
 
     @property
     def left(self):

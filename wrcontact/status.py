@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from enum import IntEnum
 from typing import NamedTuple
 
@@ -53,6 +53,13 @@ class Terms:
     def length(self, value):
         """A length [m] with its unit."""
         return f"{value:g} m"
+
+
+class _OneWheel(Terms):
+    """The terms of one wheel, whose inputs belong to no side."""
+
+    def name(self, name):
+        return name.rpartition(".")[2]
 
 
 #: The end of sentences on steps that leave the outputs as they are.
@@ -141,16 +148,24 @@ SENTENCES = (
 )
 
 
-def explain(status: int, inputs: Iterable[float], compliant: bool = False, terms: Terms | None = None,
-            held: bool = False) -> str:
+def explain(status: int, inputs: Iterable[float] | Mapping[str, float], compliant: bool | None = None,
+            terms: Terms | None = None, held: bool = False) -> str:
     """One sentence on a non-zero ``status`` that names the variable, its value and the limit; "" for VALID.
 
-    ``inputs`` are those of the step, in the order of wrcontact/interface/inputs.py; ``compliant`` says
-    whether the contact mode is compliant, ``terms`` how names and values are written, ``held`` whether to add
-    that outputs of a failed step keep their values, as those of a stepper and an FMU do.
+    ``inputs`` are those of the step: ``state.inputs``, also of one wheel, or numbers in the order of
+    wrcontact/interface/inputs.py.  ``compliant`` says whether the contact mode is compliant; None is what
+    ``state.inputs`` know of it, and False for numbers.  ``terms`` say how names and values are written,
+    ``held`` whether to add that outputs of a failed step keep their values, as those of a stepper and an FMU
+    do.
     """
-    if status == Status.VALID:
+    if Status(status) == Status.VALID:
         return ""
+    if compliant is None:
+        compliant = getattr(inputs, "compliant", False)
+    if isinstance(inputs, Mapping):
+        if "normal_force" not in inputs:        # of one wheel, by its own names
+            compliant, terms = True, terms or _OneWheel()
+        inputs = [inputs.get(row.name, inputs.get(row.name.rpartition(".")[2], row.start)) for row in INPUTS]
     terms, given = terms or Terms(), dict(zip(INPUT_NAMES, map(float, inputs)))
     said = next(row for row in SENTENCES
                 if row.status == status and row.compliant in (None, bool(compliant))

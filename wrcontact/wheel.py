@@ -10,7 +10,7 @@
 from functools import cached_property
 
 from .interface.calls import describe_wheel_inputs
-from .interface.one_wheel import checked_wheel, unknown_wheel_input, wheel_inputs
+from .interface.one_wheel import checked_wheel, unknown_wheel_input, unknown_wheel_output, wheel_inputs
 from .methods.numbers import check_choice
 from .motion.names import listed
 from .results.columns import DEPTH_SIZES, SIDES
@@ -146,6 +146,9 @@ class WheelContact:
         :meth:`wrcontact.ContactSystem.derivatives`, with the wheel's names: ``of=["force.y"]``,
         ``by=["rail_lateral"]``."""
         stepper = self.stepper()
+        for name in listed("of", of):
+            if f"{self.side}.{name}" not in stepper.output_names:
+                raise unknown_wheel_output(name, self.side, stepper.output_names)
         for name, value in inputs.items():
             stepper.inputs[stepper.place(self._row(name).name)] = value
         return stepper.derivatives(self._prefixed(listed("of", of)),

@@ -217,6 +217,11 @@ def test_pair_without_contact_is_told():
 # --- the door -------------------------------------------------------------------------------------
 
 
+def test_what_is_no_system_is_refused():
+    with pytest.raises(ValueError, match="system is 'S1002'; permitted is a ContactSystem"):
+        wrcontact.check("S1002")
+
+
 def test_command(run, tmp_path, standard):
     picture, content = tmp_path / "pair.png", tmp_path / "pair.json"
     code, out, err = run("check", "--rail", "60E1", "--output", picture, "--json", content)

@@ -91,6 +91,7 @@ def test_a_patch_of_a_result_has_its_force(side, pose):
             assert rolling.normal_force == patch.normal_force
             assert np.ptp(rolling.station) == pytest.approx(patch.width, rel=1e-9)
             found = wrcontact.creep_forces(rolling, **creepages)
+            assert wrcontact.creep_forces(patch, **creepages) == found
             off = np.hypot(found.x - patch.tangential.x, found.y - patch.tangential.y)
             assert off < 0.04 * 0.3 * patch.normal_force, (number, found, patch.tangential)
             to_field = -1.0 if side == "right" else 1.0
@@ -146,6 +147,9 @@ def test_what_is_no_number_is_refused():
             wrcontact.outlined_patch(station, [0] * 3, [0] * 3)
     with pytest.raises(TypeError, match="patch is a float"):
         wrcontact.creep_forces(1.0)
+    table = wrcontact.ContactSystem().evaluate_many([0.0, 1e-3])
+    with pytest.raises(ValueError, match="patch has many poses"):
+        wrcontact.creep_forces(table.right.patches[0])
 
 
 def test_a_result_without_that_patch_is_refused():

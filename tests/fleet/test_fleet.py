@@ -266,8 +266,8 @@ def test_names_differ(tmp_path):
 
 
 @pytest.mark.parametrize("wheels, told", [
-    ([], "wheels is an empty list"), ("nowhere/*.whl", "wheels is 'nowhere/*.whl', where there is no file"),
-    ("60E1", "wheels is '60E1'")])
+    ([], "wheels is an empty list"), ([3], "wheels has 3; permitted are paths"),
+    ("nowhere/*.whl", "wheels is 'nowhere/*.whl', where there is no file"), ("60E1", "wheels is '60E1'")])
 def test_nothing_to_check_is_refused(wheels, told):
     with pytest.raises(ValueError, match=re.escape(told)):
         wrcontact.check_fleet(wheels, "60E1")
@@ -312,6 +312,8 @@ def test_command_refuses_in_a_sentence(run, tmp_path):
     for words, told in ((("--pictures", "all"), "--pictures"), (("--scheduler", "tcp://a:1"), "--scheduler"),
                         (("--batch", "S1002", "60E1", "--wheel", "S1002"), "--batch"),
                         (("--batch", "S1002", "60E1", "--json", tmp_path / "a.json"), "--json"),
+                        (("--batch", "S1002", "--output", tmp_path / "o"), "permitted are wheels and rails"),
+                        (("--wheel", "S1002", "60E1"), "check takes no '60E1'"),
                         (("--batch", tmp_path / "none", "60E1", "--output", tmp_path / "o"), "none")):
         code, _, err = run("check", *words)
         assert code == 2 and err.startswith("wrcontact: ") and err.count("\n") == 1 and told in err

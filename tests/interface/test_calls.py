@@ -38,11 +38,26 @@ def test_an_unknown_input_is_told_from_known_ones(door, name, end):
 @pytest.mark.parametrize("name, end", [
     ("inclination", "did you mean rail_inclination or left_rail_inclination?"),
     ("speed", "speed is an input of evaluate"),
+    ("wheel_profile", "in Python it is wheel"),
+    ("left_rail_profile", "in Python it is left_rail"),
 ])
 def test_an_unknown_parameter_is_told_from_known_ones(name, end):
     with pytest.raises(TypeError) as refusal:
         ContactSystem(**{name: 0.3})
     assert str(refusal.value) == f"ContactSystem has no parameter {name!r}; {end}"
+
+
+@pytest.mark.parametrize("places, name, words", [
+    ((0.0, 0.0), "yaw", "^yaw is given twice, by its place and by its name"),
+    ((0.0, 0.0, 1e4, 0.0, 0.1), "speed", "^5 inputs have no name; permitted are lateral_shift, yaw, ")])
+def test_inputs_by_place_are_the_main_ones_each_once(places, name, words):
+    with pytest.raises(TypeError, match=words):
+        SYSTEM.evaluate(*places, **{name: 0.0})
+
+
+def test_a_number_names_no_outputs():
+    with pytest.raises(ValueError, match="outputs is 3; permitted are 'all', 'patches', 'geometry'"):
+        SYSTEM.evaluate_many([0.0], outputs=3)
 
 
 def test_a_coefficient_for_the_record_of_friction_is_led_to_its_inputs():

@@ -155,7 +155,8 @@ def test_prepared_file_gives_the_profile_back_bit_for_bit(tmp_path):
     y = np.linspace(-36, 36, 145)
     rail = Profile.from_points(y + 3.0, 7.0 + y**2 / 160, name="measured", kind="rail")
     path = tmp_path / "measured.json"
-    path.write_text(prepared_text(rail))
+    rail.save(path)
+    assert path.read_text() == prepared_text(rail)
     assert Profile.from_file(path, "rail") == rail
     assert rail.height(0.0) == pytest.approx(0.0, abs=1e-15)
     assert rail.slope(0.0) == pytest.approx(0.0, abs=1e-12)

@@ -110,6 +110,20 @@ def test_inputs_are_an_array(table, state):
     assert wrcontact.explain(table[2].status, table[2].inputs).startswith("lateral_shift is 0.02 m")
 
 
+def test_a_state_s_inputs_know_its_contact_mode():
+    """What a compliant wheelset, or one wheel, is told concerns the inputs that it has."""
+    whole, one = wrcontact.ContactSystem(contact_mode="compliant"), wrcontact.WheelContact(side="right")
+    for lifted in (whole.evaluate(), whole.evaluate_many([0.0, 1e-3])[1],
+                   whole.evaluate_many([0.0, 1e-3], outputs=["roll"])[:1][0], one.evaluate()):
+        assert wrcontact.explain(lifted.status, lifted.inputs).startswith("vertical_shift_input is 0 m at")
+    rough = one.evaluate(friction=9.0)
+    assert wrcontact.explain(rough.status, rough.inputs) == "friction is 9; permitted is 0 <= friction <= 2"
+    given = whole.evaluate(left_friction=9.0)
+    assert wrcontact.explain(given.status, given.inputs.to_dict()).startswith("left.friction is 9; permitted")
+    with pytest.raises(ValueError, match="7 is not a valid Status"):
+        wrcontact.explain(7, rough.inputs)
+
+
 def test_the_text_of_inputs_has_units(table):
     state = SYSTEM.evaluate(5e-3, speed=20.0)
     assert repr(state.inputs) == str(state.inputs) == (

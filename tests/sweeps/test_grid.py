@@ -69,7 +69,8 @@ def test_wrong_axes(axes, words):
     ({"block": 0}, ValueError, "block is 0; permitted is a whole number from 1 on"),
     ({"workers": 1.5}, ValueError, "workers is 1.5; permitted is a whole number from 1 on"),
     ({"client": "tcp://host:1"}, ValueError, "store is None; permitted with a client is a folder"),
-    ({"client": "tcp://host:1", "store": "a", "workers": 2}, ValueError, "workers is 2; .* client is None")])
+    ({"client": "tcp://host:1", "store": "a", "workers": 2}, ValueError, "workers is 2; .* client is None"),
+    ({"client": "tcp://host:1", "store": "a"}, ValueError, "client is 'tcp://host:1'; permitted is a dask")])
 def test_wrong_arguments(given, error, words):
     with pytest.raises(error, match=words):
         wrcontact.sweep(SYSTEM, {"yaw": [0.0, 1e-3]}, **given)

@@ -130,6 +130,11 @@ def test_a_lost_axis(data):
         wrcontact.interpolate(data.isel(yaw=0, drop=True))
 
 
+def test_a_text_is_no_place(data):
+    with pytest.raises(ValueError, match="yaw is 'x'; permitted is a number, in rad"):
+        wrcontact.interpolate(data)(lateral_shift=0.0, yaw="x", normal_force=6e4)
+
+
 @pytest.mark.parametrize("poses, words", [
     ({"lateral_shift": 0.0}, "yaw is not given; the axes are lateral_shift, yaw, normal_force"),
     ({"lateral_shift": 0.0, "yaw": 0.0, "normal_force": 6e4, "speed": 1.0}, "the table has no axis 'speed'")])

@@ -185,3 +185,11 @@ def test_inputs_without_meaning_are_refused(name, words):
     with pytest.raises(TypeError, match=words):
         WheelContact().evaluate(**{name: 0.1})
     assert wrcontact.WheelContact is WheelContact
+
+
+@pytest.mark.parametrize("name", ["left.force.z", "force_z"])
+def test_an_unknown_output_is_told_by_the_wheel_s_own_names(name):
+    with pytest.raises(ValueError) as refusal:
+        WheelContact(side="left").derivatives(of=[name], by=["yaw"], vertical_shift_input=2e-4)
+    assert str(refusal.value) == (f"of has {name!r}; permitted are names of one wheel's outputs; "
+                                  "did you mean force.z?")

@@ -230,6 +230,13 @@ NO_CREEP = wrcontact.ContactSystem(wear_outputs=True)
         (lambda wear: wear.add(few(speed=[20.0, 0.0, 20.0])), "speed is 0 in row 1 of the table"),
         (lambda wear: wear.add(few(), distance=[1.0, -2.0, 1.0]), "distance is -2 m in a row"),
         (lambda wear: wear.add(few(), distance=0.0), "distance is 0 m in a row"),
+        (lambda wear: wear.add(few(), distance=[1.0, 2.0]), "one for each of the 3 rows of the table"),
+        (lambda wear: wear.add(few(), distance="far"), "distance is 'far'; permitted is one number"),
+        (lambda wear: wear.add_fmu("nothing.csv"), "results is 'nothing.csv', and there is no such file"),
+        (
+            lambda wear: (wear.add(few()), wear.worn("right.wheel", "far")),
+            "distance is 'far'; permitted is distance > 0",
+        ),
         (lambda wear: wear.add_fmu({"speed": [1.0]}), "has no column 'right.power[1]'; wear needs results"),
         (lambda wear: wear.add_fmu({"time": [1.0]}), "the results has no column 'speed'"),
         (lambda wear: wear.add_fmu(columns_of(few())), "has no column 'time'"),

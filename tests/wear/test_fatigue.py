@@ -136,12 +136,21 @@ def test_one_state_is_a_table_of_one_row_and_needs_no_outputs_of_wear():
     "given, words",
     [
         ({"yield_shear": 0.0}, "yield_shear is 0.0; permitted is yield_shear > 0 Pa"),
+        ({"yield_shear": "300e6"}, "yield_shear is '300e6'; permitted is yield_shear > 0 Pa"),
         ({"yield_shear": YIELD, "direction": "up"}, "direction is 'up'; permitted are 'both'"),
     ],
 )
 def test_wrong_arguments_are_refused(given, words):
     with pytest.raises(ValueError, match=words):
         wrcontact.fatigue(table(), **given)
+
+
+def test_a_number_is_no_table_and_one_weight_not_that_of_all_rows():
+    with pytest.raises(ValueError, match="table is int; permitted is what evaluate"):
+        wrcontact.fatigue(3, yield_shear=YIELD)
+    found = wrcontact.fatigue(table(), yield_shear=YIELD)
+    with pytest.raises(ValueError, match=f"weights has the shape .1,.; .* {len(table())} rows"):
+        found.histogram("damage", weights=[1.0])
 
 
 def test_tables_without_creep_forces_are_refused():

@@ -139,6 +139,7 @@ def test_the_data_set_has_the_run():
 @pytest.mark.parametrize(
     "given, words",
     [
+        ({"simulate": 3}, "simulate is 3; permitted is a function of a system"),
         ({"mileage": 0.0}, "mileage is 0.0; permitted is mileage > 0"),
         ({"depth_step": 0.1}, "depth_step is 0.1 m; permitted is 1e-06 ... 0.001 m"),
         ({"part": "axle"}, "part is 'axle'"),
@@ -148,11 +149,18 @@ def test_the_data_set_has_the_run():
 )
 def test_wrong_runs_are_refused(given, words):
     with pytest.raises(ValueError, match=words):
-        wrcontact.wear_run(simulate, system(), energy, **{"mileage": 1e3, **given})
+        wrcontact.wear_run(system=system(), law=energy, **{"simulate": simulate, "mileage": 1e3, **given})
 
 
 def test_pictures_show_what_there_is():
     run = wrcontact.wear_run(simulate, system(), wrcontact.Usfd(), 4e5, mirrored=True)
+    assert tuple(run) == run.steps
+    for wrong, words in (
+        (lambda: run.profiles("top"), "side is 'top'; permitted are 'left', 'right'"),
+        (lambda: run.shape("thickness"), "name is 'thickness'; .* did you mean flange_thickness"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            wrong()
     figure = plots.wear_figure(run)
     titles = [panel.get_title(loc="left") for panel in figure.axes]
     assert {"right wheel, depth enlarged 10 times", "Change of dimensions"} <= set(titles)
@@ -213,7 +221,8 @@ def test_the_command_writes_a_worn_profile_and_a_picture(run, results):
             ("--constant", "mld=1"),
             "--constant is 'mld=1'; permitted is NAME=VALUE, of usfd with the names calibration",
         ),
-        (("--distance-km", "1e9"), "--distance-km is about 1e+12, which takes"),
+        (("--distance-km", "-5"), "--distance-km is -5; permitted is distance > 0"),
+        (("--distance-km", "1e9"), "--distance-km is 1e+09, which takes"),
         (("--part", "axle"), "--part is 'axle'; permitted are 'left.wheel'"),
         (("--output", "worn.csv"), "--output is 'worn.csv'; permitted is a file that ends in .json"),
         (("--distance-column", "way"), "has no column 'way'"),

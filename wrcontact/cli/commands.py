@@ -54,6 +54,14 @@ def millimetres(option, words):
     return typer.Option(option, help=words, parser=number, metavar="NUMBER")
 
 
+def _both(batch):
+    """``batch``, unless an option stands where one of its two belongs."""
+    if batch and any(given.startswith("--") for given in batch):
+        raise Refused(f"--batch has {' and '.join(map(repr, batch))}; permitted are wheels and rails, each a "
+                      "folder, a pattern, a file or a name")
+    return batch
+
+
 def micrometres(text):
     """A smoothing in um; typer's BadParameter outside its range."""
     value, limit = number(text), SMOOTHING.high * 1e6
@@ -283,7 +291,7 @@ def check(geometry,
           file: Annotated[Path | None, typer.Option(
               "--json", metavar="FILE", help="Write all results to this file as JSON, in SI units")] = None,
           batch: Annotated[tuple[str, str] | None, typer.Option(
-              metavar="WHEELS RAILS",
+              metavar="WHEELS RAILS", callback=_both,
               help="Check every wheel on every rail: folders with files, patterns in quotes, or names; "
                    "interrupted, the same command continues")] = None,
           pictures: Annotated[str | None, typer.Option(

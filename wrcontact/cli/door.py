@@ -2,6 +2,7 @@
 
 import errno
 import os
+import re
 import signal
 import sys
 import threading
@@ -92,6 +93,9 @@ def _end(number, frame):
 def _words_of(wrong):
     """The sentence on a wrong option, with those that are spelled like it."""
     unknown, command = getattr(wrong, "option_name", None), wrong.ctx and wrong.ctx.command
+    extra = re.match(r"Got unexpected extra argument.*? \((.*)\)$", wrong.format_message())
+    if command and extra:
+        return f"{command.name} takes no {extra[1]!r}; --help says what it takes"
     if not hasattr(wrong, "possibilities") or not unknown or not command:
         return wrong.format_message()
     names = [name.strip("-") for option in command.params for name in (*option.opts, *option.secondary_opts)]

@@ -1,5 +1,6 @@
 """``wrcontact wear``: the worn profile after a distance, from the results of an FMU."""
 
+import re
 from functools import wraps
 from inspect import Parameter, Signature, signature
 from pathlib import Path
@@ -13,10 +14,8 @@ from rich.table import Table
 from .. import ContactSystem, WheelContact
 from ..methods.numbers import check_choice
 from ..methods.words import did_you_mean
-from ..profiles.files import prepared_text
 from ..progress import working
 from ..results.words import fixed
-from ..storage.atomic import write_atomically
 from ..wear import Wear, wheel_shape
 from ..wear.accumulate import PARTS, PARTS_OF_ONE
 from ..wear.laws import LAWS
@@ -196,7 +195,7 @@ def wear(
         worn = found.worn(part, distance, smoothing)
         _print(found, part, distance, smoothing, worn)
         if output:
-            write_atomically(output, prepared_text(worn).encode())
+            worn.save(output)
             print(f"worn profile written to {output}")
         if plot:
             from ..plots import save, wear_depth_figure
@@ -205,10 +204,14 @@ def wear(
             print(f"picture written to {picture}")
 
 
+def _in_kilometres(found):
+    return f"--distance-km is {float(found[1]) / 1e3:g}"
+
+
 def _in_options(sentence):
     """A sentence of the package with options in place of arguments."""
+    sentence = re.sub(r"^distance is (\S+)(?=[,;] )", _in_kilometres, sentence)
     for name, option in (
-        ("distance is ", "--distance-km is about "),
         ("smoothing is ", "--smoothing-mm: "),
     ):
         if sentence.startswith(name):

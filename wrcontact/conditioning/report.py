@@ -86,6 +86,8 @@ def check(system):
     >>> wrcontact.check(wrcontact.ContactSystem()).conformal[-1].side
     'right'
     """
+    if not isinstance(system, ContactSystem):
+        raise ValueError(f"system is {system!r}; permitted is a ContactSystem")
     rolling, level = _wheelset(system, "rigid"), _wheelset(system, "compliant")
     shifts = _shifts(STEP)
     table = geometry(rolling, shifts)

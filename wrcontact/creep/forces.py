@@ -11,7 +11,9 @@ from ..kernel.binding.fixed_tables import fixed_tables
 from ..kernel.binding.library import default_kernel
 from ..kernel.prepare import tables as fixed
 from ..methods import HalfspaceRolling, TangentialModel, family_of
+from ..state import Patch
 from .patch import CreepPatch, check_number
+from .results import rolling_patch
 
 
 @dataclass(frozen=True)
@@ -25,13 +27,15 @@ class CreepForces:
     max_shear: float                #: largest traction [Pa]
 
 
-def creep_forces(patch: CreepPatch, creepage_x: float = 0.0, creepage_y: float = 0.0, spin: float = 0.0,
-                 friction: float = 0.3, tangential_model: str | TangentialModel = "strips") -> CreepForces:
+def creep_forces(patch: CreepPatch | Patch[float], creepage_x: float = 0.0, creepage_y: float = 0.0,
+                 spin: float = 0.0, friction: float = 0.3,
+                 tangential_model: str | TangentialModel = "strips") -> CreepForces:
     """Creep force and moment of a patch in steady rolling.
 
     Parameters
     ----------
-    patch : a :class:`CreepPatch`.
+    patch : a :class:`CreepPatch`, or a patch of the result of one pose, ``state.right.patches[0]``.  That one
+        is taken as of steel (210 GPa, 0.28) and not slanted; :func:`patch_of` takes other numbers.
     creepage_x, creepage_y : slip velocity of the wheel against the rail at the patch's centre of load over
         the rolling speed, forwards and to the field side [-].
     spin : rate of turning of the wheel against the rail about the normal, over the rolling speed [1/m];
@@ -50,9 +54,11 @@ def creep_forces(patch: CreepPatch, creepage_x: float = 0.0, creepage_y: float =
     ValueError
         where a number is out of its range or a model is unknown, in a sentence.
     """
+    if isinstance(patch, Patch):
+        patch = rolling_patch(patch)
     if not isinstance(patch, CreepPatch):
-        raise TypeError(f"patch is a {type(patch).__name__}; permitted is a CreepPatch, as elliptic_patch "
-                        "makes one")
+        raise TypeError(f"patch is a {type(patch).__name__}; permitted is a patch of a result, or what "
+                        "elliptic_patch makes")
     for name, value, unit, high in (("creepage_x", creepage_x, "", 1e6), ("creepage_y", creepage_y, "", 1e6),
                                     ("spin", spin, "1/m", 1e9)):
         check_number(name, value, unit, -high, high)

@@ -4,6 +4,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..results.columns import SIDES
+from ..state import Patch, Side
 from .patch import CreepPatch, check_number, outlined_patch
 
 if TYPE_CHECKING:
@@ -45,14 +47,23 @@ def patch_of(state: "WheelsetState", side: str, number: int = 0, *, slant: float
     check_number("number", number, "", 0, 2)
     if number >= len(wheel.patches):
         raise ValueError(f"number is {number}; the {side} wheel has {len(wheel.patches)} patches")
-    patch, outline = wheel.patches[number], wheel.outline
-    station, half_length, pressure = own_outline(patch, *(np.asarray(run) for run in (
-        outline.station, outline.half_length, outline.pressure)))
-    rolling = outlined_patch(station, half_length, pressure, slant=slant, normal_force=patch.normal_force,
-                             youngs_modulus=youngs_modulus, poisson_ratio=poisson_ratio)
+    patch = wheel.patches[number]
+    rolling = rolling_patch(patch, slant=slant, youngs_modulus=youngs_modulus, poisson_ratio=poisson_ratio)
     to_field = -1.0 if side == "right" else 1.0
     return rolling, {"creepage_x": patch.creepage.x, "creepage_y": to_field * patch.creepage.y,
                      "spin": to_field * patch.creepage.spin}
+
+
+def rolling_patch(patch: Patch, **told) -> CreepPatch:
+    """The :class:`CreepPatch` of a ``patch`` of a result, with the stations of its wheel's outline."""
+    values, place = patch._values, patch._offset
+    if values.ndim != 1:
+        raise ValueError("patch has many poses; permitted is that of one pose, such as "
+                         "table[0].right.patches[0]")
+    outline = Side(values, max(first for first in SIDES.values() if first <= place)).outline
+    station, half_length, pressure = own_outline(patch, *(np.asarray(run) for run in (
+        outline.station, outline.half_length, outline.pressure)))
+    return outlined_patch(station, half_length, pressure, normal_force=patch.normal_force, **told)
 
 
 def own_outline(patch, station, half_length, pressure):

@@ -39,7 +39,10 @@ def _sources(given, kind):
     if isinstance(given, Profile) or (isinstance(given, str) and standard_name(given) in NAMES[kind]
                                       and not os.path.exists(given)):
         return [given]
-    path = os.fspath(given.path if isinstance(given, ProfileFile) else given)
+    path = given.path if isinstance(given, ProfileFile) else given
+    if not isinstance(path, (str, os.PathLike)):
+        raise ValueError(f"{kind}s has {path!r}; permitted are paths, names, ProfileFiles and Profiles")
+    path = os.fspath(path)
     if os.path.isdir(path):
         paths = [file for file in Path(path).iterdir() if file.is_file() and not file.name.startswith(".")]
     else:

@@ -8,7 +8,7 @@ import numpy as np
 from ..methods.numbers import is_plain, unit_behind, warn_unusual
 from ..methods.words import did_you_mean
 from .inputs import INPUTS
-from .parameters import GROUPS, PARAMETERS
+from .parameters import GROUPS, LEFT, PARAMETERS
 
 #: Places in the kernel's inputs of those that can be given without their names, and of all by keyword.
 POSITIONAL = [place for place, row in enumerate(INPUTS) if row.positional]
@@ -31,10 +31,12 @@ def input_values(arguments, keywords):
             raise unknown_input(name)
         place = PLACES[name]
         values[place] = value if type(value) in NUMBERS else checked_input(place, value)
-    if arguments and (len(arguments) > len(NAMED)
-                      or not keywords.keys().isdisjoint(NAMED[:len(arguments)])):
-        raise TypeError(f"{len(arguments)} inputs have no name; permitted are {', '.join(NAMED)}, each once, "
+    if len(arguments) > len(NAMED):
+        raise TypeError(f"{len(arguments)} inputs have no name; permitted are {', '.join(NAMED)}, "
                         "and others by name")
+    if arguments and (twice := keywords.keys() & set(NAMED[:len(arguments)])):
+        raise TypeError(f"{min(twice)} is given twice, by its place and by its name; permitted is one of "
+                        "the two")
     return values
 
 
@@ -51,6 +53,9 @@ def unknown_parameter(name):
     hint = did_you_mean(name, [*PARAMETERS, *GROUPS])
     if name in PLACES:
         hint = f"; {name} is an input of evaluate"
+    own = name.removesuffix("_profile")         # wheel_profile, left_rail_profile, ... of FMUs
+    if own != name and own.removeprefix(LEFT) in ("wheel", "rail"):
+        hint = f"; in Python it is {own}"
     return TypeError(f"ContactSystem has no parameter {name!r}{hint}")
 
 

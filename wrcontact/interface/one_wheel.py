@@ -2,6 +2,7 @@
 
 from functools import cache
 
+from ..methods.words import did_you_mean
 from .inputs import INPUTS
 from .outputs import SIDES
 from .parameters import LEFT, PARAMETERS
@@ -37,6 +38,15 @@ def unknown_wheel_input(name):
         return TypeError(f"one wheel has no input {name!r}: {WITHOUT[name]}")
     known = ", ".join(wheel_inputs("right"))
     return TypeError(f"there is no input {name!r}; inputs of one wheel are {known}")
+
+
+def unknown_wheel_output(name, side, known):
+    """The ValueError on a name that no output of the wheel of this ``side`` has; ``known`` are those of a
+    wheelset."""
+    own = [own_name(output, side) for output in known if output.startswith(f"{side}.")]
+    rest = name.removeprefix(f"{side}.")
+    hint = did_you_mean(rest, [rest] if rest in own else own) or "; .names of a result lists them"
+    return ValueError(f"of has {name!r}; permitted are names of one wheel's outputs{hint}")
 
 
 def checked_wheel(given):

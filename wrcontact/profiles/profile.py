@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..conventions import MILLIMETRE as MM
+from ..storage.atomic import write_atomically
 from .definition import definition
-from .files import read_profile, zones_through
+from .files import prepared_text, read_profile, zones_through
 from .options import ProfileFile
 from .remarks import Reading
 from .zones import Chain
@@ -105,6 +106,11 @@ class Profile:
         if kind not in ("wheel", "rail"):
             raise ValueError(f"kind is {kind!r}, permitted are 'wheel' and 'rail'")
         return read_profile(ProfileFile(path, **options), kind, smoothing, cls)
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Write the profile, with all its digits, to a prepared file, such as worn.json; ``wheel`` and
+        ``rail``, their options of the command line and :meth:`from_file` read it."""
+        write_atomically(path, prepared_text(self).encode())
 
     @classmethod
     def from_points(cls, y: ArrayLike, z: ArrayLike, *, name: str, kind: str) -> "Profile":

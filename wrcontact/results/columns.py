@@ -1,6 +1,7 @@
 """Names of the columns of an output array, and the choice of those that a table keeps."""
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 
@@ -148,6 +149,8 @@ def _named(side, outputs, width):
     if isinstance(outputs, str):
         chosen = _matching(outputs, known, "is")
     else:
+        if not isinstance(outputs, Iterable):
+            raise ValueError(f"outputs is {outputs!r}{PERMITTED}")
         chosen = [full for name in outputs for full in _matching(name, known, "has")]
     if not chosen:
         raise ValueError(f"outputs is empty{PERMITTED}")

@@ -24,12 +24,21 @@ class Inputs(np.ndarray):
     else it is an array; whole rows keep the names, other parts and what is computed with it do not.
     """
 
+    compliant = False       #: whether they are those of compliant contact, for :func:`wrcontact.explain`
+
+    @classmethod
+    def of(cls, array, compliant):
+        """The ``array`` with names."""
+        found = array.view(cls)
+        found.compliant = compliant
+        return found
+
     def __getitem__(self, key):
         array = self.view(np.ndarray)
         if not isinstance(key, str):
             found = array[key]
             whole = not isinstance(key, tuple) and np.shape(found)[-1:] == array.shape[-1:]
-            return found.view(Inputs) if whole else found
+            return Inputs.of(found, self.compliant) if whole else found
         if key not in PLACES:
             raise KeyError(f"there is no input {key!r}{did_you_mean(key, PLACES)}")
         return number(array[..., PLACES[key]])

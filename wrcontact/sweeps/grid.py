@@ -54,7 +54,8 @@ def _axis(keyword, values):
     checked_input(PLACES[keyword], values)
     values, unit = np.array(values, dtype=float), unit_behind(row_of(keyword).unit)
     if values.ndim != 1 or not values.size:
-        raise ValueError(f"the axis {keyword} has the shape {values.shape}; permitted is an array (n,)")
+        raise ValueError(f"the axis {keyword} has the shape {values.shape}; permitted is an array (n,), "
+                         "n > 0")
     if not np.all(np.isfinite(values)):
         raise ValueError(f"the axis {keyword} has {values[~np.isfinite(values)][0]}; permitted are finite "
                          "numbers")

@@ -12,9 +12,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..interface.calls import checked_input
 from ..methods.numbers import check_choice, unit_behind
 from ..methods.words import did_you_mean
 from ..results.columns import variable_of
+from ..results.inputs import PLACES
 from ..results.words import ShortText, shown, unit_name
 from .grid import keyword_of, row_of
 from .question import system_of
@@ -120,6 +122,8 @@ class Interpolation:
             raise TypeError(f"the table has no axis {unknown[0]!r}; its axes are {', '.join(self.axes)}")
         if missing := [name for name in self.axes if name not in given]:
             raise TypeError(f"{missing[0]} is not given; the axes are {', '.join(self.axes)}")
+        for name in self.axes:
+            checked_input(PLACES[name], given[name])
         return np.broadcast_arrays(*(np.asarray(given[name], dtype=float) for name in self.axes))
 
     @cached_property

@@ -11,6 +11,7 @@ with the distances as weights, and the nominal radius r.
 from __future__ import annotations
 
 import math
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -266,7 +267,7 @@ class Wear:
         """
         name = self._part(part)
         arc = self.arcs[name]
-        if not (np.isfinite(distance) and distance > 0.0):
+        if not (isinstance(distance, Real) and np.isfinite(distance) and distance > 0.0):
             raise ValueError(
                 f"distance is {distance!r}; permitted is distance > 0, in m of a wheel and in "
                 "passages of a rail"

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -105,7 +106,13 @@ class Fatigue(ShortText):
         check_choice("name", name, tuple(vars(self)))
         place, value = self.of_side(f"{part}_place", side), self.of_side(name, side)
         if weights is not None:
-            value = value * np.asarray(weights, dtype=float)[:, None]
+            weights = np.asarray(weights, dtype=float)
+            if weights.shape != value.shape[:1]:
+                raise ValueError(
+                    f"weights has the shape {weights.shape}; permitted is one for each of the {len(value)} "
+                    "rows"
+                )
+            value = value * weights[:, None]
         there = np.isfinite(place) & np.isfinite(value)
         if not np.any(there):
             raise ValueError("there are no places of patches; permitted are tables with wear_outputs=True")
@@ -145,7 +152,11 @@ def fatigue(
     >>> found.damage.shape, bool(found.wear_number[0, 1, 0] > 100.0)
     ((1, 2, 3), True)
     """
-    if not yield_shear > 0.0:
+    if not isinstance(table, WheelsetState):
+        raise ValueError(
+            f"table is {type(table).__name__}; permitted is what evaluate or evaluate_many returns"
+        )
+    if not (isinstance(yield_shear, Real) and yield_shear > 0.0):
         raise ValueError(f"yield_shear is {yield_shear!r}; permitted is yield_shear > 0 Pa")
     check_choice("direction", direction, DIRECTIONS)
     if not isinstance(table, (WheelsetState, WheelState)):

@@ -16,7 +16,6 @@ ValueError: Zobory needs mild, severe and limit; they have no default, since no 
 import numpy as np
 
 from ..methods.numbers import frozen, number
-from ..methods.words import did_you_mean
 from .law import READ, STEEL, Law, OwnLaw, calibration, required
 
 
@@ -204,10 +203,9 @@ def law_of(law):
     3.0000000000000004e-09
     """
     if isinstance(law, (type, str)) or not (hasattr(law, "rate") or callable(law)):
-        meant = did_you_mean(law, LAWS) if isinstance(law, str) else ""
         raise ValueError(
             f"law is {law!r}; permitted are Usfd(), ArchardMap(...), BritishRail(...), "
-            f"Zobory(...), and a function of {', '.join(READ)}{meant}"
+            f"Zobory(...), and a function of {', '.join(READ)}"
         )
     if hasattr(law, "rate"):
         return law if hasattr(law, "regime") else OwnLaw(law.rate)

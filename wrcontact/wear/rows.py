@@ -204,6 +204,10 @@ def _read(path):
         return {name: frame[name].to_numpy() for name in frame}
     if path.suffix.lower() != ".csv":
         raise ValueError(f"{path} ends in {path.suffix!r}; permitted are .csv and .parquet")
+    if not path.is_file():
+        raise ValueError(
+            f"results is '{path}', and there is no such file; permitted is a file of an FMU's results"
+        )
     with open(path, encoding="utf-8-sig") as file:
         names = [name.strip().strip('"') for name in file.readline().rstrip("\n").split(",")]
         if len(names) < 2:
@@ -230,7 +234,7 @@ def distances(rows, distance, column):
     column : of a file: BY_TIME, or the name of a column with the distance run [m]; None for ``distance``.
     """
     if column is None:
-        found = np.broadcast_to(np.asarray(1.0 if distance is None else distance, dtype=float), (len(rows),))
+        found = _given(1.0 if distance is None else distance, rows)
     elif column == BY_TIME:
         found = np.abs(rows["speed"]) * _shares(rows["time"], rows, "time")
     else:
@@ -241,6 +245,18 @@ def distances(rows, distance, column):
             "distance >= 0 m, and a sum above 0 m"
         )
     return found
+
+
+def _given(distance, rows):
+    """``distance`` as numbers (n,), one for each row."""
+    permitted = f"permitted is one number, or one for each of the {len(rows)} rows of {rows.name}, in m"
+    try:
+        found = np.asarray(distance, dtype=float)
+    except (TypeError, ValueError):
+        raise ValueError(f"distance is {distance!r}; {permitted}") from None
+    if found.shape not in ((), (1,), (len(rows),)):
+        raise ValueError(f"distance has the shape {found.shape}; {permitted}")
+    return np.broadcast_to(found, (len(rows),))
 
 
 def _shares(values, rows, name):

@@ -61,6 +61,10 @@ def wear_run(
     ValueError
         in one sentence, if an argument is not permitted or the store is of another run.
     """
+    if not callable(simulate):
+        raise ValueError(
+            f"simulate is {simulate!r}; permitted is a function of a system that returns a table"
+        )
     check_choice("part", part, ("wheel", "rail"))
     if not (np.isfinite(mileage) and mileage > 0.0):
         raise ValueError(f"mileage is {mileage!r}; permitted is mileage > 0")

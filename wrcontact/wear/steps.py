@@ -1,5 +1,6 @@
 """What a run of wear has found: its steps, and what a data set of them has."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -45,7 +46,7 @@ class WearStep(NamedTuple):
 
 @dataclass(frozen=True, repr=False)
 class WearRun(ShortText):
-    """A run to a mileage.
+    """A run to a mileage; ``for step in run`` goes over its steps.
 
     Attributes
     ----------
@@ -56,6 +57,9 @@ class WearRun(ShortText):
 
     steps: tuple[WearStep, ...]
     part: str
+
+    def __iter__(self) -> Iterator[WearStep]:
+        return iter(self.steps)
 
     @property
     def sides(self) -> tuple[str, ...]:
@@ -79,6 +83,7 @@ class WearRun(ShortText):
 
     def shape(self, name: str, side: str | None = None) -> NDArray[Any]:
         """A dimension (n,) of :class:`~wrcontact.wear.WheelShape` over the steps."""
+        check_choice("name", name, tuple(WheelShape.__dataclass_fields__))
         side = self._side(side)
         return np.array([getattr(step.shapes[side], name) for step in self.steps])
 
