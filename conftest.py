@@ -7,8 +7,11 @@ only if nothing is installed.  The other parts of the repository (build_fmu, ben
 found.
 
 If the installed copy differs from the source here, the test run ends at once.
+
+Modules and tests that are collected live to the end: Python's search for garbage passes over them.
 """
 
+import gc
 import importlib.util
 import sys
 from pathlib import Path
@@ -44,3 +47,13 @@ def pytest_sessionstart(session):
         pytest.exit(f"The installed wrcontact is not the one of this folder: {path.relative_to(ROOT)} "
                     f"differs. "
                     "Run 'pip install .' again, or once 'pip install -e .'.", returncode=4)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection():
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()

@@ -145,7 +145,8 @@ def test_the_system_comes_first_and_may_come_second(draw):
     state = SYSTEM.evaluate(**YAWED)
     pictures = [draw(SYSTEM, state), draw(state, SYSTEM), draw(state=state, system=SYSTEM),
                 draw(state, system=SYSTEM)]
-    shapes = [[[path.vertices for part in axes.collections for path in part.get_paths()]
+    shapes = [[[np.concatenate([[(0, 0)], *(path.vertices for path in part.get_paths())])
+                for part in axes.collections]
                + [line.get_xydata() for line in axes.lines] for axes in picture.axes] for picture in pictures]
     for other in shapes[1:]:
         assert len(other) == len(shapes[0]) > 1
