@@ -69,9 +69,9 @@ def test_evaluate_takes_every_input_by_name_and_the_main_ones_by_place():
     moved = {row.keyword: 1e-4 * (1 + k) for k, row in enumerate(INPUTS) if "." in row.name}
     moved_inputs = system.evaluate(1e-3, **moved)
     assert {row.keyword: moved_inputs[row.name] for row in INPUTS if "." in row.name} == moved
-    for arguments, keywords in (((1, 2, 3, 4, 5), {}), ((1e-3,), {"lateral_shift": 2e-3}),
-                                ((), {"shift": 0.0})):
-        with pytest.raises(TypeError, match="input"):
+    for arguments, keywords, words in (((1, 2, 3, 4, 5), {}, "input"), ((), {"shift": 0.0}, "input"),
+                                       ((1e-3,), {"lateral_shift": 2e-3}, "lateral_shift is given twice")):
+        with pytest.raises(TypeError, match=words):
             system.evaluate(*arguments, **keywords)
 
 

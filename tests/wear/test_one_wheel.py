@@ -245,7 +245,7 @@ def test_the_command_wears_one_wheel(run, tmp_path):
             lambda: worn_by(one("left"), energy, table("left")).depth("left.wheel"),
             "part is 'left.wheel'; permitted are 'wheel', 'rail'",
         ),
-        (lambda: wrcontact.fatigue([1.0], yield_shear=1e8), "table is list; permitted is what evaluate_many"),
+        (lambda: wrcontact.fatigue([1.0], yield_shear=1e8), "table is list; permitted is what evaluate"),
         (
             lambda: wrcontact.wear_run(lambda wheel: whole()[1], one("left"), energy, 1e3),
             "table is WheelsetState",

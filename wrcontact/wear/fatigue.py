@@ -152,17 +152,13 @@ def fatigue(
     >>> found.damage.shape, bool(found.wear_number[0, 1, 0] > 100.0)
     ((1, 2, 3), True)
     """
-    if not isinstance(table, WheelsetState):
+    if not isinstance(table, (WheelsetState, WheelState)):
         raise ValueError(
             f"table is {type(table).__name__}; permitted is what evaluate or evaluate_many returns"
         )
     if not (isinstance(yield_shear, Real) and yield_shear > 0.0):
         raise ValueError(f"yield_shear is {yield_shear!r}; permitted is yield_shear > 0 Pa")
     check_choice("direction", direction, DIRECTIONS)
-    if not isinstance(table, (WheelsetState, WheelState)):
-        raise ValueError(
-            f"table is {type(table).__name__}; permitted is what evaluate_many or evaluate returns"
-        )
     table, one = table._as_table(), isinstance(table, WheelState)
     prefixes = prefixes_of(table.side if one else None)
     read = {name: _patches(table, prefixes, name) for name in READ}
