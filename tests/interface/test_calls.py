@@ -48,7 +48,7 @@ def test_an_unknown_parameter_is_told_from_known_ones(name, end):
 
 
 @pytest.mark.parametrize("places, name, words", [
-    ((0.0, 0.0), "yaw", "^yaw is given twice, by its place and by its name"),
+    ((0.0, 0.0), "yaw", "^the input yaw is given twice, by its place and by its name"),
     ((0.0, 0.0, 1e4, 0.0, 0.1), "speed", "^5 inputs have no name; permitted are lateral_shift, yaw, ")])
 def test_inputs_by_place_are_the_main_ones_each_once(places, name, words):
     with pytest.raises(TypeError, match=words):

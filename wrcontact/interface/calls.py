@@ -35,8 +35,8 @@ def input_values(arguments, keywords):
         raise TypeError(f"{len(arguments)} inputs have no name; permitted are {', '.join(NAMED)}, "
                         "and others by name")
     if arguments and (twice := keywords.keys() & set(NAMED[:len(arguments)])):
-        raise TypeError(f"{min(twice)} is given twice, by its place and by its name; permitted is one of "
-                        "the two")
+        raise TypeError(f"the input {min(twice)} is given twice, by its place and by its name; permitted is "
+                        "one of the two")
     return values
 
 
