@@ -12,7 +12,7 @@ from wrcontact.fmu.description import number_text
 
 SETTINGS = {"contact_mode": "compliant", "tangential_model": "polach", "contact_damping": 0.7, "gauge": 1.433,
             "left_nominal_radius": 0.459, "left_rail_inclination": 0.0,
-            "independent_wheels": True}
+            "independent_wheels": True, "fatigue_outputs": True, "yield_shear": 280e6}
 
 
 @needs_compiler
