@@ -85,7 +85,7 @@ def test_a_scheduler_that_does_not_answer(run, tmp_path, monkeypatch):
     monkeypatch.setattr("wrcontact.cli.grids.PATIENCE", 1.0)
     for address in ("tcp://localhost:1", "somewhere"):
         code, out, err = run("sweep", *AXES, "--store", tmp_path / "a.zarr", "--scheduler", address)
-        assert (code, out) == (1, "")
+        assert (code, out) == (2, "")
         assert err.startswith(f"wrcontact: --scheduler is {address!r}, where none answers;")
 
 

@@ -165,4 +165,4 @@ def _client(address):
         return distributed.Client(address, timeout=PATIENCE)
     except (OSError, ValueError):
         raise Refused(f"--scheduler is {address!r}, where none answers; permitted is the address that dask "
-                      "scheduler prints, such as tcp://host:8786", code=1) from None
+                      "scheduler prints, such as tcp://host:8786") from None
