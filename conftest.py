@@ -8,17 +8,20 @@ found.
 
 If the installed copy differs from the source here, the test run ends at once.
 
-Modules and tests that are collected live to the end: Python's search for garbage passes over them.
+Modules and tests that are collected live to the end: Python's search for garbage passes over them.  Linear
+algebra runs in one thread: several processes test at once, and threads that wait for each other use their cores.
 """
 
 import gc
 import importlib.util
+import os
 import sys
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).resolve().parent
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")      # read when numpy is imported
 
 
 def is_root(entry):
