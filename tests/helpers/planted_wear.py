@@ -28,6 +28,8 @@ WORN = [
      "the midpoint rule simulates the beginning twice", RUNNING, f"{WEAR}/run.py"),
     ("tired_area", "1.5 * load / area", "1.0 * load / area", "the mean pressure for the peak", TIRED,
      f"{WEAR}/fatigue.py"),
+    ("tired_ratio", "ratio = 1.5 * patch", "ratio = 1.0 * patch", "the mean pressure for the peak, in a step",
+     "wheelset/test_fatigue_outputs.py", "wrcontact/kernel/wheelset/fatigue.py"),
     ("tired_shear", "(w - root).imag + z * slope.real", "(w - root).imag - z * slope.real",
      "a sign in the stress below a traction", TIRED, f"{WEAR}/fatigue.py"),
 ]
