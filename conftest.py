@@ -8,9 +8,9 @@ found.
 
 If the installed copy differs from the source here, the test run ends at once.
 
-Modules and tests that are collected live to the end: Python's search for garbage passes over them.
-Linear algebra runs in one thread: several processes test at once, and threads that wait for each other use
-their cores.
+Modules and tests that are collected live to the end: Python's search for garbage passes over them.  Linear
+algebra runs in one thread: several processes test at once, and threads that wait for each other use their
+cores.
 """
 
 import gc

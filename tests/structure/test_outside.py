@@ -2,6 +2,7 @@
 read them and nothing reads tests."""
 
 import ast
+from functools import cache
 
 import pytest
 
@@ -23,13 +24,16 @@ OF_BENCHMARKS = {"tests/benchmarks", "tests/docs"}
 SHARED = ("tests.helpers", "tests.conftest")
 
 
+@cache
 def imported(path):
     """Names of the modules that a file imports by absolute names, anywhere in it."""
+    names = []
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
+            names += [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom) and not node.level:
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+            names += [f"{node.module}.{alias.name}" for alias in node.names]
+    return names
 
 
 def files(folder):

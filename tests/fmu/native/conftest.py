@@ -4,7 +4,6 @@ import json
 import shutil
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 from fmpy import read_model_description
@@ -13,8 +12,11 @@ from data.native_host import HOST, native_host, rows_text
 from tests.helpers.c_host import HOOKS
 from tests.helpers.cases import stored
 from tests.helpers.fmus import FMI_HEADERS, measured, unpacked_library
+from tests.helpers.kept import locked
 from tests.helpers.paths import HELPERS
 from wrcontact.fmu import native
+from wrcontact.kernel.binding.compiler import digest
+from wrcontact.storage.atomic import write_atomically
 
 
 @pytest.fixture
@@ -68,9 +70,8 @@ def linked_host(fmus, tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def host(tmp_path_factory):
+def host(tmp_path_factory, compiled):
     """native_host.c with the FMU's sources, compiled with flags: `host(2, *SANITIZERS)`."""
-    kept = tmp_path_factory.mktemp("objects")
 
     def host(version, *flags):
         folder = tmp_path_factory.mktemp("host")
@@ -78,23 +79,35 @@ def host(tmp_path_factory):
         shutil.copy(HOST, folder)
         units = {unit: HOOKS if "/" not in unit else [] for unit in native.compiled_units(version)}
         units["native_host.c"] = [f"-DFMI={version}"]
-        objects = []
-        for unit, extra in units.items():       # the kernel is the same for both versions
-            objects.append(Path(kept if "/" in unit else folder, f"{abs(hash(flags))} {Path(unit).stem}.o"))
-            if not objects[-1].exists():
-                command = ["cc", "-std=gnu11", "-O3", "-ffp-contract=off", *flags, *extra, "-c", unit, "-o",
-                           objects[-1]]
-                subprocess.run(command, cwd=folder, check=True)
+        objects = [kept_object(compiled, folder, unit, *flags, *extra) for unit, extra in units.items()]
         subprocess.run(["cc", *flags, *objects, "-o", "host", "-lm", "-pthread"], cwd=folder, check=True)
         return folder / "host"
 
     return host
 
 
+def kept_object(compiled, folder, unit, *flags):
+    """A unit as an object in the folder ``compiled``; the kernel is compiled once for both versions of FMI
+    and for all processes of a run."""
+    command = ["cc", "-std=gnu11", "-O3", "-ffp-contract=off", *flags]
+    kept = compiled / f"{digest(command, folder, unit)}.o"
+    with locked(kept):
+        if not kept.exists():
+            subprocess.run([*command, "-c", unit, "-o", folder / "made.o"], cwd=folder, check=True)
+            write_atomically(kept, (folder / "made.o").read_bytes())
+        kept.touch()        # it is in use
+    return kept
+
+
 @pytest.fixture(scope="session")
 def rows_file(tmp_path_factory):
-    """Inputs of the stored run "hunting" as native_host reads them."""
-    file = tmp_path_factory.mktemp("rows") / "rows.txt"
+    """Inputs of the stored run "hunting" as native_host reads them; the last 24 by ``rows_file(24)``."""
+    folder = tmp_path_factory.mktemp("rows")
     _, rows, _ = stored("hunting")
-    file.write_text(rows_text(rows))
-    return file
+
+    def rows_file(last=0):
+        file = folder / f"last {last}.txt"
+        file.write_text(rows_text(rows[-last:]))
+        return file
+
+    return rows_file
