@@ -5,6 +5,7 @@ import json
 import os
 import re
 import shutil
+import subprocess
 import sys
 from html import unescape
 from html.parser import HTMLParser
@@ -325,6 +326,21 @@ def test_processes_give_the_same_files(fleet, files, folder, tmp_path):
     assert shared.rows == fleet.rows
     for row in fleet.rows[:4]:
         assert (tmp_path / row["json"]).read_bytes() == (folder / row["json"]).read_bytes()
+
+
+@pytest.mark.full
+def test_a_script_without_the_question_for_its_name_is_told(files, tmp_path):
+    """Its processes run it again as they start.  The second is late here, and must leave no pool behind."""
+    script = tmp_path / "fleet.py"
+    script.write_text("import multiprocessing, time\n"
+                      "from concurrent.futures import ProcessPoolExecutor\n"
+                      "import wrcontact\n"
+                      "if multiprocessing.current_process().name == 'SpawnProcess-2':\n"
+                      "    ProcessPoolExecutor.submit = lambda *arguments: time.sleep(60)\n"
+                      f"wrcontact.check_fleet({str(files[0])!r}, {str(files[1])!r}, processes=2)\n")
+    done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=120, check=False)
+    assert done.returncode == 1 and "a process of 2 has ended early" in done.stderr.splitlines()[-1]
+    assert "leaked" not in done.stderr
 
 
 @pytest.mark.full

@@ -6,6 +6,7 @@ import signal
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
+from multiprocessing.spawn import get_preparation_data
 
 from ..results.convert import needed
 
@@ -49,6 +50,8 @@ def workers(processes, scheduler, pairs):
     if count == 1:
         yield Here(), 1
         return
+    # a process that runs the script again as it starts is refused here, before it has a pool to leave behind
+    get_preparation_data("")
     pool = ProcessPoolExecutor(count, multiprocessing.get_context("spawn"), _begin)
     try:
         yield pool, AHEAD * count

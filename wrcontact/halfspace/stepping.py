@@ -8,6 +8,7 @@ import multiprocessing
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from functools import partial
+from multiprocessing.spawn import get_preparation_data
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -231,6 +232,8 @@ def shared_parts(tables, solver, rows, places, processes):
         where the processes cannot start or end early.
     """
     parts = [slice(start, min(start + CHUNK, len(rows))) for start in range(0, len(rows), CHUNK)]
+    # a process that runs the script again as it starts is refused here, before it has a pool to leave behind
+    get_preparation_data("")
     with TemporaryDirectory() as folder:
         # a process that ends as it starts leaves its arguments unread, and long ones then wait for ever
         path = Path(folder, "tables.npy")
