@@ -20,6 +20,8 @@ import os, signal
 import wrcontact
 from tests.helpers.sweeps import AXES, BLOCK, FIXED, OUTPUTS
 
+signal.signal(signal.SIGINT, signal.default_int_handler)   # is ignored in the background
+
 def progress(done, total, bad):
     if done >= {states}:
         os.kill(os.getpid(), signal.SIG{blow})
