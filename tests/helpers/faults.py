@@ -73,9 +73,9 @@ def assert_files_are_whole(folder):
 
 
 def fmpy_finds_nothing(file):
-    from fmpy.validation import validate_fmu
+    from fmpy import read_model_description     # raises where it finds something
 
-    return validate_fmu(str(file)) == []
+    return read_model_description(str(file), validate_model_structure=True) is not None
 
 
 BUILD = ("import sys; from wrcontact.fmu.native import build_native_fmus as build; "

@@ -91,7 +91,13 @@ def archive(entries):
 
 
 def problems_of(data):
-    """Problems that fmpy finds in the archive ``data``; an empty list for a valid FMU."""
-    from fmpy.validation import validate_fmu
+    """Problems that fmpy finds in the archive ``data``; an empty list for a valid FMU.  The spelling of names,
+    which takes fmpy seconds and is the same in all FMUs, is left to the tests."""
+    from fmpy import read_model_description
+    from fmpy.model_description import ValidationError
 
-    return validate_fmu(io.BytesIO(data))
+    try:
+        read_model_description(io.BytesIO(data), validate_variable_names=False, validate_model_structure=True)
+    except ValidationError as found:
+        return found.problems
+    return []
