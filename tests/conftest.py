@@ -9,6 +9,7 @@ import pytest
 from tests.helpers.kept import cache_folder, kept_fmus
 from tests.helpers.paths import TESTS
 from tests.helpers.skips import unlisted
+from tests.helpers.turns import out_of_turn
 from wrcontact.cli import main
 from wrcontact.kernel.binding.compiler import KEPT
 
@@ -20,11 +21,17 @@ def room_of(path):
     return path.relative_to(TESTS).parts[0] if TESTS in path.parents else ""
 
 
-@pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items):
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_collection_modifyitems(config, items):
     for item in items:
         if room_of(item.path) in FULL_ROOMS and not item.get_closest_marker("check"):
             item.add_marker(pytest.mark.full)
+    yield       # now the tests of other tiers are gone
+    turn = os.environ.get("WRCONTACT_TURN")
+    if turn:
+        out = set(out_of_turn(items, int(turn)))
+        config.hook.pytest_deselected(items=list(out))
+        items[:] = [item for item in items if item not in out]
 
 
 def pytest_sessionfinish(session):

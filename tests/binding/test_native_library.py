@@ -67,6 +67,7 @@ STRIPS_OF_PAIRS = [
     {"contact_mode": "elastic", "nodes": 38, "normal_model": "analyn_strip", "strips": 16, "sweeps": 20},
     {"contact_mode": "compliant", "nodes": 4, "separation": "vertical", "lateral_curvature": "rough"},
 ], ids=kernel_runs.id_of)
+@pytest.mark.turns(3)
 def test_no_index_leaves_its_array(tmp_path, checked_package, parameters):
     """The library with checked indices takes the same steps: 1200 over tread and flange, 6000 of strips in
     three pairs of profiles, from 1 mN to 1 MN."""

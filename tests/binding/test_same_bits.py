@@ -29,6 +29,7 @@ ONLY_FULL = [
 @pytest.mark.parametrize("count", [FEW, pytest.param(MANY, marks=pytest.mark.full)])
 @pytest.mark.parametrize("parameters", [
     *METHODS, *(pytest.param(methods, marks=pytest.mark.full) for methods in ONLY_FULL)], ids=id_of)
+@pytest.mark.turns(3)
 def test_compiled_and_python_agree_to_the_last_bit(tmp_path, parameters, count):
     rows = poses(min(count, MANY_ELASTIC) if parameters.get("contact_mode") == "elastic" else count)
     compiled = run_steps(rows, tmp_path, choice="compiled", **parameters)

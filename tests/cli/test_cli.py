@@ -389,6 +389,7 @@ def test_entry_point():
     pytest.param("step_the_fmu", 40, marks=pytest.mark.full),
     # compiles a native FMU; tests/fmu/native/test_irregular_track.py runs it with one that is compiled
     pytest.param("irregular_track", 130, marks=pytest.mark.full)])
+@pytest.mark.turns(2)
 def test_example(tmp_path, name, most):
     """Each example ends with an assertion of its own."""
     script = ROOT / "examples" / f"{name}.py"

@@ -34,6 +34,7 @@ def every_third_is_quick(rows):
 
 @pytest.mark.parametrize("row", every_third_is_quick(data.rows_of(data.FOLDER / "rigid_positions.csv")),
                          ids=lambda row: f"{row['lateral_shift_mm']}mm_{row['yaw_deg']}deg")
+@pytest.mark.turns(3)
 def test_agrees_with_stored_positions(system, row):
     found = rigid_contact(system, row["lateral_shift_mm"] * 1e-3, radians(row["yaw_deg"]))
     assert found.roll == pytest.approx(row["roll_rad"], abs=ROLL)

@@ -61,6 +61,7 @@ def full_cases(*positions):
 
 @pytest.mark.parametrize("row", full_cases((0, 0), (3, 0), (1, 1), (6.5, 2)),
                          ids=lambda row: f"{row['lateral_shift_mm']}mm_{row['yaw_deg']}deg")
+@pytest.mark.turns(2)
 def test_contact_with_its_own_geometry(row):
     """The true gap, where CONTACT's load-weighted plane lies within 0.02 rad of the rigid tangent plane."""
     system = track()

@@ -77,6 +77,7 @@ def test_of_a_library_that_zig_builds():
 
 @needs_zig
 @pytest.mark.parametrize("name", digests.TARGETS)
+@pytest.mark.turns(2)
 def test_on_other_machines(name):
     if name != host_platform() and not shutil.which(digests.EMULATORS.get(name, "-")):
         pytest.skip(f"{digests.EMULATORS.get(name, 'an emulator')} is not installed")

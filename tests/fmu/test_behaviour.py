@@ -234,6 +234,7 @@ def test_instances_in_turn_and_in_threads(run):
 
 
 @pytest.mark.parametrize("kind", KINDS[:2])
+@pytest.mark.turns(2)
 def test_memory_stays_flat(run_alone, kind, entries):
     compiled = any(Path(name).suffix in (".so", ".dll", ".dylib") for name in entries
                    if name.startswith("resources/"))

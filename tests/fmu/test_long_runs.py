@@ -93,6 +93,7 @@ def assert_home(walk):
 @needs_glibc
 @pytest.mark.parametrize("version, steps",
                          [(2, 100_000), (3, 10_000), pytest.param(2, 10_000_000, marks=complete)])
+@pytest.mark.turns(2)
 def test_a_native_walk_repeats_itself_and_resumes(hosts, version, steps):
     [walk], [resumed] = together(*([hosts[version], way, SEED, steps, 0] for way in ("walk", "resumed")))
     assert assert_sound(walk) == assert_sound(resumed)
@@ -118,6 +119,7 @@ ELASTIC, RIGID = 1, 21
 @pytest.mark.parametrize("variant, steps", [
     (ELASTIC, 3_000), (RIGID, 5_000), pytest.param(ELASTIC, 30_000, marks=complete),
     pytest.param(RIGID, 1_000_000, marks=complete)])
+@pytest.mark.turns(2)
 def test_a_native_walk_with_motion_and_creep_forces(hosts, variant, steps):
     """Two different sides, rails that are displaced, lean and move, speeds of either sign, friction.
 

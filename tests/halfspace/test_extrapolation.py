@@ -22,6 +22,7 @@ def check(case, found):
 
 
 @pytest.mark.parametrize("ratio", sorted({case["aob"] for case in ELLIPSES}), ids="a/b {}".format)
+@pytest.mark.turns(3)
 def test_ellipses(ratio):
     for case in ELLIPSES:
         if case["aob"] == ratio:

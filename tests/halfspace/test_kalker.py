@@ -72,6 +72,7 @@ def everywhere():
 
 
 @pytest.mark.parametrize("ratio, tolerance, nu", [*everywhere()])
+@pytest.mark.turns(2)
 def test_small_creepage_is_kalkers_everywhere(ratio, tolerance, nu):
     """1 %; at both ends of the table 1.5 %, where two grids differ by as much in the moment."""
     found, wanted = measured(ratio, nu, 48)

@@ -22,6 +22,7 @@ def name(case):
 
 
 @pytest.mark.parametrize("case", CASES["cases"], ids=name)
+@pytest.mark.turns(3)
 def test_forces_are_contacts_on_its_cells(case):
     meta, a, b = CASES["meta"], 1e-3 * case["a_mm"], 1e-3 * case["b_mm"]
     creep, truth = case["creep"], case["contact"]

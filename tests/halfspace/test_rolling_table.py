@@ -52,6 +52,7 @@ def test_nodes_are_made_again(table, monkeypatch):
 
 @pytest.mark.full
 @pytest.mark.parametrize("line", nodes.lines()[7::29], ids=str)
+@pytest.mark.turns(4)
 def test_many_nodes_are_made_again(table, line):
     check_line(table, line)
 

@@ -73,7 +73,7 @@ def assert_files_are_whole(folder):
 
 
 def fmpy_finds_nothing(file):
-    from fmpy import read_model_description     # raises where it finds something
+    from fmpy import read_model_description  # raises where it finds something
 
     return read_model_description(str(file), validate_model_structure=True) is not None
 

@@ -72,6 +72,7 @@ def test_a_run_grows_as_the_eigenvalue_says(archives, linear):
 
 @pytest.mark.full
 @pytest.mark.parametrize("beyond, start", [(0.3e-3, 0.1e-3), (5e-3, 5e-3)], ids=["small", "large"])
+@pytest.mark.turns(2)
 def test_limit_cycle(archives, beyond, start):
     """Beyond the critical speed of S1002 (45 m/s) a small and a large swing end in the same cycle between
     the flanges, which have 6.3 mm of play; below it the small one dies, while the large one does not.  0.3 mm

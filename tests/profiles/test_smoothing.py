@@ -59,6 +59,7 @@ ACCURACY = {1e-3: (0.25, 0.7, 0.012, 0.04, 0.05, 0.12), 1e-2: (0.8, 2.4, 0.07, 0
     (0.2, True, 2),
     *(pytest.param(*row, 6, marks=pytest.mark.full) for row in ((0.1, True), (0.5, True), (0.2, False)))])
 @pytest.mark.parametrize("deviation", ACCURACY)
+@pytest.mark.turns(3)
 def test_contacts_of_smoothed_profiles(tmp_path, deviation, spacing, both, seeds):
     off, bad = case(spacing, deviation, both, tmp_path, range(seeds))
     assert bad == 0

@@ -74,6 +74,7 @@ MANY = list(poses(60, seed=12)) + NEAR_JUMPS
 @pytest.mark.full
 @pytest.mark.parametrize("pose", [pytest.param(pose, marks=pytest.mark.complete) if k % 3 else pose
                                   for k, pose in enumerate(MANY)])
+@pytest.mark.turns(3)
 def test_brute_force_agrees_on_many(pose):
     compare_with_brute_force(*pose)
 

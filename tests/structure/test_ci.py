@@ -80,3 +80,47 @@ def test_a_run_of_ci_fails_if_a_test_is_skipped_that_is_not_on_the_list(tmp_path
                 if line.startswith(complaint)}
         assert told == (set(UNLISTED) if files is UNLISTED else set()), run.stdout
         assert run.returncode == (files is UNLISTED) and "1 passed" in run.stdout
+
+
+TURNS = """
+import pytest
+
+@pytest.mark.turns(3)
+@pytest.mark.parametrize("k", range(7))
+def test_many(k):
+    pass
+
+@pytest.mark.turns(4)
+@pytest.mark.parametrize("k", range(2))
+def test_two(k):
+    pass
+
+@pytest.mark.turns(2)
+def test_one():
+    pass
+
+@pytest.mark.parametrize("k", range(3))
+def test_all(k):
+    pass
+"""
+
+
+@pytest.mark.full
+def test_cases_take_turns(tmp_path):
+    """Each turn has some of every test, few turns have all of them, and without a turn all of them run."""
+    (tmp_path / "test_some.py").write_text(TURNS)
+    command = [sys.executable, "-m", "pytest", "-q", "--collect-only", "-p", "tests.conftest", "-c",
+               os.devnull, "--rootdir", str(tmp_path), str(tmp_path)]
+
+    def collected(turn=""):
+        run = subprocess.run(command, cwd=ROOT, text=True, capture_output=True,
+                             env={**CLEAN, "WRCONTACT_TURN": turn})
+        assert run.returncode == 0, run.stdout
+        return {line.partition("::")[2] for line in run.stdout.splitlines() if "::" in line}
+
+    every, turns = collected(), [collected(str(day)) for day in (364, 365, 366)]
+    assert len(every) == 13 and set.union(*turns) == every
+    for turn in turns:
+        assert {name.partition("[")[0] for name in turn} == {"test_many", "test_two", "test_one", "test_all"}
+        assert sum("many" in name for name in turn) in (2, 3) and sum("two" in name for name in turn) == 1
+        assert sum("all" in name for name in turn) == 3

@@ -273,6 +273,7 @@ def test_yaw_has_patterns_where_the_contact_does_not_jump():
 
 
 @pytest.mark.parametrize("number", NUMBERS)
+@pytest.mark.turns(3)
 def test_table_and_picture(number, tmp_path):
     found = figure(number)
     assert found.number == number and found.verdict in (HOLDS, PARTLY, FAILS)

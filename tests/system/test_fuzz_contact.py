@@ -184,6 +184,7 @@ def check_size(scene, poses):
 @pytest.mark.full
 @amounts((8, 30), (60, 60), (400, 500))
 @pytest.mark.parametrize("mode", ["rigid", "elastic"])
+@pytest.mark.turns(2)
 def test_loads_times_area_are_the_same_pressures(mode, seed, scenes, poses):
     """Lengths k-fold and loads k^2-fold give the same angles and pressures.
 
@@ -276,6 +277,7 @@ def check_smooth(seed, scenes, poses, mode):
 @pytest.mark.full
 @amounts((2, 60), (40, 40), (300, 400))
 @pytest.mark.parametrize("mode", ["rigid", "elastic"])
+@pytest.mark.turns(2)
 def test_outputs_hop_nowhere_but_at_jumps(mode, seed, scenes, poses):
     """A real hop of a model that opens a region is met by a step of 1e-9 m once in 10^4 poses; chatter, as of
     two answers that take turns, would be met at every one."""

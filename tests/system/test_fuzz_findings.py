@@ -110,6 +110,7 @@ def test_a_shallow_minimum_is_found_wherever_the_scan_has_its_nodes(rail, side, 
 
 @pytest.mark.parametrize("count", [200, pytest.param(20_000, marks=pytest.mark.full)])
 @pytest.mark.parametrize("rail", RAILS)
+@pytest.mark.turns(3)
 def test_many_patches_do_not_depend_on_where_the_scan_has_its_nodes(rail, count):
     """Half of the poses beside the jump to the flange. The same places by Newton's method from other
     starts, known to 1e-11 m."""

@@ -210,6 +210,7 @@ def test_a_thousand_poses():
 
 @pytest.mark.full
 @pytest.mark.parametrize("part", range(4))
+@pytest.mark.turns(4)
 def test_fifty_thousand_poses(part):
     check_scenes(25, 500, 62, first=25 * part, loads=4)
 

@@ -267,6 +267,7 @@ def test_bad_input_is_refused_in_a_sentence(wrong, words):
 
 @pytest.mark.full
 @pytest.mark.parametrize("side", SIDES)
+@pytest.mark.turns(2)
 def test_the_fmu_of_one_wheel_wears_as_python_s(kept, side):
     """fmpy runs the FMU of ``wrcontact build --native --single-wheel`` along the poses."""
     fmpy = pytest.importorskip("fmpy")

@@ -62,6 +62,7 @@ def check_random_poses(count, seed, rail, inclination, model, load):
 @pytest.mark.parametrize("load", LOADS)
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.parametrize("pair", range(len(PAIRS)))
+@pytest.mark.turns(3)
 def test_random_poses_stand(pair, model, load, count, seed, most):
     """Measured: no status 3 in 216 000 poses; status 2 in one of 1100 with vertical loads."""
     assert check_random_poses(count, seed + pair, *PAIRS[pair], model, load) <= most

@@ -73,6 +73,7 @@ def test_springs_carry_what_the_wheel_presses_as_over_rails_moved_by_hand(model,
 
 @pytest.mark.full
 @pytest.mark.parametrize("model", MODELS)
+@pytest.mark.turns(3)
 def test_random_wheels_settle(model):
     """On springs of 1 MN/m to 1 GN/m, one direction or both: 20 wheels of 400 poses each.  Measured: no wheel
     without an answer; ANALYN and strips miss the springs' force in 3 of 1000 poses, by 10 % at most, Hertz in

@@ -172,6 +172,7 @@ UNLIKE = {
                                                 for case in ("inclinations", "radii"))])
 @pytest.mark.parametrize("pose", [(5.5e-3, 0.02), pytest.param((0.5e-3, 0.0), marks=pytest.mark.full),
                                   pytest.param((-6.2e-3, -0.01), marks=pytest.mark.full)])
+@pytest.mark.turns(2)
 def test_rigid_positions_are_those_of_brute_force(case, pose):
     given, track, changed = UNLIKE[case]
     radii = given.get("nominal_radius", (0.46, 0.46))

@@ -91,8 +91,8 @@ def archive(entries):
 
 
 def problems_of(data):
-    """Problems that fmpy finds in the archive ``data``; an empty list for a valid FMU.  The spelling of names,
-    which takes fmpy seconds and is the same in all FMUs, is left to the tests."""
+    """Problems that fmpy finds in the archive ``data``; an empty list for a valid FMU.  How names are spelt
+    is the same in all FMUs and takes fmpy seconds: the tests ask for it."""
     from fmpy import read_model_description
     from fmpy.model_description import ValidationError
 

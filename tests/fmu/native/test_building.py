@@ -70,6 +70,7 @@ SOURCE_BUILD = ["-std=c11", "-shared", "-fPIC", "-O1", "-fno-math-errno"]
 @pytest.mark.skipif(not shutil.which("cc"), reason="the machine has no C compiler of its own")
 @pytest.mark.parametrize("version", (2, 3))
 @pytest.mark.parametrize("builder", ("system", "fmpy"))
+@pytest.mark.turns(4)
 def test_sources_in_the_archive_give_the_same_values(fmus, tmp_path, version, builder):
     """Compiled from what the archive itself says: by the system's compiler alone, and
     as fmpy does, by CMake."""

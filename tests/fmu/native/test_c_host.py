@@ -27,6 +27,7 @@ def test_random_calls(linked_host, version):
 @pytest.mark.full
 @needs_sanitizers
 @pytest.mark.parametrize("version", (2, 3))
+@pytest.mark.turns(2)
 def test_a_million_random_calls_under_sanitizers(host, version):
     """Ten runs, or a share of them, in which every contact mode meets every normal model."""
     program, started, runs = host(version, *SANITIZERS), {}, int(os.environ.get("WRCONTACT_FUZZ_RUNS", 10))
@@ -65,6 +66,7 @@ def test_no_allocation_between_initialisation_and_end(linked_host, version, vari
 
 @needs_glibc
 @pytest.mark.parametrize("version", (2, 3))
+@pytest.mark.turns(2)
 def test_eight_instances_in_eight_threads(linked_host, version, rows_file):
     """Of different methods, each with the bits of its run alone."""
     assert answer_of(linked_host(version), "threads", 8, rows_file()) == {"equal": 8, "variants": 8,
@@ -74,6 +76,7 @@ def test_eight_instances_in_eight_threads(linked_host, version, rows_file):
 @pytest.mark.full
 @needs_race_detector
 @pytest.mark.parametrize("version", (2, 3))
+@pytest.mark.turns(2)
 def test_threads_share_nothing(host, version, rows_file):
     """On the last swing over a flange: what threads share they share there, too."""
     assert answer_of(host(version, *RACES), "threads", 8, rows_file(24)) == {"equal": 8, "variants": 8,

@@ -17,6 +17,7 @@ SETTINGS = {"contact_mode": "compliant", "tangential_model": "polach", "contact_
 
 @needs_compiler
 @pytest.mark.parametrize("kind", ("python", 2, 3))
+@pytest.mark.turns(3)
 def test_set_parameters_are_the_start_values_and_the_model(kept, tmp_path, kind):
     """Without any value set by the importer the FMU has the outputs of a session with these parameters."""
     files = kept("python" if kind == "python" else "native", settings=SETTINGS)
