@@ -56,6 +56,21 @@ def test_bounds_power_and_symmetries(name):
                                    err_msg=str(case))
 
 
+@pytest.mark.full
+def test_the_moment_of_polach_is_small():
+    """It stands where the lateral force of spin would give power, and is at most 0.4 of mu N max(a, b), as the
+    theory's page says; 0.37 are met."""
+    model, rng, shapes, largest = Model("polach"), np.random.default_rng(8), all_shapes(), 0.0
+    for number in range(4000):
+        patch = shapes[number % len(shapes)] if number % 2 else random_patch(rng)
+        scale, bound, _ = full_slip(patch, 0.3)
+        opposed = scale * np.array([rng.normal(0.0, 0.3), 1.0, -rng.uniform(0.3, 1.5)])
+        force = vector(model.solve(patch, *(opposed * 10.0 ** rng.uniform(-1.0, 1.5)), 0.3))
+        long = patch.half_length.max()
+        largest = max(largest, abs(force[2]) / (bound * max(long, 0.5 * np.ptp(patch.station))))
+    assert 0.3 < largest <= 0.4
+
+
 @pytest.mark.parametrize("name", CREEP_MODELS)
 def test_rolling_backwards_is_the_mirror_image(name):
     """In the plane across the rail: longitudinal creepage, spin, force along x and moment change sign, and so

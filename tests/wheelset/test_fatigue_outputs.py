@@ -63,6 +63,19 @@ def test_patches_without_creep_forces_have_a_shakedown_ratio():
     assert [state[f"left.patch[1].{name}"] for name in NAMES] == [0.0] * 4
 
 
+@pytest.mark.full
+def test_the_half_space_has_them():
+    """As tables have: 1e-12."""
+    model = {"normal_model": "halfspace", "tolerance": 0.1, "tangential_model": "strips"}
+    table = ContactSystem(**model, fatigue_outputs=True).evaluate_many([1e-3, 6.2e-3], yaw=3e-3, speed=20.0)
+    found = wrcontact.fatigue(table)
+    for name, known in NAMES.items():
+        for k, side in enumerate(("left", "right")):
+            np.testing.assert_allclose(table[f"{side}.patch[1].{name}"], getattr(found, known)[:, k, 0],
+                                       rtol=1e-12, atol=1e-17, err_msg=f"{side} {name}")
+    assert (found.wear_number[:, :, 0] > 0.0).all() and (found.shakedown_ratio[:, :, 0] > 1.0).all()
+
+
 def test_one_wheel_has_them():
     model = {"tangential_model": "strips", "fatigue_outputs": True, "yield_shear": 280e6}
     pose = {"lateral_shift": 3e-3, "vertical_shift_input": 1.2e-4, "yaw": 3e-3, "speed": 20.0}
