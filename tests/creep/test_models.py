@@ -58,7 +58,7 @@ def test_bounds_power_and_symmetries(name):
 
 @pytest.mark.full
 def test_the_moment_of_polach_is_small():
-    """It stands where the lateral force of spin would give power, and is at most 0.4 of mu N max(a, b), as the
+    """It stands where the lateral force of spin would give power; it is at most 0.4 of mu N max(a, b), as the
     theory's page says; 0.37 are met."""
     model, rng, shapes, largest = Model("polach"), np.random.default_rng(8), all_shapes(), 0.0
     for number in range(4000):
