@@ -2,7 +2,7 @@
 # make setup      .venv with wrcontact as it stands here, its tests and the translator (needs gcc and gfortran)
 # make kernel     after a change in wrcontact/kernel: translate it to C, and compile that
 # make check      before each commit: ruff, structure, doctests, and the tests of the compiled kernel; two minutes
-# make full       before each merge: what .ci/run runs, on a clean copy; 20 minutes
+# make full       before each merge: what .ci/run runs, on a clean copy; 20 … 25 minutes
 # make complete   each night: every test there is; hours
 #
 # CONTRIBUTING.md says which test belongs where.  PYTHON=... takes another Python than that of .venv.

@@ -37,7 +37,7 @@ from wrcontact.methods import family_of
 
 STORED = HELPERS / "digests.json"
 #: Poses of a case, and after how many there is a digest; of how many there are derivatives.
-POSES, PARTS, DERIVATIVES = 1000, (3, 100, 1000), 10
+POSES, PARTS, DERIVATIVES = 1000, (3, 25, 100, 1000), 10
 #: Targets of zig for programs that need no library of that machine, and what runs them here.
 TARGETS = {"aarch64-linux": ("aarch64-linux-musl", "-static"),
            "x86_64-linux": ("x86_64-linux-musl", "-static"), "x86_64-windows": ("x86_64-windows-gnu",)}
