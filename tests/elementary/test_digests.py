@@ -37,6 +37,9 @@ def test_the_digests_are_of_all_models():
     """And each of them is of something else."""
     stored = digests.stored()
     assert list(stored) == list(digests.cases()) and len(stored) > 50
+    page = (ROOT / "docs/evidence/reliability.md").read_text(encoding="utf-8")
+    assert f"digests of {MANY} poses and ten rows of derivatives in each of {len(stored)} cases" in page
+    assert f"the same, of {SOME} poses" in page and digests.DERIVATIVES == 10
     assert all(set(parts) == {"tables", *map(str, digests.PARTS), "rates"} for parts in stored.values())
     last = [parts[str(digests.POSES)] for parts in stored.values()]
     assert len(set(last)) == len(last)
