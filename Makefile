@@ -23,6 +23,7 @@ kernel:
 
 check:
 	$(PYTHON) -m ruff check
+	$(PYTHON) -m ruff format --check -q
 	$(PYTEST)
 
 full:

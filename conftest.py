@@ -22,7 +22,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parent
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")      # read when numpy is imported
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when numpy is imported
 
 
 def is_root(entry):
@@ -48,9 +48,12 @@ def outdated_file():
 def pytest_sessionstart(session):
     path = outdated_file()
     if path:
-        pytest.exit(f"The installed wrcontact is not the one of this folder: {path.relative_to(ROOT)} "
-                    f"differs. "
-                    "Run 'pip install .' again, or once 'pip install -e .'.", returncode=4)
+        pytest.exit(
+            f"The installed wrcontact is not the one of this folder: {path.relative_to(ROOT)} "
+            f"differs. "
+            "Run 'pip install .' again, or once 'pip install -e .'.",
+            returncode=4,
+        )
 
 
 @pytest.hookimpl(wrapper=True)

@@ -47,20 +47,36 @@ def main(arguments=None):
 
 
 def parsed(arguments):
-    parser = argparse.ArgumentParser("python -m benchmarks",
-                                     description="Run time and error; see docs/evidence/benchmarks.md.")
-    parser.add_argument("what", nargs="*", metavar="KIND or PART",
-                        help=f"{', '.join(parts.KINDS)}, or: {', '.join(parts.PARTS)}")
-    parser.add_argument("--write", action="store_true",
-                        help="keep what is measured in benchmarks/measured, and write the tables of all "
-                        "pages and the pictures from what is kept")
+    parser = argparse.ArgumentParser(
+        "python -m benchmarks", description="Run time and error; see docs/evidence/benchmarks.md."
+    )
+    parser.add_argument(
+        "what",
+        nargs="*",
+        metavar="KIND or PART",
+        help=f"{', '.join(parts.KINDS)}, or: {', '.join(parts.PARTS)}",
+    )
+    parser.add_argument(
+        "--write",
+        action="store_true",
+        help="keep what is measured in benchmarks/measured, and write the tables of all "
+        "pages and the pictures from what is kept",
+    )
     parser.add_argument("--render", action="store_true", help="with --write: without measuring anything")
-    parser.add_argument("--quick", action="store_true",
-                        help="few poses and rounds, to test that everything runs; nothing is kept")
-    parser.add_argument("--random", metavar="N", type=int, default=None,
-                        help="compare N random poses with the half-space, about 0.1 s each on two free "
-                        f"cores; results are kept in {random_poses.STORE}, so that an interrupted run can be "
-                        "continued")
+    parser.add_argument(
+        "--quick",
+        action="store_true",
+        help="few poses and rounds, to test that everything runs; nothing is kept",
+    )
+    parser.add_argument(
+        "--random",
+        metavar="N",
+        type=int,
+        default=None,
+        help="compare N random poses with the half-space, about 0.1 s each on two free "
+        f"cores; results are kept in {random_poses.STORE}, so that an interrupted run can be "
+        "continued",
+    )
     options = parser.parse_args(arguments)
     if options.write and options.quick:
         parser.error("a quick run is not written")
@@ -75,8 +91,9 @@ def random_part(count, quick):
     """The table of ``count`` random poses; a quick one solves them all."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "random_poses.csv") if quick else random_poses.STORE
-        return random_table({"random_poses": {"rows": random_poses.compared(
-            random_poses.references(count, path))}})
+        return random_table(
+            {"random_poses": {"rows": random_poses.compared(random_poses.references(count, path))}}
+        )
 
 
 if __name__ == "__main__":

@@ -38,10 +38,10 @@ from .rows import fmu_step, python_fmu
 STORED = CREEP / "held_out.json"
 SEED, FIRST = 2112, 700_000
 ELLIPSES, PATCHES = 100, 60
-RATIO, SIZE, FORCE = (0.1, 20.0), (1e-3, 10e-3), (3e3, 200e3)      # a/b, sqrt(ab) [m], load [N]
+RATIO, SIZE, FORCE = (0.1, 20.0), (1e-3, 10e-3), (3e3, 200e3)  # a/b, sqrt(ab) [m], load [N]
 SATURATION, FRICTION, POISSON = (0.2, 8.0), (0.1, 0.6), (0.25, 0.3)
-MODULUS, STEEL = 210e9, 0.28        # Young's modulus [Pa] and Poisson's ratio of the patches
-LEAST_SHARE = 0.1                   # of a wheel's load that a patch carries
+MODULUS, STEEL = 210e9, 0.28  # Young's modulus [Pa] and Poisson's ratio of the patches
+LEAST_SHARE = 0.1  # of a wheel's load that a patch carries
 DIGITS = 7
 
 
@@ -51,12 +51,21 @@ DIGITS = 7
 def make():
     """Solve all cases and write them."""
     random = np.random.default_rng(SEED)
-    found = {"meta": {"unit": "mm, N, MPa, 1/mm; slip of the wheel, force on the wheel",
-                      "youngs_modulus": MODULUS / 1e6, "seed": SEED, "first_pose": FIRST},
-             "ellipses": [solved_ellipse(random) for _ in tracked(range(ELLIPSES), "ellipses")],
-             "patches": [solved_patch(random, *each) for each in tracked(list(patches()), "patches")]}
-    lines = [f"{json.dumps(name)}: " + (json.dumps(rows) if name == "meta" else
-             "[\n" + ",\n".join(map(json.dumps, rows)) + "\n]") for name, rows in found.items()]
+    found = {
+        "meta": {
+            "unit": "mm, N, MPa, 1/mm; slip of the wheel, force on the wheel",
+            "youngs_modulus": MODULUS / 1e6,
+            "seed": SEED,
+            "first_pose": FIRST,
+        },
+        "ellipses": [solved_ellipse(random) for _ in tracked(range(ELLIPSES), "ellipses")],
+        "patches": [solved_patch(random, *each) for each in tracked(list(patches()), "patches")],
+    }
+    lines = [
+        f"{json.dumps(name)}: "
+        + (json.dumps(rows) if name == "meta" else "[\n" + ",\n".join(map(json.dumps, rows)) + "\n]")
+        for name, rows in found.items()
+    ]
     STORED.write_text("{" + ",\n".join(lines) + "}\n", encoding="utf-8")
 
 
@@ -66,8 +75,17 @@ def solved_ellipse(random):
     poisson_ratio = random.uniform(*POISSON)
     a, b = size * math.sqrt(ratio), size / math.sqrt(ratio)
     motion = random_motion(random, (a, b), load, poisson_ratio)
-    return short({"a": a / MM, "b": b / MM, "N": load, "nu": poisson_ratio, **kept(motion),
-                  "force": forces(roll_ellipse(a, b, load, **motion))}, DIGITS)
+    return short(
+        {
+            "a": a / MM,
+            "b": b / MM,
+            "N": load,
+            "nu": poisson_ratio,
+            **kept(motion),
+            "force": forces(roll_ellipse(a, b, load, **motion)),
+        },
+        DIGITS,
+    )
 
 
 def solved_patch(random, name, outline):
@@ -76,13 +94,26 @@ def solved_patch(random, name, outline):
     load = outline.on_grid(48, 48).normal_force
     motion = random_motion(random, (a, b), load, STEEL)
     slant = np.polyfit(outline.station[1:-1], outline.middle[1:-1], 1)[0]
-    straight = Outline.of_stations(outline.station, outline.half_length, outline.pressure,
-                                   slant * outline.station)
-    return short({"name": name, "a": a / MM, "b": b / MM, "N": load, "nu": STEEL, **kept(motion),
-                  "force": forces(roll_outline(straight, **motion)),
-                  "ellipse": forces(roll_ellipse(a, b, load, **motion)),
-                  "slant": slant, "y": outline.station / MM, "half_length": outline.half_length / MM,
-                  "pressure": outline.pressure / 1e6}, DIGITS)
+    straight = Outline.of_stations(
+        outline.station, outline.half_length, outline.pressure, slant * outline.station
+    )
+    return short(
+        {
+            "name": name,
+            "a": a / MM,
+            "b": b / MM,
+            "N": load,
+            "nu": STEEL,
+            **kept(motion),
+            "force": forces(roll_outline(straight, **motion)),
+            "ellipse": forces(roll_ellipse(a, b, load, **motion)),
+            "slant": slant,
+            "y": outline.station / MM,
+            "half_length": outline.half_length / MM,
+            "pressure": outline.pressure / 1e6,
+        },
+        DIGITS,
+    )
 
 
 def patches():
@@ -96,12 +127,14 @@ def patches():
         if stepper.step():
             raise ArithmeticError(f"pose {index} is not solved: {pose}")
         work = layout.Work.at(stepper._workspace)
-        side = work.sides[index % 2]        # the strips are those of the wheel that is wanted
-        for patch in side.patches[:side.patch_count]:
+        side = work.sides[index % 2]  # the strips are those of the wheel that is wanted
+        for patch in side.patches[: side.patch_count]:
             if patch.totals.load > LEAST_SHARE * pose.normal_force and count < PATCHES:
                 count += 1
-                yield (f"{random_poses.SIDES[index % 2]} wheel, {pose}",
-                       outline_of_patch(work.contact.strips, patch))
+                yield (
+                    f"{random_poses.SIDES[index % 2]} wheel, {pose}",
+                    outline_of_patch(work.contact.strips, patch),
+                )
 
 
 def equivalent_axes(outline):
@@ -118,11 +151,17 @@ def random_motion(random, axes, load, poisson_ratio):
     direction = random.normal(size=3)
     saturation = log_uniform(random, SATURATION) * direction / np.linalg.norm(direction)
     friction, (a, b) = random.uniform(*FRICTION), axes
-    saturation[2] /= math.sqrt(1.0 + 0.66 * (a / b) ** -2.7)        # short patches need much spin
+    saturation[2] /= math.sqrt(1.0 + 0.66 * (a / b) ** -2.7)  # short patches need much spin
     unit = friction * load / (a * b * shear_modulus) / creep_coefficients(a, b, poisson_ratio)
     xi, eta, phi = -saturation * unit / (1.0, 1.0, math.sqrt(a * b))
-    return {"creepage_x": xi, "creepage_y": eta, "spin": phi, "friction": friction,
-            "shear_modulus": shear_modulus, "poisson_ratio": poisson_ratio}
+    return {
+        "creepage_x": xi,
+        "creepage_y": eta,
+        "spin": phi,
+        "friction": friction,
+        "shear_modulus": shear_modulus,
+        "poisson_ratio": poisson_ratio,
+    }
 
 
 def log_uniform(random, limits):
@@ -131,8 +170,12 @@ def log_uniform(random, limits):
 
 def kept(motion):
     """What the file has of a motion."""
-    return {"xi": motion["creepage_x"], "eta": motion["creepage_y"], "phi": motion["spin"] * MM,
-            "mu": motion["friction"]}
+    return {
+        "xi": motion["creepage_x"],
+        "eta": motion["creepage_y"],
+        "phi": motion["spin"] * MM,
+        "mu": motion["friction"],
+    }
 
 
 def forces(found):
@@ -151,22 +194,43 @@ def case(row, patch):
     """A row of the file as a case."""
     a, b, (x, y, moment) = row["a"] * MM, row["b"] * MM, row["force"]
     creepages = row["xi"], row["eta"], row["phi"] / MM
-    return Case(row.get("name", f"ellipse a/b {a / b:.3g}"), (patch,), creepages, row["mu"], (x, y),
-                moment * MM, row["mu"] * row["N"], math.sqrt(a * b))
+    return Case(
+        row.get("name", f"ellipse a/b {a / b:.3g}"),
+        (patch,),
+        creepages,
+        row["mu"],
+        (x, y),
+        moment * MM,
+        row["mu"] * row["N"],
+        math.sqrt(a * b),
+    )
 
 
 def ellipses():
     """The ellipses as :class:`~data.creep_cases.Case`."""
-    return [case(row, elliptic_patch(row["a"] * MM, row["b"] * MM, row["N"], MODULUS, row["nu"]))
-            for row in stored()["ellipses"]]
+    return [
+        case(row, elliptic_patch(row["a"] * MM, row["b"] * MM, row["N"], MODULUS, row["nu"]))
+        for row in stored()["ellipses"]
+    ]
 
 
 def real_patches():
     """The patches of the wheelset, likewise."""
-    return [case(row, outlined_patch(np.array(row["y"]) * MM, np.array(row["half_length"]) * MM,
-                                     np.array(row["pressure"]) * 1e6, slant=row["slant"],
-                                     normal_force=row["N"], youngs_modulus=MODULUS, poisson_ratio=row["nu"]))
-            for row in stored()["patches"]]
+    return [
+        case(
+            row,
+            outlined_patch(
+                np.array(row["y"]) * MM,
+                np.array(row["half_length"]) * MM,
+                np.array(row["pressure"]) * 1e6,
+                slant=row["slant"],
+                normal_force=row["N"],
+                youngs_modulus=MODULUS,
+                poisson_ratio=row["nu"],
+            ),
+        )
+        for row in stored()["patches"]
+    ]
 
 
 def equivalent_ellipses():
@@ -200,9 +264,12 @@ SETS = {
 HERTZ, GRIDS, NEW_ELLIPSES, NEW_PATCHES = (list(SETS)[k] for k in (0, 4, 5, 6))
 EQUIVALENT = "complete theory on the equivalent ellipse"
 #: CONTACT's own fast methods, as in the files.
-QUOTED = {"CONTACT's FASTSIM": "fastsim", "CONTACT's FaStrip": "fastrip",
-          "CONTACT's Kik-Piotrowski with FASTSIM": "kpec_fastsim",
-          "CONTACT's ANALYN with FASTSIM": "analyn_fastsim"}
+QUOTED = {
+    "CONTACT's FASTSIM": "fastsim",
+    "CONTACT's FaStrip": "fastrip",
+    "CONTACT's Kik-Piotrowski with FASTSIM": "kpec_fastsim",
+    "CONTACT's ANALYN with FASTSIM": "analyn_fastsim",
+}
 
 
 def errors():
@@ -212,8 +279,10 @@ def errors():
     rows = {"cases": {name: len(chosen) for name, chosen in sets.items()}}
     for name, (model, published) in MODELS.items():
         solver = Model(model, published)
-        rows[name] = {label: compared([solver.forces(case) for case in chosen], chosen)
-                      for label, chosen in sets.items()}
+        rows[name] = {
+            label: compared([solver.forces(case) for case in chosen], chosen)
+            for label, chosen in sets.items()
+        }
     rows[EQUIVALENT] = {NEW_PATCHES: compared(equivalent_ellipses(), sets[NEW_PATCHES])}
     return rows | quoted()
 
@@ -231,15 +300,21 @@ def compared(found, chosen):
 def quoted():
     """Rows of CONTACT's own fast methods, on its own cases; ANALYN's and Kik-Piotrowski's are those of
     their own approximate patches."""
-    ellipses = [{name: (row[name]["fx"], row[name]["fy"]) for name in ("contact", *QUOTED.values())
-                 if name in row} for row in read("hertz")["cases"]]
+    ellipses = [
+        {name: (row[name]["fx"], row[name]["fy"]) for name in ("contact", *QUOTED.values()) if name in row}
+        for row in read("hertz")["cases"]
+    ]
     file = json.loads((CREEP / "contact_fast_methods.json").read_text(encoding="utf-8"))
     patches = [row for patch in file["patches"] for row in patch["cases"]]
     found = {}
     for label, name in QUOTED.items():
         here = {each: rows for each, rows in ((HERTZ, ellipses), (GRIDS, patches)) if name in rows[0]}
-        found[label] = {each: {"force": summary([100.0 * np.hypot(*np.subtract(row[name], row["contact"]))
-                                                 for row in rows])} for each, rows in here.items()}
+        found[label] = {
+            each: {
+                "force": summary([100.0 * np.hypot(*np.subtract(row[name], row["contact"])) for row in rows])
+            }
+            for each, rows in here.items()
+        }
     return found
 
 
@@ -252,17 +327,25 @@ def quoted():
 # The kernel's calls that cut a patch into strips and solve it are also timed by themselves, over and over on
 # some of the patches that are held out.
 
-SPEED = 20.0        # [m/s]
+SPEED = 20.0  # [m/s]
 WITHOUT, TIMED = "none", ("polach", "fastsim", "fastrip", "strips")
-ELEMENTS = {"ANALYN, rigid": {}, "ANALYN with strips, rigid": {"normal_model": "analyn_strip"},
-            "ANALYN, elastic": {"contact_mode": "elastic"},
-            "ANALYN with strips, elastic": {"normal_model": "analyn_strip", "contact_mode": "elastic"}}
+ELEMENTS = {
+    "ANALYN, rigid": {},
+    "ANALYN with strips, rigid": {"normal_model": "analyn_strip"},
+    "ANALYN, elastic": {"contact_mode": "elastic"},
+    "ANALYN with strips, elastic": {"normal_model": "analyn_strip", "contact_mode": "elastic"},
+}
 ALONE = "ANALYN, rigid"
 FMU = "ANALYN, rigid, FMU step through fmpy"
 #: Inputs of the FMU's steps, and their places among the kernel's.
-MOVED = {"lateral_shift": layout.IN_LATERAL_SHIFT, "yaw": layout.IN_YAW,
-         "normal_force": layout.IN_NORMAL_FORCE, "speed": layout.IN_SPEED,
-         "lateral_velocity": layout.IN_LATERAL_VELOCITY, "yaw_rate": layout.IN_YAW_RATE}
+MOVED = {
+    "lateral_shift": layout.IN_LATERAL_SHIFT,
+    "yaw": layout.IN_YAW,
+    "normal_force": layout.IN_NORMAL_FORCE,
+    "speed": layout.IN_SPEED,
+    "lateral_velocity": layout.IN_LATERAL_VELOCITY,
+    "yaw_rate": layout.IN_YAW_RATE,
+}
 #: Steps that are timed: one run from flange to flange and back.
 TIMED_STEPS = 900
 #: The same patch so many times, and which of the patches and ellipses that are held out.
@@ -276,18 +359,31 @@ def tangential_times(effort):
     patches of a step and the bytes of a row of outputs and of a wheelset's memory."""
     count = min(TIMED_STEPS, effort.count // 3)
     inputs = moving(count, TIMED_STEPS // count)
-    found = costs({(element, model): repeated(element, model, inputs) for element in ELEMENTS
-                   for model in (WITHOUT, *TIMED)}, effort)
+    found = costs(
+        {
+            (element, model): repeated(element, model, inputs)
+            for element in ELEMENTS
+            for model in (WITHOUT, *TIMED)
+        },
+        effort,
+    )
     patches, unit = patches_of(inputs), min(each.unit for each in found.values())
-    best = {key: Cost(each.seconds, unit) for key, each in found.items()}       # differences need one unit
+    best = {key: Cost(each.seconds, unit) for key, each in found.items()}  # differences need one unit
     without = best[ALONE, WITHOUT].seconds
-    return {**{model: Cost((best[ALONE, model].seconds - without) / patches, unit).kept() for model in TIMED},
-            **{element: {model: best[element, model].units for model in (WITHOUT, *TIMED)}
-               for element in ELEMENTS},
-            FMU: fmu_steps(inputs, effort),
-            "by itself": {model: by_itself(model, effort.rounds) / unit for model in TIMED},
-            "whole": {"patches": patches, "row": 8 * layout.OUTPUT_COUNT,
-                      "wheelset": 8 * (layout.WORK_SIZE + layout.STATE_SIZE)}}
+    return {
+        **{model: Cost((best[ALONE, model].seconds - without) / patches, unit).kept() for model in TIMED},
+        **{
+            element: {model: best[element, model].units for model in (WITHOUT, *TIMED)}
+            for element in ELEMENTS
+        },
+        FMU: fmu_steps(inputs, effort),
+        "by itself": {model: by_itself(model, effort.rounds) / unit for model in TIMED},
+        "whole": {
+            "patches": patches,
+            "row": 8 * layout.OUTPUT_COUNT,
+            "wheelset": 8 * (layout.WORK_SIZE + layout.STATE_SIZE),
+        },
+    }
 
 
 def repeated(element, model, inputs):
@@ -303,8 +399,10 @@ def moving(count, every=1):
     inputs[:, layout.IN_SPEED] = SPEED
     inputs[:, layout.IN_FREE_ROLLING] = 1.0
     inputs[:, [layout.IN_LEFT_FRICTION, layout.IN_RIGHT_FRICTION]] = 0.3
-    for place, of in ((layout.IN_LATERAL_VELOCITY, layout.IN_LATERAL_SHIFT),
-                      (layout.IN_YAW_RATE, layout.IN_YAW)):
+    for place, of in (
+        (layout.IN_LATERAL_VELOCITY, layout.IN_LATERAL_SHIFT),
+        (layout.IN_YAW_RATE, layout.IN_YAW),
+    ):
         inputs[:, place] = np.gradient(inputs[:, of], every * times.STEP)
     return inputs
 
@@ -313,7 +411,8 @@ def patches_of(inputs):
     """Mean number of patches of a step, both wheels."""
     shift, yaw, force = inputs[:, [layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_NORMAL_FORCE]].T
     table = wrcontact.ContactSystem(**ELEMENTS[ALONE]).evaluate_many(
-        shift, yaw, force, outputs=["left.patch_count", "right.patch_count"])
+        shift, yaw, force, outputs=["left.patch_count", "right.patch_count"]
+    )
     return float(np.mean(table.left.patch_count + table.right.patch_count))
 
 
@@ -326,8 +425,13 @@ def fmu_steps(inputs, effort):
 
     with tempfile.TemporaryDirectory() as folder:
         unpacked = python_fmu(folder)
-        found = costs({model: run(fmu_step(unpacked, itertools.cycle(rows), MOVED, tangential_model=model))
-                       for model in (WITHOUT, *TIMED)}, effort)
+        found = costs(
+            {
+                model: run(fmu_step(unpacked, itertools.cycle(rows), MOVED, tangential_model=model))
+                for model in (WITHOUT, *TIMED)
+            },
+            effort,
+        )
     return {model: each.units for model, each in found.items()}
 
 
@@ -339,7 +443,7 @@ def by_itself(model, rounds):
 
 def seconds_of(model, case, rounds):
     """Seconds of one case; the arrays stay alive as long as the library works on them."""
-    model.forces(case)      # which writes the patch
+    model.forces(case)  # which writes the patch
     patch, library = case.parts[0], default_kernel().library
     array = model_tables(model.number, patch.youngs_modulus, patch.poisson_ratio)
     tables, workspace = span(array), span(model.workspace)

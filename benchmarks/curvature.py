@@ -40,8 +40,16 @@ POSITIONS = (0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 4.7, 5, 5.2, 5.5, 5.8, 6, 6
 FORCE = 78.5e3  # [N]
 NOISY_POSITIONS = (0, 1.5, 3, 6, 6.4)  # [mm]
 #: Spacing [mm] and standard deviation [um] of the noise, and cut-off wavelength of its smoothing [mm].
-NOISE = ((0.1, 2, 4), (0.1, 5, 4), (0.1, 10, 4), (0.1, 20, 4), (0.2, 5, 4), (0.2, 20, 4), (0.5, 2, 4),
-         (0.5, 10, 4))
+NOISE = (
+    (0.1, 2, 4),
+    (0.1, 5, 4),
+    (0.1, 10, 4),
+    (0.1, 20, 4),
+    (0.2, 5, 4),
+    (0.2, 20, 4),
+    (0.5, 2, 4),
+    (0.5, 10, 4),
+)
 SEEDS = 2
 
 REACH = 45e-3  # [m] stations beyond are not looked at
@@ -76,14 +84,16 @@ class Case:
 def gap_curve(system, shift, yaw, force, name):
     """The right wheel's :class:`Case` at a pose, its truth still unknown; None where it has no contact."""
     tables, work = system._tables.copy(), np.zeros(layout.WORK_SIZE)
-    state, inputs, outputs = (np.zeros(n)
-                              for n in (layout.STATE_SIZE, layout.INPUT_COUNT, layout.OUTPUT_COUNT))
+    state, inputs, outputs = (
+        np.zeros(n) for n in (layout.STATE_SIZE, layout.INPUT_COUNT, layout.OUTPUT_COUNT)
+    )
     inputs[[layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_NORMAL_FORCE]] = shift, yaw, force
     if default_kernel().bind(tables, state, work, inputs, outputs).step() != 0:
         return None
     right = layout.OUT_RIGHT  # solved last: the contact frame left in the workspace is its
-    kernel = np.array([outputs[right + at] for at in (layout.SIDE_PENETRATION, layout.SIDE_AREA,
-                                                      layout.SIDE_MAX_PRESSURE)])
+    kernel = np.array(
+        [outputs[right + at] for at in (layout.SIDE_PENETRATION, layout.SIDE_AREA, layout.SIDE_MAX_PRESSURE)]
+    )
     coarse = np.linspace(-REACH, REACH, 1801)
     near = coarse[normal_gaps(tables, work, coarse)[0] < LOOKED_AT * kernel[0]]
     if len(near) < LEAST:
@@ -122,8 +132,9 @@ def solve_half_space(case):
         h = gap(s) + longitudinal(s) * x[:, None] ** 2
         h[:, (s < case.s[0]) | (s > case.s[-1])] = OUTSIDE
         if guess is not None:
-            look_up = halfspace_reference.RegularGridInterpolator((guess.x, guess.s), guess.pressure,
-                                                                  bounds_error=False, fill_value=0.0)
+            look_up = halfspace_reference.RegularGridInterpolator(
+                (guess.x, guess.s), guess.pressure, bounds_error=False, fill_value=0.0
+            )
             guess = look_up(tuple(np.meshgrid(x, s, indexing="ij")))
         return halfspace_reference.solve(x, s, h, case.force, guess=guess)
 
@@ -154,15 +165,19 @@ def position_cases(shifts=POSITIONS):
 
 def random_cases(count, seed=3):
     random = np.random.default_rng(seed)
-    systems = [(f"{rail} 1:{slope}", wrcontact.ContactSystem(rail=rail, rail_inclination=1 / slope))
-               for rail in ("UIC60", "60E1", "54E1") for slope in (40, 20)]
+    systems = [
+        (f"{rail} 1:{slope}", wrcontact.ContactSystem(rail=rail, rail_inclination=1 / slope))
+        for rail in ("UIC60", "60E1", "54E1")
+        for slope in (40, 20)
+    ]
     cases = []
     for i in range(count):
         name, system = systems[i % 6]
         shift, yaw = random.uniform(-6.6, 6.6), random.uniform(-35e-3, 35e-3) * ((i // 6) % 2)
         force = 10 ** random.uniform(3.5, 5.3)
-        cases.append(gap_curve(system, shift * MM, yaw, force,
-                               f"{name} {shift:.2f} mm {yaw:.3f} {force / 1e3:.0f} kN"))
+        cases.append(
+            gap_curve(system, shift * MM, yaw, force, f"{name} {shift:.2f} mm {yaw:.3f} {force / 1e3:.0f} kN")
+        )
     return [with_truth(case) for case in cases if case is not None]
 
 
@@ -179,8 +194,9 @@ def measured(profile, spacing, noise, cutoff, random):
     error = random.normal(0.0, noise * 1e-3, len(y))
     if cutoff > 0:
         error = make_smoothing_spline(y, error, lam=(cutoff / (2 * np.pi)) ** 4 / spacing)(y)
-    return wrcontact.Profile.from_points(y, profile.height(y * MM) / MM + error,
-                                         name=f"{profile.name} measured", kind=profile.kind)
+    return wrcontact.Profile.from_points(
+        y, profile.height(y * MM) / MM + error, name=f"{profile.name} measured", kind=profile.kind
+    )
 
 
 def noisy_cases(shifts=NOISY_POSITIONS, noise=NOISE, seeds=SEEDS):
@@ -190,13 +206,15 @@ def noisy_cases(shifts=NOISY_POSITIONS, noise=NOISE, seeds=SEEDS):
     for spacing, deviation, cutoff in noise:
         for seed in range(seeds):
             random = np.random.default_rng(seed)
-            system = wrcontact.ContactSystem(measured(readable_wheel(clean.wheel), spacing, deviation, cutoff,
-                                                      random),
-                                             measured(clean.rail, spacing, deviation, cutoff, random))
+            system = wrcontact.ContactSystem(
+                measured(readable_wheel(clean.wheel), spacing, deviation, cutoff, random),
+                measured(clean.rail, spacing, deviation, cutoff, random),
+            )
             for shift in shifts:
                 name = f"{shift} mm"
-                case = gap_curve(system, shift * MM, 0.0, FORCE,
-                                 f"{name} {spacing} mm {deviation} um {cutoff} mm {seed}")
+                case = gap_curve(
+                    system, shift * MM, 0.0, FORCE, f"{name} {spacing} mm {deviation} um {cutoff} mm {seed}"
+                )
                 if case is not None:
                     case.noiseless = truths[name]
                     cases.append(with_truth(case))
@@ -227,8 +245,11 @@ def secant(region, window):
     middle = max((region.rise(window) + region.rise(-window)) / (2 * window**2), 0.0)
     edge = np.where(t < 0, region.rise(-window), region.rise(window)) / window**2
     inside = middle + (edge - middle) * np.abs(t) / window
-    return np.where(np.abs(t) < window, inside, region.g / np.maximum(t, window) ** 2 * (t > 0)
-                    + region.g / np.maximum(-t, window) ** 2 * (t < 0))
+    return np.where(
+        np.abs(t) < window,
+        inside,
+        region.g / np.maximum(t, window) ** 2 * (t > 0) + region.g / np.maximum(-t, window) ** 2 * (t < 0),
+    )
 
 
 def slope_secant(region, window):
@@ -243,9 +264,11 @@ def floored(region, B):
 
 def one(kind):
     """The same B in all three places, as in the source."""
+
     def curvature(region):
         B = kind(region)
         return B, B, B
+
     return curvature
 
 
@@ -269,8 +292,9 @@ def quartic(region):
 
 def whole(region):
     """One B for the region, level/width^2."""
-    return np.full_like(region.t,
-                        region.rise(np.array([-region.left, region.right])).mean() / region.width**2)
+    return np.full_like(
+        region.t, region.rise(np.array([-region.left, region.right])).mean() / region.width**2
+    )
 
 
 def mean(kind, other):
@@ -304,8 +328,10 @@ FAR_BUMP = 0.12  # share of a far bump's own curvature
 def sides(region, power=2.0):
     """One B for each side of the origin: the secant to its half-width, times (mean half-width / its
     own)^2."""
-    B = [region.rise(at) / at**2 * min(region.width / abs(at), SIDE_LIMIT) ** power
-         for at in (-region.left, region.right)]
+    B = [
+        region.rise(at) / at**2 * min(region.width / abs(at), SIDE_LIMIT) ** power
+        for at in (-region.left, region.right)
+    ]
     return np.where(region.t < 0, *B)
 
 
@@ -380,9 +406,15 @@ def study(quick=False):
         place, drawn, noise = (errors(model, cases) for cases in (positions, random, noisy))
         lift = np.array([case.truth / case.noiseless for case in noisy])
         clean = np.abs(100 * ((1 + noise / 100) * lift - 1))
-        rows[name] = {"positions": mean_and(np.max, place), "random": mean_and(np.max, drawn),
-                      "noisy": mean_and(percentile, noise), "clean": clean.mean(axis=0)}
+        rows[name] = {
+            "positions": mean_and(np.max, place),
+            "random": mean_and(np.max, drawn),
+            "noisy": mean_and(percentile, noise),
+            "clean": clean.mean(axis=0),
+        }
     moved = np.array([case.truth / case.noiseless - 1 for case in noisy])
-    rows[CASES] = {"count": (len(positions), len(random), len(noisy)),
-                   "moved": 100 * np.abs(moved).mean(axis=0)}
+    rows[CASES] = {
+        "count": (len(positions), len(random), len(noisy)),
+        "moved": 100 * np.abs(moved).mean(axis=0),
+    }
     return rows

@@ -54,8 +54,9 @@ class Curve:
 
     def width(self, origin, direction, level, bound):
         """Distance from ``origin`` to where the gap has first risen by ``level``, or to the ``bound`` [m]."""
-        end = min((bound - origin) * direction,
-                  ((self.stop if direction > 0 else self.start) - origin) * direction)
+        end = min(
+            (bound - origin) * direction, ((self.stop if direction > 0 else self.start) - origin) * direction
+        )
 
         def rise(t):
             return float(self.gap(origin + direction * t) - self.gap(origin)) - level
@@ -146,6 +147,7 @@ class Model:
 
     def meet(self, force, regions, estimate):
         """Penetration [m] at which the regions carry ``force``."""
+
         def missing(penetration):
             return sum(self.loads(regions, penetration)) - force
 
@@ -170,8 +172,12 @@ class Model:
                 pushed = sum(N * self.influence(region, other, region.middle) for N, other in others)
                 if self.push == "station":
                     pushed = sum(N * self.influence(region, other, region.origin) for N, other in others)
-                    region.pushed = sum(N * self.influence(region, other, region.origin + region.t)
-                                        for N, other in others) - pushed
+                    region.pushed = (
+                        sum(
+                            N * self.influence(region, other, region.origin + region.t) for N, other in others
+                        )
+                        - pushed
+                    )
                 following = (region.solved + penetration - region.gap - pushed) / 2
                 change = max(change, abs(following - region.solved))
                 region.solved = following
@@ -229,7 +235,7 @@ def find_regions(curve, penetration, merge):
         if gap < merge * penetration:
             deeper = min(first, second, key=lambda region: float(curve.gap(region.origin)))
             deeper.low, deeper.high = first.low, second.high
-            regions[i:i + 2] = [deeper]
+            regions[i : i + 2] = [deeper]
         else:
             first.high = second.low = hump
             i += 1

@@ -55,8 +55,11 @@ def inputs_of(poses, force=FORCE):
     """Inputs (n, INPUT_COUNT) of lateral shifts [m] and yaws [rad] under a force [N]; the others are zero."""
     shift, yaw = poses
     inputs = np.zeros((len(shift), layout.INPUT_COUNT))
-    for place, values in ((layout.IN_LATERAL_SHIFT, shift), (layout.IN_YAW, yaw),
-                          (layout.IN_NORMAL_FORCE, force)):
+    for place, values in (
+        (layout.IN_LATERAL_SHIFT, shift),
+        (layout.IN_YAW, yaw),
+        (layout.IN_NORMAL_FORCE, force),
+    ):
         inputs[:, place] = values
     return inputs
 
@@ -84,19 +87,26 @@ def positions(system):
 def hunting(system, every=1, yawed=True):
     """:class:`Errors` at each ``every``-th row of the hunting run; ``yawed=False`` sets the yaw to zero."""
     run = {name: column[::every] for name, column in data.columns(data.HUNTING).items()}
-    table = system.evaluate_many(run["lateral_shift"], run["yaw"] * yawed, run["normal_force"],
-                                 run["load_transfer"])
+    table = system.evaluate_many(
+        run["lateral_shift"], run["yaw"] * yawed, run["normal_force"], run["load_transfer"]
+    )
     return compared(table, run, SIDES)
 
 
 def compared(table, run, sides):
     """:class:`Errors` of a table of states against a stored run; ArithmeticError if a pose is not solved."""
     if np.any(table.status != 0):
-        raise ArithmeticError(f"{np.sum(table.status != 0)} of the stored poses are not solved: "
-                              f"{set(table.status.tolist())}")
-    shares = np.array([np.concatenate([getattr(getattr(table, side), name) / run[f"{side}.{name}"] - 1
-                                       for side in sides])
-                       for name in PATCH])
+        raise ArithmeticError(
+            f"{np.sum(table.status != 0)} of the stored poses are not solved: {set(table.status.tolist())}"
+        )
+    shares = np.array(
+        [
+            np.concatenate(
+                [getattr(getattr(table, side), name) / run[f"{side}.{name}"] - 1 for side in sides]
+            )
+            for name in PATCH
+        ]
+    )
     return summary(shares)
 
 
@@ -108,16 +118,23 @@ def summary(shares):
 
 def percentages(positions, hunting):
     """Both :class:`Errors` as they are kept [%]."""
-    return {"positions mean": 100 * positions.mean, "positions worst": 100 * positions.worst,
-            "hunting mean": 100 * hunting.mean, "hunting worst": 100 * hunting.worst}
+    return {
+        "positions mean": 100 * positions.mean,
+        "positions worst": 100 * positions.worst,
+        "hunting mean": 100 * hunting.mean,
+        "hunting worst": 100 * hunting.worst,
+    }
 
 
 def rigid(system):
     """Largest errors of the rigid contact in the hunting run: roll [rad] and contact position [mm]."""
     run = data.columns(data.HUNTING)
     table = system.evaluate_many(run["lateral_shift"], run["yaw"], run["normal_force"], run["load_transfer"])
-    place = max(np.max(np.abs(getattr(getattr(table, side).contact, name) - run[f"{side}.contact.{name}"]))
-                for side in SIDES for name in PLACE)
+    place = max(
+        np.max(np.abs(getattr(getattr(table, side).contact, name) - run[f"{side}.contact.{name}"]))
+        for side in SIDES
+        for name in PLACE
+    )
     return {"roll": np.max(np.abs(table.roll - run["roll"])), "position": place * 1e3}
 
 
@@ -125,9 +142,14 @@ def rigid(system):
 
 
 CHOICE_SHIFTS = {"1 mm (tread)": 1e-3, "6 mm (flange root)": 6e-3, "6.5 mm (flange)": 6.5e-3}  # [m]
-CHOICES = (("separation", "vertical"), ("separation", "equidistant"), ("separation", "equidistant_chord"),
-           ("longitudinal_curvature", "basic"), ("lateral_curvature", "smooth"),
-           ("lateral_curvature", "rough"))
+CHOICES = (
+    ("separation", "vertical"),
+    ("separation", "equidistant"),
+    ("separation", "equidistant_chord"),
+    ("longitudinal_curvature", "basic"),
+    ("lateral_curvature", "smooth"),
+    ("lateral_curvature", "rough"),
+)
 CHOICE_NODES = 38  # so many that their number has no part in the choice_changes
 
 
@@ -158,11 +180,14 @@ def station_errors():
     for number in STATION_NUMBERS:
         side = system(stations=number).evaluate(STATION_SHIFT).right
         outline, steps = side.outline, np.diff(side.outline.station)
-        area, load = (float(np.sum(0.5 * (values[1:] + values[:-1]) * steps))
-                      for values in (2.0 * outline.half_length,
-                                     0.5 * np.pi * outline.half_length * outline.pressure))
-        found[str(number)] = {"area": 100 * abs(area / side.area - 1),
-                              "load": 100 * abs(load / side.normal_force - 1)}
+        area, load = (
+            float(np.sum(0.5 * (values[1:] + values[:-1]) * steps))
+            for values in (2.0 * outline.half_length, 0.5 * np.pi * outline.half_length * outline.pressure)
+        )
+        found[str(number)] = {
+            "area": 100 * abs(area / side.area - 1),
+            "load": 100 * abs(load / side.normal_force - 1),
+        }
     return found
 
 
@@ -202,8 +227,11 @@ def all_trials():
     for model in MODELS:
         for load in ("normal", "vertical"):
             count = trials(model, load)
-            rows[f"{model}, load {load}"] = {"mean": count.mean(), "99 %": np.percentile(count, 99),
-                                             "most": count.max()}
+            rows[f"{model}, load {load}"] = {
+                "mean": count.mean(),
+                "99 %": np.percentile(count, 99),
+                "most": count.max(),
+            }
     return rows
 
 
@@ -220,12 +248,14 @@ def manchester():
     """Largest difference from the rolls of the Manchester contact benchmark, case A-2.2 [µrad], elastic and
     rigid, up to NEAR [mm] and beyond."""
     run = data.columns(data.MANCHESTER)
-    shift, left, right = (run[name] for name in ("lateral_shift_mm", "normal_force_left_N",
-                                                 "normal_force_right_N"))
+    shift, left, right = (
+        run[name] for name in ("lateral_shift_mm", "normal_force_left_N", "normal_force_right_N")
+    )
     rows = {}
     for mode in ("elastic", "rigid"):
-        table = system(contact_mode=mode).evaluate_many(1e-3 * shift, run["yaw_rad"], (left + right) / 2,
-                                                        (right - left) / (left + right))
+        table = system(contact_mode=mode).evaluate_many(
+            1e-3 * shift, run["yaw_rad"], (left + right) / 2, (right - left) / (left + right)
+        )
         off = 1e6 * np.abs(table.roll - run["roll_rad"])
         rows[mode] = {"near": off[shift <= NEAR].max(), "beyond": off[shift > NEAR].max()}
     return rows
@@ -244,8 +274,10 @@ def turning_patches(quick=False):
     """Rows by name: both theories at TURNING_SHIFTS, with rigid contact; errors [%] of force, area and
     peak pressure against CONTACT, with compliant contact.  A quick run takes the first pose and row alone."""
     count = 1 if quick else None
-    return {**turning_poses(TURNING_SHIFTS[:count]),
-            **{model: against_contact(model, count) for model in TURNING_MODELS}}
+    return {
+        **turning_poses(TURNING_SHIFTS[:count]),
+        **{model: against_contact(model, count) for model in TURNING_MODELS},
+    }
 
 
 def turning_poses(shifts):
@@ -256,7 +288,8 @@ def turning_poses(shifts):
         turning = system(normal_model="halfspace").evaluate(shift, 0.0, FORCE, side="right").right
         found[f"{1e3 * shift:g} mm"] = {
             name: [getattr(each, quantity) / unit for quantity, unit in zip(PATCH, TURNING_UNITS)]
-            for name, each in (("planar", planar), ("conformal", turning))}
+            for name, each in (("planar", planar), ("conformal", turning))
+        }
     return found
 
 
@@ -265,22 +298,34 @@ def against_contact(model, count=None):
     rows = data.rows_of(data.CONFORMAL)[:count]
     errors = []
     for row in rows:
-        side = system(normal_model=model, contact_mode="compliant").evaluate(
-            row["lateral_shift_mm"] * 1e-3, math.radians(row["yaw_deg"]), side="right",
-            vertical_shift_input=row["vertical_shift_mm"] * 1e-3, roll_input=row["roll_rad"]).right
+        side = (
+            system(normal_model=model, contact_mode="compliant")
+            .evaluate(
+                row["lateral_shift_mm"] * 1e-3,
+                math.radians(row["yaw_deg"]),
+                side="right",
+                vertical_shift_input=row["vertical_shift_mm"] * 1e-3,
+                roll_input=row["roll_rad"],
+            )
+            .right
+        )
         given = row["N_f_N"], row["area_f_mm2"] * 1e-6, row["pmax_f_MPa"] * 1e6
         errors.append(100.0 * (np.array([side.normal_force, side.area, side.max_pressure]) / given - 1.0))
-    names = [f"{row['lateral_shift_mm']:g} mm, {row['yaw_deg']:g}°, {row['vertical_load_kN']:g} kN"
-             for row in rows]
-    return {"mean": np.mean(np.abs(errors), axis=0), "worst": np.max(np.abs(errors), axis=0),
-            **dict(zip(names, errors))}
+    names = [
+        f"{row['lateral_shift_mm']:g} mm, {row['yaw_deg']:g}°, {row['vertical_load_kN']:g} kN" for row in rows
+    ]
+    return {
+        "mean": np.mean(np.abs(errors), axis=0),
+        "worst": np.max(np.abs(errors), axis=0),
+        **dict(zip(names, errors)),
+    }
 
 
 # The half-space as it is usually taken, over one plane: wheel and rail along the normals of the plane that
 # touches them at the rigid contact point, and pressures that act on each other without regard to their
 # normals.  It is here for comparison alone: where a patch turns around the rail it is not the truth.
 
-REACH = 0.03             # [m] of the domain around the contact point
+REACH = 0.03  # [m] of the domain around the contact point
 
 
 def planar_contact(system, state, force):
@@ -303,24 +348,35 @@ def planar_contact(system, state, force):
         where the solution is not found.
     """
     tables = system.stepper().tables
-    pair = wheel_on_rail(tables, 1, lateral_shift=state.inputs[layout.IN_LATERAL_SHIFT],
-                         yaw=state.inputs[layout.IN_YAW], roll=state.roll,
-                         vertical_shift=state.vertical_shift)
+    pair = wheel_on_rail(
+        tables,
+        1,
+        lateral_shift=state.inputs[layout.IN_LATERAL_SHIFT],
+        yaw=state.inputs[layout.IN_YAW],
+        roll=state.roll,
+        vertical_shift=state.vertical_shift,
+    )
     wheel = state.right
-    return solve_contact(plane_gap(pair, wheel.contact, wheel.contact_angle), (-REACH, REACH, -REACH, REACH),
-                         contact_modulus=layout.Tables.at(tables).contact_modulus, force=force)
+    return solve_contact(
+        plane_gap(pair, wheel.contact, wheel.contact_angle),
+        (-REACH, REACH, -REACH, REACH),
+        contact_modulus=layout.Tables.at(tables).contact_modulus,
+        force=force,
+    )
 
 
 def plane_gap(pair, contact, angle):
     """The gap over the plane through a rigid contact point with this contact ``angle`` [rad], as a function
     of x (n,) from there and s (m,) [m]."""
+
     def gap(x, s):
         y, z = contact.y_track + s * math.cos(angle), contact.z_track - s * math.sin(angle)
         normal = np.full(len(s), angle)
         along = np.broadcast_to(x[:, None] + contact.x_track, (len(x), len(s)))
         bow = 0.5 * x[:, None] ** 2 * math.cos(angle) / pair.radius
         with np.errstate(invalid="ignore"):
-            return (pair.wheel_along(along, y, z, normal, bow + 0.0 * s)
-                    - pair.rail_along(y, z, normal, np.zeros(len(s))))
+            return pair.wheel_along(along, y, z, normal, bow + 0.0 * s) - pair.rail_along(
+                y, z, normal, np.zeros(len(s))
+            )
 
     return gap

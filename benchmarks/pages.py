@@ -55,9 +55,11 @@ def provenance(parts):
     others = sorted({part["commit"] for name, part in parts.items() if name not in timed})
     said = [f"Errors and counts are those of commit {' and '.join(map(code, others))}."] if others else []
     for part in timed.values():
-        said.append(f"Times are those of commit {code(part['commit'])} on {part['machine']}: {part['time']}, "
-                    f"the smallest of several rounds, in turn with other rows. The unit is the time of "
-                    f"{UNIT} between them, {part['noise']}.")
+        said.append(
+            f"Times are those of commit {code(part['commit'])} on {part['machine']}: {part['time']}, "
+            f"the smallest of several rounds, in turn with other rows. The unit is the time of "
+            f"{UNIT} between them, {part['noise']}."
+        )
     return " ".join(said)
 
 
@@ -69,6 +71,7 @@ def code(commit):
 
 def short_table(parts):
     """What the README shows: seven rows that a user chooses between, time beside error."""
+
     def row(name, label, note=""):
         _, units, time, mean, worst, *_ = tables.model_cells(parts)(name)
         return [label, f"{time}{note}", units, mean, worst]
@@ -76,14 +79,18 @@ def short_table(parts):
     times = tables.model_rows(parts)
     native = tables.figure(times[NATIVE_ROW.format(2)]["µs"])
     name, _, time, *errors = tables.peer_cells(tables.COMPLETE_THEORY)[:5]
-    return tables.grid(["one wheelset", "µs", "units", "mean error [%]", "worst [%]"],
-                       [row("Hertz", "Hertz"),
-                 row(DEFAULT_ROW, "ANALYN, the default"),
-                 row(STRIP_ROW, "strips, `analyn_strip`"),
-                 row(FMU_ROW, "ANALYN, step of the Python FMU", f" (native FMU: {native})"),
-                 tables.readme_row(parts),
-                 row(HALFSPACE_FORM.format(0.01), "half-space, Python only"),
-                 [name, time, "", *errors]])
+    return tables.grid(
+        ["one wheelset", "µs", "units", "mean error [%]", "worst [%]"],
+        [
+            row("Hertz", "Hertz"),
+            row(DEFAULT_ROW, "ANALYN, the default"),
+            row(STRIP_ROW, "strips, `analyn_strip`"),
+            row(FMU_ROW, "ANALYN, step of the Python FMU", f" (native FMU: {native})"),
+            tables.readme_row(parts),
+            row(HALFSPACE_FORM.format(0.01), "half-space, Python only"),
+            [name, time, "", *errors],
+        ],
+    )
 
 
 README, BENCHMARKS = "README.md", "docs/evidence/benchmarks.md"
@@ -95,10 +102,14 @@ ERRORS = f"Errors in {tables.TRIPLE}."
 MACHINE = f"The unit is the time of {UNIT}; `benchmarks/measured` has commit, machine and noise."
 
 TABLES = {
-    "short": Table(README, (*MODEL_PARTS, *tables.CREEP_PARTS), short_table,
-                   "Errors of penetration / area / peak pressure at 20 positions from tread to flange at "
-                   "78.5 kN; of creep forces |ΔF|/(μN) and\nmoments |ΔM|/(μN √(ab)) on random patches of "
-                   "wheelsets, 2a long and 2b wide. A unit is the time of `np.sqrt` of 2000 doubles."),
+    "short": Table(
+        README,
+        (*MODEL_PARTS, *tables.CREEP_PARTS),
+        short_table,
+        "Errors of penetration / area / peak pressure at 20 positions from tread to flange at "
+        "78.5 kN; of creep forces |ΔF|/(μN) and\nmoments |ΔM|/(μN √(ab)) on random patches of "
+        "wheelsets, 2a long and 2b wide. A unit is the time of `np.sqrt` of 2000 doubles.",
+    ),
     "models": Table(BENCHMARKS, MODEL_PARTS, tables.models, ERRORS),
     "skips": Table(BENCHMARKS, ("skip_errors", "skip_times"), tables.skip_table, ERRORS),
     "counts": Table(BENCHMARKS, ("counts",), tables.count_table),
@@ -114,10 +125,10 @@ TABLES = {
     "creep_errors": Table(BENCHMARKS, ("tangential_errors",), tables.creep_force_table),
     "creep_moments": Table(BENCHMARKS, ("tangential_errors",), tables.creep_moment_table),
     "creep_times": Table(BENCHMARKS, ("tangential_times",), tables.creep_time_table),
-    "creep_short": Table("docs/theory/creep.md", tables.CREEP_PARTS, tables.creep_short_table,
-                         tables.CREEP_NOTE),
-    "creep_models": Table("docs/choose.md", tables.CREEP_PARTS, tables.creep_model_table,
-                          tables.CREEP_NOTE),
+    "creep_short": Table(
+        "docs/theory/creep.md", tables.CREEP_PARTS, tables.creep_short_table, tables.CREEP_NOTE
+    ),
+    "creep_models": Table("docs/choose.md", tables.CREEP_PARTS, tables.creep_model_table, tables.CREEP_NOTE),
     "validation": Table("docs/evidence/validation.md", validation.PARTS, validation.validation_table),
     "curvature": Table(CURVATURE, ("curvature",), tables.curvature_table, ERRORS),
     "choices": Table(CURVATURE, ("choices",), tables.choice_table, f"Changes in {tables.TRIPLE}."),
@@ -128,9 +139,12 @@ TABLES = {
     "contact": Table(CONFORMAL, ("conformal",), tables.conformal_table),
     "roll": Table(ELASTIC, ("elastic_roll",), tables.roll_table),
     "derivatives": Table("docs/theory/derivatives.md", ("derivative_times",), tables.derivative_table),
-    "conicity": Table(CHECK, ("conicity", "conicity_noise"), tables.conicity_table,
-                      f"Noise: {1e3 * studies.NOISE:g} µm in y and z of points every "
-                      f"{studies.SPACING} mm."),
+    "conicity": Table(
+        CHECK,
+        ("conicity", "conicity_noise"),
+        tables.conicity_table,
+        f"Noise: {1e3 * studies.NOISE:g} µm in y and z of points every {studies.SPACING} mm.",
+    ),
     "en15302": Table(CHECK, ("en15302",), tables.benchmark_table),
     "stations": Table("docs/guides/fmu_hosts.md", ("stations", "station_times"), tables.station_table),
     "noise": Table("docs/guides/profiles.md", ("profile_noise",), tables.noise_table),
@@ -143,10 +157,14 @@ TABLES = {
 
 def pages():
     """Texts of all pages with tables, by name, as they should be."""
-    parts = {name: record.load(name) for name in sorted({name for table in TABLES.values()
-                                                        for name in table.parts})}
-    return {page: filled((record.ROOT / page).read_text(encoding="utf-8"), parts)
-            for page in sorted({table.page for table in TABLES.values()})}
+    parts = {
+        name: record.load(name)
+        for name in sorted({name for table in TABLES.values() for name in table.parts})
+    }
+    return {
+        page: filled((record.ROOT / page).read_text(encoding="utf-8"), parts)
+        for page in sorted({table.page for table in TABLES.values()})
+    }
 
 
 def filled(text, parts):
@@ -210,13 +228,17 @@ class Point(NamedTuple):
 
 def stored_points():
     """The points of what is kept in benchmarks/measured."""
-    times, errors, halfspace = (record.load(part)["rows"] for part in ("model_times", "model_errors",
-                                                                      "halfspace"))
+    times, errors, halfspace = (
+        record.load(part)["rows"] for part in ("model_times", "model_errors", "halfspace")
+    )
     known = {**errors, **halfspace}
     labels = {row.name: (row.kind, row.setting) for row in all_rows(FULL)}
     labels[FMU_ROW] = "FMU", ""
-    return [point(*label, times[name], known.get(name) or known[DEFAULT_ROW])
-            for name, label in labels.items() if label[0] != "geometry"]
+    return [
+        point(*label, times[name], known.get(name) or known[DEFAULT_ROW])
+        for name, label in labels.items()
+        if label[0] != "geometry"
+    ]
 
 
 def point(kind, setting, time, errors):
@@ -230,13 +252,17 @@ def figure(rows):
     picture = style.new_figure(8.6, 5.4)
     axes = picture.subplots()
     open_axes(axes, (FASTEST, SLOWEST), (LOWEST, HIGHEST), "one wheelset, both patches [µs]", ",.0f")
-    axes.set_ylabel("error on 20 positions from tread to flange [%]\nmean of penetration, area and peak "
-                    "pressure")
+    axes.set_ylabel(
+        "error on 20 positions from tread to flange [%]\nmean of penetration, area and peak pressure"
+    )
     draw_units(axes, rows[0].microseconds / rows[0].units)
     draw_strips(axes, [row for row in rows if row.kind == "strips"])
     for kind in LADDERS:
-        draw_ladder(axes, kind,
-                    [row for row in rows if row.kind == kind and (row.setting or kind in ("Hertz", "FMU"))])
+        draw_ladder(
+            axes,
+            kind,
+            [row for row in rows if row.kind == kind and (row.setting or kind in ("Hertz", "FMU"))],
+        )
     draw_peers(axes)
     axes.legend(loc="center", bbox_to_anchor=(0.72, 0.47), title="measured in this run", alignment="left")
     return picture
@@ -263,16 +289,27 @@ def draw_strips(axes, rows):
     """A line for each number of sweeps, with one point per number of strips."""
     for sweeps in SWEEPS:
         chosen = [row for row in rows if row.setting == f"× {sweeps}"]
-        axes.plot(*places(chosen), ".-", color=STRIP_COLOUR, linewidth=0.8,
-                  label="6 … 16 strips a run × sweeps" if sweeps == SWEEPS[0] else None)
+        axes.plot(
+            *places(chosen),
+            ".-",
+            color=STRIP_COLOUR,
+            linewidth=0.8,
+            label="6 … 16 strips a run × sweeps" if sweeps == SWEEPS[0] else None,
+        )
         annotate(axes, chosen[-1], STRIP_COLOUR, (6, -3), "left")
 
 
 def draw_ladder(axes, kind, rows):
     """The rows of one kind as a line; the first and the last tolerance are printed beside it."""
     label, marker, colour = LADDERS[kind]
-    axes.plot(*places(rows), marker=marker, linewidth=1, color=colour, label=label, linestyle="-"
-              if len(rows) > 1 else "none")
+    axes.plot(
+        *places(rows),
+        marker=marker,
+        linewidth=1,
+        color=colour,
+        label=label,
+        linestyle="-" if len(rows) > 1 else "none",
+    )
     if len(rows) > 1:
         annotate(axes, rows[0], colour, (-6, -9) if kind == "analyn_strip" else (-5, 5), "right")
         annotate(axes, rows[-1], colour, (6, -9), "left")
@@ -284,8 +321,15 @@ def places(rows):
 
 
 def annotate(axes, row, colour, offset, side):
-    axes.annotate(row.setting, places([row]).ravel(), offset, textcoords="offset points", fontsize=7.5,
-                  color=colour, ha=side)
+    axes.annotate(
+        row.setting,
+        places([row]).ravel(),
+        offset,
+        textcoords="offset points",
+        fontsize=7.5,
+        color=colour,
+        ha=side,
+    )
 
 
 def draw_peers(axes):
@@ -295,15 +339,35 @@ def draw_peers(axes):
         error = max(100 * float(np.mean(peer.mean)), LOWEST * 1.07)
         if peer.milliseconds is None:
             axes.plot(SLOWEST, error, "<", color=PEER_COLOUR, clip_on=False)
-            axes.annotate(f"{peer.name}\n(time not reported)", (SLOWEST, error), (-10, 0),
-                          textcoords="offset points", fontsize=8, color=INK, ha="right", va="center")
+            axes.annotate(
+                f"{peer.name}\n(time not reported)",
+                (SLOWEST, error),
+                (-10, 0),
+                textcoords="offset points",
+                fontsize=8,
+                color=INK,
+                ha="right",
+                va="center",
+            )
             continue
         axes.plot(peer.microseconds, (error, error), color=PEER_COLOUR, linewidth=5, solid_capstyle="butt")
         note = ", error 0 by definition" if not peer.mean.any() else ""
-        axes.annotate(f"{peer.name}{note}", (peer.microseconds[0], error), (0, 6), textcoords="offset points",
-                      fontsize=8, color=INK)
-    axes.text(0.01, 0.02, "grey: CONTACT v25.2, quoted, on another machine", transform=axes.transAxes,
-              fontsize=8, color=QUIET)
+        axes.annotate(
+            f"{peer.name}{note}",
+            (peer.microseconds[0], error),
+            (0, 6),
+            textcoords="offset points",
+            fontsize=8,
+            color=INK,
+        )
+    axes.text(
+        0.01,
+        0.02,
+        "grey: CONTACT v25.2, quoted, on another machine",
+        transform=axes.transAxes,
+        fontsize=8,
+        color=QUIET,
+    )
 
 
 # ----------------------------------------------------------------------------------------------- creep forces
@@ -314,8 +378,8 @@ CREEP_PATH = "docs/img/creep_forces.png"
 LOOKS = dict(zip(TIMED, (("s", "#E69F00"), ("o", "#0072B2"), ("^", "#CC79A7"), ("D", "#009E73"))))
 #: Each panel: the set of ours, that of the quoted methods, and its title.
 PANELS = ((NEW_ELLIPSES, HERTZ, "Ellipses"), (NEW_PATCHES, GRIDS, "Patches of a wheelset"))
-CREEP_LOWEST, CREEP_HIGHEST = 0.1, 100.0    # [%] of the picture
-CREEP_FASTEST, CREEP_SLOWEST = 1.0, 200.0   # [us]
+CREEP_LOWEST, CREEP_HIGHEST = 0.1, 100.0  # [%] of the picture
+CREEP_FASTEST, CREEP_SLOWEST = 1.0, 200.0  # [us]
 
 
 def stored_creep():
@@ -330,8 +394,12 @@ def creep_figure(errors, times):
     panels = picture.subplots(1, 2, sharey=True)
     one = times["strips"]["µs"] / times["strips"]["units"]
     for axes, (ours, theirs, title) in zip(panels, PANELS):
-        open_axes(axes, (CREEP_FASTEST, CREEP_SLOWEST), (CREEP_LOWEST, CREEP_HIGHEST),
-                  "creep forces of one patch [µs]")
+        open_axes(
+            axes,
+            (CREEP_FASTEST, CREEP_SLOWEST),
+            (CREEP_LOWEST, CREEP_HIGHEST),
+            "creep forces of one patch [µs]",
+        )
         axes.set_title(title, pad=8)
         draw_units(axes, one)
         draw_models(axes, errors, times, ours)
@@ -339,8 +407,11 @@ def creep_figure(errors, times):
     panels[0].set_ylabel("error of the force on new cases [% of μN]\nmean, and bar to 95 of 100 cases")
     draw_limit(panels[1], errors)
     panels[0].legend(loc="lower left", title="measured in this run", alignment="left")
-    picture.supxlabel("hollow: spin as published; grey: CONTACT v25.2, quoted, on its own cases, time not "
-                      "reported", fontsize=8, color=QUIET)
+    picture.supxlabel(
+        "hollow: spin as published; grey: CONTACT v25.2, quoted, on its own cases, time not reported",
+        fontsize=8,
+        color=QUIET,
+    )
     return picture
 
 
@@ -349,10 +420,18 @@ def draw_models(axes, errors, times, chosen):
     for name, (model, published) in MODELS.items():
         marker, colour = LOOKS[model]
         mean, most, _ = errors[name][chosen]["force"]
-        time = times[model]["µs"] * (1.06 if published else 1.0)       # beside each other
+        time = times[model]["µs"] * (1.06 if published else 1.0)  # beside each other
         axes.plot([time, time], [mean, most], color=colour, linewidth=0.8)
-        axes.plot(time, mean, marker, color=colour, linestyle="none", label=None if published else model,
-                  markerfacecolor="white" if published else colour, zorder=3)
+        axes.plot(
+            time,
+            mean,
+            marker,
+            color=colour,
+            linestyle="none",
+            label=None if published else model,
+            markerfacecolor="white" if published else colour,
+            zorder=3,
+        )
 
 
 def draw_quoted(axes, errors, chosen):
@@ -362,16 +441,25 @@ def draw_quoted(axes, errors, chosen):
     for error, name in found:
         axes.plot(CREEP_SLOWEST, error, "<", color=PEER_COLOUR, clip_on=False)
         lowest = max(1.19 * lowest, error)
-        axes.annotate(name, (CREEP_SLOWEST, lowest), (-8, 0), textcoords="offset points", fontsize=7.5,
-                      color=INK, ha="right", va="center")
+        axes.annotate(
+            name,
+            (CREEP_SLOWEST, lowest),
+            (-8, 0),
+            textcoords="offset points",
+            fontsize=7.5,
+            color=INK,
+            ha="right",
+            va="center",
+        )
 
 
 def draw_limit(axes, errors):
     """What no model that knows an ellipse only can do better."""
     error = errors[EQUIVALENT][NEW_PATCHES]["force"][0]
     axes.axhline(error, color=QUIET, linewidth=0.9, linestyle="--")
-    axes.annotate(EQUIVALENT, (CREEP_FASTEST, error), (4, 3), textcoords="offset points", fontsize=7.5,
-                  color=QUIET)
+    axes.annotate(
+        EQUIVALENT, (CREEP_FASTEST, error), (4, 3), textcoords="offset points", fontsize=7.5, color=QUIET
+    )
 
 
 def marks(axes):

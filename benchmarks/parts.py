@@ -35,8 +35,11 @@ def measured(name, effort):
     found = part.measure(effort)
     if part.kind != TIMES:
         return found, {}
-    return found, {"machine": record.machine(), "noise": record.noise(),
-                   "time": "elapsed time" if name == "threads" else "processor time"}
+    return found, {
+        "machine": record.machine(),
+        "noise": record.noise(),
+        "time": "elapsed time" if name == "threads" else "processor time",
+    }
 
 
 def named(words):
@@ -91,8 +94,10 @@ def skip_times(effort):
     found = list(times.all_skips(effort))
     for skip in tracked(found * effort.passes, "times of what can be skipped"):
         skip.measure(effort.rounds)
-    return {skip.name: {"units": skip.less.units, "full": skip.more.units, "answer": skip.answer}
-            for skip in found}
+    return {
+        skip.name: {"units": skip.less.units, "full": skip.more.units, "answer": skip.answer}
+        for skip in found
+    }
 
 
 def elastic_times(effort):
@@ -101,8 +106,9 @@ def elastic_times(effort):
 
 def growth_times(effort):
     numbers = times.GROWTH[:4] if effort.passes == 1 else times.GROWTH
-    return timed({f"{number:,}": cost for number, cost in times.wheelsets(numbers, effort.passes
-                                                                          * effort.rounds)})
+    return timed(
+        {f"{number:,}": cost for number, cost in times.wheelsets(numbers, effort.passes * effort.rounds)}
+    )
 
 
 def thread_times(effort):
@@ -119,16 +125,20 @@ def random_errors(effort):
 
 
 def source_searches(effort):
-    return {name: {"header": header, "rows": cells}
-            for name, (header, cells) in studies.tables(quick=effort is rows.QUICK).items()}
+    return {
+        name: {"header": header, "rows": cells}
+        for name, (header, cells) in studies.tables(quick=effort is rows.QUICK).items()
+    }
 
 
 def source_figures(effort):
     study = Study()
     numbers = figures.known()[:2] if effort is rows.QUICK else figures.known()
     found = [figures.compute(number, study) for number in tracked(numbers, "figures of the source")]
-    return {each.number: {"claim": each.claim, "verdict": each.verdict, "finding": each.finding,
-                          "key": each.key} for each in found}
+    return {
+        each.number: {"claim": each.claim, "verdict": each.verdict, "finding": each.finding, "key": each.key}
+        for each in found
+    }
 
 
 PARTS = {

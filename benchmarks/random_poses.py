@@ -49,17 +49,20 @@ class Pose(NamedTuple):
     normal_force: float
 
     def __str__(self):
-        return (f"{self.rail} 1:{1 / self.inclination:.0f}, lateral_shift={self.lateral_shift:.9f}, "
-                f"yaw={self.yaw:.9f}, "
-                f"normal_force={self.normal_force:.2f}")
+        return (
+            f"{self.rail} 1:{1 / self.inclination:.0f}, lateral_shift={self.lateral_shift:.9f}, "
+            f"yaw={self.yaw:.9f}, "
+            f"normal_force={self.normal_force:.2f}"
+        )
 
 
 def pose(index):
     """Pose ``index`` of an endless list."""
     random = np.random.default_rng((SEED, index))
     rail, inclination = RAILS[random.integers(len(RAILS))], INCLINATIONS[random.integers(len(INCLINATIONS))]
-    shift, yaw, force = random.uniform((-SHIFT, -YAW, np.log(FORCE[0])),
-                                       (SHIFT, YAW, np.log(FORCE[1]))).tolist()
+    shift, yaw, force = random.uniform(
+        (-SHIFT, -YAW, np.log(FORCE[0])), (SHIFT, YAW, np.log(FORCE[1]))
+    ).tolist()
     return Pose(rail, inclination, shift, yaw if index % 2 else 0.0, math.exp(force))
 
 
@@ -78,8 +81,10 @@ def solve(index):
     model = system(where.rail, where.inclination, normal_model="halfspace", tolerance=TOLERANCE)
     state = model.evaluate(where.lateral_shift, where.yaw, where.normal_force)
     found = [getattr(getattr(state, side), name) for side in SIDES for name in PATCH]
-    return [*heading(index),
-            *(f"{value:.7g}" for value in (found if state.status == 0 else [np.nan] * len(found)))]
+    return [
+        *heading(index),
+        *(f"{value:.7g}" for value in (found if state.status == 0 else [np.nan] * len(found))),
+    ]
 
 
 def heading(index):
@@ -95,8 +100,10 @@ def references(count, store=STORE, processes=None):
     missing = [index for index in range(count) if index not in known]
     if missing:
         store.write_text("".join(map(line, known.values())), encoding="utf-8")
-        with multiprocessing.get_context("spawn").Pool(processes or os.cpu_count()) as pool, \
-                open(store, "a", newline="", encoding="utf-8") as file:
+        with (
+            multiprocessing.get_context("spawn").Pool(processes or os.cpu_count()) as pool,
+            open(store, "a", newline="", encoding="utf-8") as file,
+        ):
             solved = pool.imap_unordered(solve, missing, CHUNK)
             for row in tracked(solved, "random poses with the half-space", len(missing)):
                 file.write(line(row))
@@ -120,8 +127,9 @@ def is_known(row):
     """Whether a line of the file has the pose of its index; another processor's logarithm gives other last
     digits."""
     index, rail, *numbers = heading(int(row[0]))
-    return row[1] == rail and all(math.isclose(float(a), float(b), rel_tol=1e-12)
-                                  for a, b in zip(row[2:-6], numbers))
+    return row[1] == rail and all(
+        math.isclose(float(a), float(b), rel_tol=1e-12) for a, b in zip(row[2:-6], numbers)
+    )
 
 
 # ----------------------------------------------------------------------------------------------------- models
@@ -135,8 +143,9 @@ def answers(poses, **options):
         here = np.flatnonzero((tracks == track).all(axis=1))
         moving = np.array([each[2:] for each in poses])[here].T
         table = system(RAILS[int(track[0])], float(track[1]), **options).evaluate_many(*moving)
-        found[here] = np.column_stack([getattr(getattr(table, side), name) for side in SIDES
-                                       for name in PATCH])
+        found[here] = np.column_stack(
+            [getattr(getattr(table, side), name) for side in SIDES for name in PATCH]
+        )
         status[here] = table.status
     return found, status
 
@@ -152,8 +161,11 @@ def compared(truth, models=("analyn", "analyn_strip")):
         refused = np.isin(status, (2, 3, 4)) & ~lost
         kept = np.flatnonzero(~lost & ~refused)
         shares = 100 * np.abs(found[kept] / truth[kept] - 1).reshape(-1, 2, 3)
-        rows[model] = {**dict(quantiles(shares.reshape(-1, 3))), "refused": int(refused.sum()),
-                       "wheels": list(worst(poses, kept, shares))}
+        rows[model] = {
+            **dict(quantiles(shares.reshape(-1, 3))),
+            "refused": int(refused.sum()),
+            "wheels": list(worst(poses, kept, shares)),
+        }
     return rows
 
 
@@ -173,8 +185,10 @@ def worst(poses, kept, shares):
     largest = shares.max(axis=2)
     for place in np.argsort(largest, axis=None)[::-1][:WORST]:
         row, side = np.unravel_index(place, largest.shape)
-        yield {"errors": shares[row, side],
-               "wheel": f"{SIDES[side]} wheel, pose {kept[row]}: {poses[kept[row]]}"}
+        yield {
+            "errors": shares[row, side],
+            "wheel": f"{SIDES[side]} wheel, pose {kept[row]}: {poses[kept[row]]}",
+        }
 
 
 # ------------------------------------------------------------------------------------------------- tolerances
@@ -193,8 +207,10 @@ def numerics(count):
             wheels = 100 * np.abs(found / truth - 1).reshape(-1, 3)
             wheel = int(np.nanargmax(wheels.max(axis=1)))
             rows[f"{model.name}, tolerance {tolerance:g}"] = {
-                **dict(quantiles(wheels[~np.isnan(wheels).any(axis=1)])), "count": count,
-                "where": f"{SIDES[wheel % 2]}, pose {wheel // 2}"}
+                **dict(quantiles(wheels[~np.isnan(wheels).any(axis=1)])),
+                "count": count,
+                "where": f"{SIDES[wheel % 2]}, pose {wheel // 2}",
+            }
     return rows
 
 

@@ -99,16 +99,20 @@ def load_average():
 def machine():
     """Cores, processor and programs, in words."""
     kernel = "compiled" if default_kernel().compiled else "UNCOMPILED"
-    return (f"{os.cpu_count()} cores, {platform.machine()}, Python {platform.python_version()}, numpy "
-            f"{np.__version__}, kernel {kernel}")
+    return (
+        f"{os.cpu_count()} cores, {platform.machine()}, Python {platform.python_version()}, numpy "
+        f"{np.__version__}, kernel {kernel}"
+    )
 
 
 def noise():
     """How fast and how quiet the machine was since :func:`restart`, in words."""
     count, least, median, high = spread()
-    return (f"{1e6 * least:.2f} µs at best, {percentage(median / least)} more in the median and "
-            f"{percentage(high / least)} more at the 95th percentile of {count} measurements between the "
-            f"rounds; load average {load_average():.1f}")
+    return (
+        f"{1e6 * least:.2f} µs at best, {percentage(median / least)} more in the median and "
+        f"{percentage(high / least)} more at the 95th percentile of {count} measurements between the "
+        f"rounds; load average {load_average():.1f}"
+    )
 
 
 def percentage(ratio):
@@ -154,8 +158,10 @@ def save(part, rows, conditions):
     head = headed(rows, conditions)
     rows = head.pop("rows")
     lines = [f"{json.dumps(name)}: {json.dumps(value, ensure_ascii=False)}" for name, value in head.items()]
-    body = ",\n".join(f"  {json.dumps(name, ensure_ascii=False)}: {json.dumps(row, ensure_ascii=False)}"
-                      for name, row in rows.items())
+    body = ",\n".join(
+        f"  {json.dumps(name, ensure_ascii=False)}: {json.dumps(row, ensure_ascii=False)}"
+        for name, row in rows.items()
+    )
     FOLDER.mkdir(exist_ok=True)
     text = "{" + ",\n".join([*lines, '"rows": {\n' + body + "\n}"]) + "}\n"
     path(part).write_text(text, encoding="utf-8")

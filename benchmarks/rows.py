@@ -81,8 +81,14 @@ class Row:
 
 def all_rows(effort):
     """Every measured row, not yet measured."""
-    return [*formulas(effort), *ladders(effort), *halfspace(effort), *strips(effort), *orders(effort),
-            *doors(effort)]
+    return [
+        *formulas(effort),
+        *ladders(effort),
+        *halfspace(effort),
+        *strips(effort),
+        *orders(effort),
+        *doors(effort),
+    ]
 
 
 def batch(system, poses, **options):
@@ -110,8 +116,13 @@ def ladders(effort):
     curvature."""
     for model in (Analyn, Strip):
         for tolerance, resolution in model.ladder.items():
-            yield batch_row(ladder_row(model, tolerance, resolution), model.name, effort,
-                            setting=f"{tolerance:g}", normal_model=model(tolerance=tolerance))
+            yield batch_row(
+                ladder_row(model, tolerance, resolution),
+                model.name,
+                effort,
+                setting=f"{tolerance:g}",
+                normal_model=model(tolerance=tolerance),
+            )
     yield batch_row("analyn, longitudinal curvature basic", "analyn", effort, longitudinal_curvature="basic")
 
 
@@ -121,24 +132,39 @@ def halfspace(effort):
     for tolerance in effort.halfspace:
         of = system(normal_model="halfspace", tolerance=tolerance)
         work = batch(of, (shift, 0.0 * shift))
-        yield Row(HALFSPACE_FORM.format(tolerance), "halfspace",
-                  lambda work=work: cost(work, len(shift), 1), of, effort.every, f"{tolerance:g}")
+        yield Row(
+            HALFSPACE_FORM.format(tolerance),
+            "halfspace",
+            lambda work=work: cost(work, len(shift), 1),
+            of,
+            effort.every,
+            f"{tolerance:g}",
+        )
 
 
 def strips(effort):
     """Number of strips and sweeps, nodes as at the default tolerance."""
     for sweeps, strips in itertools.product(SWEEPS, STRIPS):
-        yield batch_row(f"analyn_strip, {strips} strips × {sweeps}", "strips", effort,
-                        setting=f"× {sweeps}", normal_model="analyn_strip", strips=strips, sweeps=sweeps)
+        yield batch_row(
+            f"analyn_strip, {strips} strips × {sweeps}",
+            "strips",
+            effort,
+            setting=f"× {sweeps}",
+            normal_model="analyn_strip",
+            strips=strips,
+            sweeps=sweeps,
+        )
 
 
 def orders(effort):
     """Trajectory and random order of the poses, with and without yaw."""
     for options in ({}, {"normal_model": "analyn_strip"}):
         model = system(**options).parameters["normal_model"]
-        for name, poses in (("trajectory with yaw", trajectory(effort.count)),
-                            ("random poses", anywhere(effort.count, yaw=0.0)),
-                            ("random poses with yaw", anywhere(effort.count))):
+        for name, poses in (
+            ("trajectory with yaw", trajectory(effort.count)),
+            ("random poses", anywhere(effort.count, yaw=0.0)),
+            ("random poses with yaw", anywhere(effort.count)),
+        ):
             yield batch_row(f"{model}, {name}", "order", effort, poses, **options)
 
 
@@ -153,10 +179,16 @@ def doors(effort):
             stepper.step()
 
     stepper.inputs[3] = FORCE
-    for name, work in (("`evaluate()`", lambda: [system().evaluate(shift, yaw) for shift, yaw in poses]),
-                       ("stepper", step)):
-        yield Row(f"analyn, trajectory with yaw, {name} from Python", "door",
-                  lambda work=work: cost(work, effort.count, effort.rounds), system())
+    for name, work in (
+        ("`evaluate()`", lambda: [system().evaluate(shift, yaw) for shift, yaw in poses]),
+        ("stepper", step),
+    ):
+        yield Row(
+            f"analyn, trajectory with yaw, {name} from Python",
+            "door",
+            lambda work=work: cost(work, effort.count, effort.rounds),
+            system(),
+        )
 
 
 # ------------------------------------------------------------------------------------------------------- FMUs
@@ -165,8 +197,12 @@ def doors(effort):
 def hosted(folder, effort):
     """Rows of the steps of all three FMUs, which are built in ``folder``."""
     step = fmu_step(python_fmu(folder), hunting_inputs())
-    yield Row(FMU_ROW, "FMU",
-              lambda: cost(lambda: [step() for _ in range(FMU_STEPS)], FMU_STEPS, effort.rounds), system())
+    yield Row(
+        FMU_ROW,
+        "FMU",
+        lambda: cost(lambda: [step() for _ in range(FMU_STEPS)], FMU_STEPS, effort.rounds),
+        system(),
+    )
     for version, measure in native_costs(folder):
         yield Row(NATIVE_ROW.format(version), "native", measure, system())
 
@@ -183,8 +219,12 @@ def fmu_step(unpacked, inputs, moved=MOVED, **strings):
     get the next of ``inputs``; ``strings`` are its parameters by name."""
     description = read_model_description(unpacked)
     variables = description.modelVariables
-    slave = FMU2Slave(guid=description.guid, unzipDirectory=unpacked, instanceName="benchmark",
-                      modelIdentifier=description.coSimulation.modelIdentifier)
+    slave = FMU2Slave(
+        guid=description.guid,
+        unzipDirectory=unpacked,
+        instanceName="benchmark",
+        modelIdentifier=description.coSimulation.modelIdentifier,
+    )
     slave.instantiate()
     named = {v.name: v.valueReference for v in variables}
     slave.setString([named[name] for name in strings], list(strings.values()))
@@ -192,8 +232,10 @@ def fmu_step(unpacked, inputs, moved=MOVED, **strings):
     slave.enterInitializationMode()
     slave.exitInitializationMode()
     references = [named[name] for name in moved]
-    reals, integers = ([v.valueReference for v in variables if v.causality == "output" and v.type == kind]
-                       for kind in ("Real", "Integer"))
+    reals, integers = (
+        [v.valueReference for v in variables if v.causality == "output" and v.type == kind]
+        for kind in ("Real", "Integer")
+    )
 
     def step():
         slave.setReal(references, next(inputs))
@@ -219,8 +261,14 @@ def native_costs(folder):
 
     run = data.columns(data.HUNTING)
     file = Path(folder, "rows.txt")
-    file.write_text(rows_text([{name: run[name][k] if name in run else 0.0 for name in MOVED}
-                               for k in range(len(run["lateral_shift"]))]))
+    file.write_text(
+        rows_text(
+            [
+                {name: run[name][k] if name in run else 0.0 for name in MOVED}
+                for k in range(len(run["lateral_shift"]))
+            ]
+        )
+    )
     for version, fmu in zip((2, 3), build_native_fmus(folder)):
         host = native_host(fmu, version, Path(folder, f"native{version}"))
         yield version, lambda host=host: host_cost(host, file)

@@ -14,8 +14,14 @@ from .record import costs, unit
 from .tables import decimals, figure, listed
 
 #: Outputs of the tables.
-KEPT = ["roll", "right.force.y", "right.area", "right.max_pressure", "right.contact.y_wheel",
-        "right.contact_angle"]
+KEPT = [
+    "roll",
+    "right.force.y",
+    "right.area",
+    "right.max_pressure",
+    "right.contact.y_wheel",
+    "right.contact_angle",
+]
 #: A grid of blocks of the default size, each of WIDTH shifts.
 BLOCKS, WIDTH, THREADS = 4, BLOCK // 5000, (1, 2)
 YAWS, LOADS = np.linspace(-8e-3, 8e-3, 100), np.linspace(30e3, 110e3, 50)
@@ -23,9 +29,13 @@ YAWS, LOADS = np.linspace(-8e-3, 8e-3, 100), np.linspace(30e3, 110e3, 50)
 SHIFT, YAW = 7e-3, 8e-3
 SIZES = ((71, 17), (141, 17), (281, 33), (561, 65))
 #: Outputs whose errors are told, with the factor to the unit that is shown.
-TOLD = {"roll [µrad]": ("roll", 1e6), "F_y [N]": ("right.force.y", 1.0),
-        "contact on the wheel [mm]": ("right.contact.y_wheel", 1e3), "area [mm²]": ("right.area", 1e6),
-        "largest pressure [MPa]": ("right.max_pressure", 1e-6)}
+TOLD = {
+    "roll [µrad]": ("roll", 1e6),
+    "F_y [N]": ("right.force.y", 1.0),
+    "contact on the wheel [mm]": ("right.contact.y_wheel", 1e3),
+    "area [mm²]": ("right.area", 1e6),
+    "largest pressure [MPa]": ("right.max_pressure", 1e-6),
+}
 #: Random poses at which a table is compared with direct evaluation.
 POSES = 20_000
 #: Calls with one state each that are timed.
@@ -36,8 +46,7 @@ def sweep_times(effort):
     """Rows by number of threads: microseconds of a state in a store, and by evaluate_many block by block; of
     processors, in turn, the smallest of several rounds."""
     count = BLOCKS if effort.passes > 1 else 1
-    axes = {"lateral_shift": np.linspace(-SHIFT, SHIFT, WIDTH * count), "yaw": YAWS,
-            "normal_force": LOADS}
+    axes = {"lateral_shift": np.linspace(-SHIFT, SHIFT, WIDTH * count), "yaw": YAWS, "normal_force": LOADS}
     system, best = wrcontact.ContactSystem(), {}
     with tempfile.TemporaryDirectory() as folder:
         for turn in range(effort.rounds):
@@ -48,8 +57,10 @@ def sweep_times(effort):
                 alone = spent(lambda: in_blocks(system, axes, threads))
                 found = kept / (count * BLOCK), alone / (count * BLOCK)
                 best[threads] = np.fmin(found, best.get(threads, found))
-    return {str(threads): {"kept": 1e6 * kept, "alone": 1e6 * alone, "rate": alone / kept}
-            for threads, (kept, alone) in best.items()}
+    return {
+        str(threads): {"kept": 1e6 * kept, "alone": 1e6 * alone, "rate": alone / kept}
+        for threads, (kept, alone) in best.items()
+    }
 
 
 def in_blocks(system, axes, threads):
@@ -70,18 +81,28 @@ def value_times(effort):
     """:class:`~benchmarks.record.Cost` by name of a state: by direct evaluation, and from a table."""
     system, elastic = (wrcontact.ContactSystem(contact_mode=mode) for mode in ("rigid", "elastic"))
     shifts, yaws = SIZES[2]
-    table = wrcontact.sweep(elastic, {"lateral_shift": np.linspace(-SHIFT, SHIFT, shifts),
-                                      "yaw": np.linspace(-YAW, YAW, yaws)}, KEPT, progress=False)
+    table = wrcontact.sweep(
+        elastic,
+        {"lateral_shift": np.linspace(-SHIFT, SHIFT, shifts), "yaw": np.linspace(-YAW, YAW, yaws)},
+        KEPT,
+        progress=False,
+    )
     linear, cubic = (wrcontact.interpolate(table, method=method) for method in METHODS)
     many, some = random_poses(effort.count), random_poses(ALONE)
-    return costs({
-        "direct, rigid": (lambda: system.evaluate_many(outputs=KEPT, threads=1, **many), effort.count),
-        "direct, elastic": (lambda: elastic.evaluate_many(outputs=KEPT, threads=1, **many), effort.count),
-        f"table {shifts} × {yaws}, linear": (lambda: linear(**many), effort.count),
-        f"table {shifts} × {yaws}, cubic": (lambda: cubic(**many), effort.count),
-        "direct, elastic, one state in a call": (lambda: one_by_one(elastic.evaluate, some), ALONE),
-        f"table {shifts} × {yaws}, linear, one state in a call": (lambda: one_by_one(linear, some), ALONE)},
-        effort)
+    return costs(
+        {
+            "direct, rigid": (lambda: system.evaluate_many(outputs=KEPT, threads=1, **many), effort.count),
+            "direct, elastic": (lambda: elastic.evaluate_many(outputs=KEPT, threads=1, **many), effort.count),
+            f"table {shifts} × {yaws}, linear": (lambda: linear(**many), effort.count),
+            f"table {shifts} × {yaws}, cubic": (lambda: cubic(**many), effort.count),
+            "direct, elastic, one state in a call": (lambda: one_by_one(elastic.evaluate, some), ALONE),
+            f"table {shifts} × {yaws}, linear, one state in a call": (
+                lambda: one_by_one(linear, some),
+                ALONE,
+            ),
+        },
+        effort,
+    )
 
 
 def one_by_one(call, poses):
@@ -108,7 +129,8 @@ def table_errors(quick=False):
             found = wrcontact.interpolate(table, method=method).errors_at(**poses)
             rows[f"{shifts} × {yaws} {method}"] = {
                 words: [factor * found[name].most, factor * found[name].worst]
-                for words, (name, factor) in TOLD.items()}
+                for words, (name, factor) in TOLD.items()
+            }
     return rows
 
 
@@ -117,8 +139,12 @@ def pair(values):
     return " / ".join(f"{value:,.0f}" if value >= 99.5 else f"{value:.2g}" for value in values)
 
 
-rate_table = listed("sweep", ["threads", "µs a state in a store", "µs by `evaluate_many`", "rate"],
-                    {"kept": figure, "alone": figure, "rate": decimals(2)})
-value_table = listed("value_times", ["six outputs of a state", "units", "µs"],
-                     {"units": figure, "µs": figure})
+rate_table = listed(
+    "sweep",
+    ["threads", "µs a state in a store", "µs by `evaluate_many`", "rate"],
+    {"kept": figure, "alone": figure, "rate": decimals(2)},
+)
+value_table = listed(
+    "value_times", ["six outputs of a state", "units", "µs"], {"units": figure, "µs": figure}
+)
 error_table = listed("table_errors", ["table, 95 % / worst", *TOLD], dict.fromkeys(TOLD, pair))

@@ -27,14 +27,22 @@ from .rows import DEFAULT_ROW
 from .times import CONTACT_MODES, COUNTS, FULL_RASTER
 
 TRIPLE = "% of penetration / area / peak pressure"
-MODELS = ["one wheelset, both patches", "units", "µs", "positions: mean", "worst", "hunting run: mean",
-          "worst"]
+MODELS = [
+    "one wheelset, both patches",
+    "units",
+    "µs",
+    "positions: mean",
+    "worst",
+    "hunting run: mean",
+    "worst",
+]
 
 
 def grid(header, rows, words=1):
     """A table; the first columns hold ``words``, the others numbers."""
-    return "\n".join([line(header), line(["---"] * words + ["---:"] * (len(header) - words)),
-                      *map(line, rows)])
+    return "\n".join(
+        [line(header), line(["---"] * words + ["---:"] * (len(header) - words)), *map(line, rows)]
+    )
 
 
 def line(cells):
@@ -45,9 +53,16 @@ def line(cells):
 def listed(part, header, columns, words=1):
     """A function that writes a table of one part: the name of each row, and its ``columns``, by name with the
     form of their numbers."""
+
     def text(parts):
-        return grid(header, [[name, *(form(row[column]) for column, form in columns.items())]
-                             for name, row in parts[part]["rows"].items()], words)
+        return grid(
+            header,
+            [
+                [name, *(form(row[column]) for column, form in columns.items())]
+                for name, row in parts[part]["rows"].items()
+            ],
+            words,
+        )
 
     return text
 
@@ -125,8 +140,14 @@ def model_cells(parts):
         first = [name, figure(time["units"]), figure(time["µs"])]
         if "roll" in found:
             return [*first, "", "", "", f"roll {found['roll']:.0e} rad, position {found['position']:.0e} mm"]
-        return [*first, *(three(found[f"{run} {what}"]) for run in ("positions", "hunting")
-                          for what in ("mean", "worst"))]
+        return [
+            *first,
+            *(
+                three(found[f"{run} {what}"])
+                for run in ("positions", "hunting")
+                for what in ("mean", "worst")
+            ),
+        ]
 
     return cells
 
@@ -143,21 +164,36 @@ def skip_table(parts):
     def answer(name, words):
         return words.format(**{key: three(values) for key, values in answers.get(name, {}).items()})
 
-    return grid(["skipped", "units", "full cost", "share", "answer"],
-                [[name, figure(row["units"]), figure(row["full"]),
-                  f"{100 * row['units'] / row['full']:.0f} %", answer(name, row["answer"])]
-                 for name, row in parts["skip_times"]["rows"].items()])
+    return grid(
+        ["skipped", "units", "full cost", "share", "answer"],
+        [
+            [
+                name,
+                figure(row["units"]),
+                figure(row["full"]),
+                f"{100 * row['units'] / row['full']:.0f} %",
+                answer(name, row["answer"]),
+            ]
+            for name, row in parts["skip_times"]["rows"].items()
+        ],
+    )
 
 
-count_table = listed("counts", ["per wheelset", FULL_RASTER, *COUNTS],
-                     dict.fromkeys((FULL_RASTER, *COUNTS), figure))
+count_table = listed(
+    "counts", ["per wheelset", FULL_RASTER, *COUNTS], dict.fromkeys((FULL_RASTER, *COUNTS), figure)
+)
 growth_table = listed("growth", ["wheelsets", "units each", "µs each"], {"units": figure, "µs": figure})
-thread_table = listed("threads", ["threads", "µs a wheelset", "speed-up"],
-                      {"µs": figure, "gain": decimals(2)})
-trajectory_table = listed("trajectory", ["1 ms steps", "units", "asked", "µs", *COUNTS],
-                          dict.fromkeys(("units", "asked", "µs", *COUNTS), figure))
-derivative_table = listed("derivative_times", ["step and one derivative", "units", "µs"],
-                          {"units": figure, "µs": figure})
+thread_table = listed(
+    "threads", ["threads", "µs a wheelset", "speed-up"], {"µs": figure, "gain": decimals(2)}
+)
+trajectory_table = listed(
+    "trajectory",
+    ["1 ms steps", "units", "asked", "µs", *COUNTS],
+    dict.fromkeys(("units", "asked", "µs", *COUNTS), figure),
+)
+derivative_table = listed(
+    "derivative_times", ["step and one derivative", "units", "µs"], {"units": figure, "µs": figure}
+)
 
 
 # ----------------------------------------------------------------------------------------------- random
@@ -172,12 +208,21 @@ def random_table(parts):
     found = parts["random_poses"]["rows"]
     columns = ["mean", *PERCENTS]
     models = [name for name in found if name != "poses"]
-    lines = [grid(["model", *columns, "not solved"],
-                  [[name, *(three(found[name][column]) for column in columns), found[name]["refused"]]
-                   for name in models]), ""]
-    lines.append(f"{found['poses']['count']} poses, twice as many wheels, in {TRIPLE}; "
-                 f"{found['poses']['lost']} poses are left out, since the half-space does not converge to "
-                 f"{TOLERANCE:g}. The worst wheels:\n")
+    lines = [
+        grid(
+            ["model", *columns, "not solved"],
+            [
+                [name, *(three(found[name][column]) for column in columns), found[name]["refused"]]
+                for name in models
+            ],
+        ),
+        "",
+    ]
+    lines.append(
+        f"{found['poses']['count']} poses, twice as many wheels, in {TRIPLE}; "
+        f"{found['poses']['lost']} poses are left out, since the half-space does not converge to "
+        f"{TOLERANCE:g}. The worst wheels:\n"
+    )
     for name in models:
         lines += [f"* {name}: {three(each['errors'])} %, {each['wheel']}" for each in found[name]["wheels"]]
     return "\n".join(lines)
@@ -188,9 +233,13 @@ def zone_table(parts):
     found = {zone: row for zone, row in parts["zones"]["rows"].items() if row["wheels"]}
     first = next(iter(found.values()))
     columns = [(model, kind) for model in first if model != "wheels" for kind in first[model]]
-    return grid(["where", "wheels", *(f"{model}: {kind}" for model, kind in columns)],
-                [[zone, row["wheels"], *(three(row[model][kind]) for model, kind in columns)]
-                 for zone, row in found.items()])
+    return grid(
+        ["where", "wheels", *(f"{model}: {kind}" for model, kind in columns)],
+        [
+            [zone, row["wheels"], *(three(row[model][kind]) for model, kind in columns)]
+            for zone, row in found.items()
+        ],
+    )
 
 
 # --------------------------------------------------------------------------------------------- other pages
@@ -202,66 +251,145 @@ def signed(values):
 
 
 choice_table = listed("choices", ["ANALYN with", *CHOICE_SHIFTS], dict.fromkeys(CHOICE_SHIFTS, signed))
-benchmark_table = listed("en15302", [
-    "case", "wheels", "amplitudes", "inside the limits of the value", "inside either limits",
-    "conicity: mean deviation", "largest", "rolling radius difference: mean distance [mm]", "largest"],
-    {"wheel": str, "amplitudes": str, "value": str, "either": str, "mean": decimals(4), "worst": decimals(4),
-     "curve mean": decimals(3), "curve worst": decimals(3)})
-manchester_table = listed("manchester",
-                          ["`contact_mode`", f"up to {NEAR} mm of shift [µrad]", "beyond [µrad]"],
-                          {"near": figure, "beyond": figure})
-trial_table = listed("elastic_trials", ["trials of a pose", "mean", "99 of 100", "most"],
-                     {"mean": figure, "99 %": figure, "most": figure})
-roll_table = listed("elastic_roll",
-                    ["yaw", "largest change of the roll in 1 µm [µrad]", "at, either side [mm]"],
-                    {"step": figure, "at": decimals(4)})
-figure_table = listed("source_figures", ["figure", "the source says", "", "we find", "the number"],
-                      dict.fromkeys(("claim", "verdict", "finding", "key"), str), words=5)
+benchmark_table = listed(
+    "en15302",
+    [
+        "case",
+        "wheels",
+        "amplitudes",
+        "inside the limits of the value",
+        "inside either limits",
+        "conicity: mean deviation",
+        "largest",
+        "rolling radius difference: mean distance [mm]",
+        "largest",
+    ],
+    {
+        "wheel": str,
+        "amplitudes": str,
+        "value": str,
+        "either": str,
+        "mean": decimals(4),
+        "worst": decimals(4),
+        "curve mean": decimals(3),
+        "curve worst": decimals(3),
+    },
+)
+manchester_table = listed(
+    "manchester",
+    ["`contact_mode`", f"up to {NEAR} mm of shift [µrad]", "beyond [µrad]"],
+    {"near": figure, "beyond": figure},
+)
+trial_table = listed(
+    "elastic_trials",
+    ["trials of a pose", "mean", "99 of 100", "most"],
+    {"mean": figure, "99 %": figure, "most": figure},
+)
+roll_table = listed(
+    "elastic_roll",
+    ["yaw", "largest change of the roll in 1 µm [µrad]", "at, either side [mm]"],
+    {"step": figure, "at": decimals(4)},
+)
+figure_table = listed(
+    "source_figures",
+    ["figure", "the source says", "", "we find", "the number"],
+    dict.fromkeys(("claim", "verdict", "finding", "key"), str),
+    words=5,
+)
 
 
 def station_table(parts):
     times = parts["station_times"]["rows"]
-    return grid(["stations", "area: error [%]", "load: error [%]", "units a step"],
-                [[name, f"{row['area']:.2f}", f"{row['load']:.2f}", figure(times[name]["units"])]
-                 for name, row in parts["stations"]["rows"].items()])
+    return grid(
+        ["stations", "area: error [%]", "load: error [%]", "units a step"],
+        [
+            [name, f"{row['area']:.2f}", f"{row['load']:.2f}", figure(times[name]["units"])]
+            for name, row in parts["stations"]["rows"].items()
+        ],
+    )
 
 
 def conicity_table(parts):
     found = {**parts["conicity"]["rows"], **parts["conicity_noise"]["rows"]}
-    return grid(["S1002, gauge 1435 mm, r₀ 460 mm", *(f"{millimetres} mm" for millimetres in range(1, 9))],
-                [[name, *(f"{value:.3f}" for value in row["conicity"])] for name, row in found.items()])
+    return grid(
+        ["S1002, gauge 1435 mm, r₀ 460 mm", *(f"{millimetres} mm" for millimetres in range(1, 9))],
+        [[name, *(f"{value:.3f}" for value in row["conicity"])] for name, row in found.items()],
+    )
 
 
 def elastic_table(parts):
-    return grid(["units a step", *CONTACT_MODES],
-                [[name, *(figure(row[mode]["units"]) for mode in CONTACT_MODES)]
-                 for name, row in parts["elastic_times"]["rows"].items()])
+    return grid(
+        ["units a step", *CONTACT_MODES],
+        [
+            [name, *(figure(row[mode]["units"]) for mode in CONTACT_MODES)]
+            for name, row in parts["elastic_times"]["rows"].items()
+        ],
+    )
 
 
 def curvature_table(parts):
     found = dict(parts["curvature"]["rows"])
     cases = found.pop("cases")
-    text = grid(["lateral curvature", "positions: mean", "worst", "random: mean", "worst",
-                 "noisy, as read: mean", "95 %", "against no noise: mean"],
-                [[name, *(three(values) for kind in ("positions", "random", "noisy") for values in row[kind]),
-                  three(row["clean"])] for name, row in found.items()])
+    text = grid(
+        [
+            "lateral curvature",
+            "positions: mean",
+            "worst",
+            "random: mean",
+            "worst",
+            "noisy, as read: mean",
+            "95 %",
+            "against no noise: mean",
+        ],
+        [
+            [
+                name,
+                *(three(values) for kind in ("positions", "random", "noisy") for values in row[kind]),
+                three(row["clean"]),
+            ]
+            for name, row in found.items()
+        ],
+    )
     counts = "{} positions, {} random and {} noisy cases".format(*cases["count"])
-    return (f"{text}\n\n{counts}. The noise itself moves the half-space's answer by "
-            f"{three(cases['moved'])} % in the mean.")
+    return (
+        f"{text}\n\n{counts}. The noise itself moves the half-space's answer by "
+        f"{three(cases['moved'])} % in the mean."
+    )
 
 
 def noise_table(parts):
     found = parts["profile_noise"]["rows"]
     read = [name for name in found if "not smoothed" not in name]
-    text = grid(["noise [µm]", "in", "spacing [mm]", "position [mm]: median", "90 %", "area [%]: median",
-                 "90 %", "pressure [%]: median", "90 %", "not valid"],
-                [[*noise_cells(name), *(f"{value:.2f}" for value in found[name]["position"]),
-                  *(figure(value) for column in ("area", "pressure") for value in found[name][column]),
-                  found[name]["not valid"]] for name in read])
-    raw = "; ".join(f"{name.split(',')[0]} µm: {found[name]['pressure']:.0f} %" for name in found
-                    if name not in read)
-    return (f"{text}\n\nNot smoothed (`smoothing=0`), noise in z every 0.2 mm, median error of the pressure: "
-            f"{raw}.")
+    text = grid(
+        [
+            "noise [µm]",
+            "in",
+            "spacing [mm]",
+            "position [mm]: median",
+            "90 %",
+            "area [%]: median",
+            "90 %",
+            "pressure [%]: median",
+            "90 %",
+            "not valid",
+        ],
+        [
+            [
+                *noise_cells(name),
+                *(f"{value:.2f}" for value in found[name]["position"]),
+                *(figure(value) for column in ("area", "pressure") for value in found[name][column]),
+                found[name]["not valid"],
+            ]
+            for name in read
+        ],
+    )
+    raw = "; ".join(
+        f"{name.split(',')[0]} µm: {found[name]['pressure']:.0f} %" for name in found if name not in read
+    )
+    return (
+        f"{text}\n\nNot smoothed (`smoothing=0`), noise in z every 0.2 mm, median error of the pressure: "
+        f"{raw}."
+    )
 
 
 def noise_cells(name):
@@ -272,8 +400,10 @@ def noise_cells(name):
 
 def source_tables(parts):
     """Four tables of the searches, one after the other."""
-    return "\n\n".join(grid(table["header"], table["rows"], len(table["header"]))
-                       for table in parts["source_searches"]["rows"].values())
+    return "\n\n".join(
+        grid(table["header"], table["rows"], len(table["header"]))
+        for table in parts["source_searches"]["rows"].values()
+    )
 
 
 # ------------------------------------------------------------------------------------------ patches that turn
@@ -281,30 +411,53 @@ def source_tables(parts):
 
 def turning_table(parts):
     rows = parts["conformal"]["rows"]
-    return grid(["right wheel at", "theory", "penetration, µm", "area, mm²", "peak pressure, MPa"],
-                [[name, theory, *(figure(value) for value in values)]
-                 for name, theories in rows.items() if name not in TURNING_MODELS
-                 for theory, values in theories.items()])
+    return grid(
+        ["right wheel at", "theory", "penetration, µm", "area, mm²", "peak pressure, MPa"],
+        [
+            [name, theory, *(figure(value) for value in values)]
+            for name, theories in rows.items()
+            if name not in TURNING_MODELS
+            for theory, values in theories.items()
+        ],
+    )
 
 
 def conformal_table(parts):
     rows = parts["conformal"]["rows"]
     names = rows[next(iter(TURNING_MODELS))]
-    return grid(["force / area / peak pressure, %", *TURNING_MODELS.values()],
-                [[name, *(" / ".join(f"{value:.2f}" if name in ("mean", "worst") else f"{value:+.2f}"
-                                     for value in rows[model][name]) for model in TURNING_MODELS)]
-                 for name in names])
+    return grid(
+        ["force / area / peak pressure, %", *TURNING_MODELS.values()],
+        [
+            [
+                name,
+                *(
+                    " / ".join(
+                        f"{value:.2f}" if name in ("mean", "worst") else f"{value:+.2f}"
+                        for value in rows[model][name]
+                    )
+                    for model in TURNING_MODELS
+                ),
+            ]
+            for name in names
+        ],
+    )
 
 
 # ----------------------------------------------------------------------------------------------- creep forces
 
 
-CREEP_NOTE = ("Errors: mean / 95 of 100 / worst of |ΔF|/(μN) or |ΔM|/(μN √(ab)) [%] on patches and ellipses "
-              "on which no constant of a model was chosen. Units: of one patch.")
+CREEP_NOTE = (
+    "Errors: mean / 95 of 100 / worst of |ΔF|/(μN) or |ΔM|/(μN √(ab)) [%] on patches and ellipses "
+    "on which no constant of a model was chosen. Units: of one patch."
+)
 CREEP_PARTS = ("tangential_errors", "tangential_times")
 #: What to use a model for, where not to compare with other programs.
-USES = {"none": "normal contact alone", "strips": "simulations", "polach": "rough studies with little spin",
-        "halfspace": "reference; Python only, 0.1 s a patch"}
+USES = {
+    "none": "normal contact alone",
+    "strips": "simulations",
+    "polach": "rough studies with little spin",
+    "halfspace": "reference; Python only, 0.1 s a patch",
+}
 
 
 def creep_force_table(parts):
@@ -314,17 +467,23 @@ def creep_force_table(parts):
 
 def creep_moment_table(parts):
     """Errors of the moment of the models that have one."""
-    return error_table(parts, "moment", [*(name for name in CREEP_MODELS if name not in WITHOUT_MOMENT),
-                                         EQUIVALENT])
+    return error_table(
+        parts, "moment", [*(name for name in CREEP_MODELS if name not in WITHOUT_MOMENT), EQUIVALENT]
+    )
 
 
 def error_table(parts, kind, names):
     found = parts["tangential_errors"]["rows"]
-    return grid([f"{kind}: mean / 95 of 100 / worst [%]",
-                 *(f"{label} ({found['cases'][label]})" for label in SETS)],
-                [[f"{name} ({SOURCE.split(', other')[0]})" if name in QUOTED else name,
-                  *(precise(found[name][label][kind]) if label in found[name] else "" for label in SETS)]
-                 for name in names])
+    return grid(
+        [f"{kind}: mean / 95 of 100 / worst [%]", *(f"{label} ({found['cases'][label]})" for label in SETS)],
+        [
+            [
+                f"{name} ({SOURCE.split(', other')[0]})" if name in QUOTED else name,
+                *(precise(found[name][label][kind]) if label in found[name] else "" for label in SETS),
+            ]
+            for name in names
+        ],
+    )
 
 
 def precise(values):
@@ -337,14 +496,20 @@ def creep_time_table(parts):
     found = parts["tangential_times"]["rows"]
     whole = found["whole"]
     models = (WITHOUT, *TIMED)
-    rows = [["one patch", "", *(figure(found[model]["units"]) for model in TIMED)],
-            ["one patch [µs]", "", *(figure(found[model]["µs"]) for model in TIMED)],
-            ["one patch, by itself", "", *(figure(found["by itself"][model]) for model in TIMED)],
-            *([f"wheelset, {element}", *(figure(found[element][model]) for model in models)]
-              for element in (*ELEMENTS, FMU))]
-    return (f"{grid(['units', *models], rows)}\n\nA step has {whole['patches']:.2f} patches in the mean. A "
-            f"row of all outputs has {whole['row']:,.0f} bytes, the memory of a wheelset "
-            f"{whole['wheelset'] / 1e3:,.0f} kB, whatever the model.")
+    rows = [
+        ["one patch", "", *(figure(found[model]["units"]) for model in TIMED)],
+        ["one patch [µs]", "", *(figure(found[model]["µs"]) for model in TIMED)],
+        ["one patch, by itself", "", *(figure(found["by itself"][model]) for model in TIMED)],
+        *(
+            [f"wheelset, {element}", *(figure(found[element][model]) for model in models)]
+            for element in (*ELEMENTS, FMU)
+        ),
+    ]
+    return (
+        f"{grid(['units', *models], rows)}\n\nA step has {whole['patches']:.2f} patches in the mean. A "
+        f"row of all outputs has {whole['row']:,.0f} bytes, the memory of a wheelset "
+        f"{whole['wheelset'] / 1e3:,.0f} kB, whatever the model."
+    )
 
 
 def creep_short_table(parts):
@@ -353,12 +518,30 @@ def creep_short_table(parts):
     rows = []
     for name, (model, _) in CREEP_MODELS.items():
         kinds = ("force",) if name in WITHOUT_MOMENT else ("force", "moment")
-        cells = [precise(errors[name][label][kind]) for kind in kinds
-                 for label in (NEW_PATCHES, NEW_ELLIPSES)]
-        rows.append([name, *cells, *[""] * (4 - len(cells)), figure(times["by itself"][model]),
-                     figure(times[model]["units"])])
-    return grid(["model", "force: patches", "ellipses", "moment: patches", "ellipses", "units by itself",
-                 "in a step"], rows)
+        cells = [
+            precise(errors[name][label][kind]) for kind in kinds for label in (NEW_PATCHES, NEW_ELLIPSES)
+        ]
+        rows.append(
+            [
+                name,
+                *cells,
+                *[""] * (4 - len(cells)),
+                figure(times["by itself"][model]),
+                figure(times[model]["units"]),
+            ]
+        )
+    return grid(
+        [
+            "model",
+            "force: patches",
+            "ellipses",
+            "moment: patches",
+            "ellipses",
+            "units by itself",
+            "in a step",
+        ],
+        rows,
+    )
 
 
 def creep_model_table(parts):
@@ -368,15 +551,20 @@ def creep_model_table(parts):
     for model in TangentialModel.family.methods:
         name, cells = model.name, ["", "", ""]
         if name in errors:
-            cells = [*(precise(errors[name][label]["force"]) for label in (NEW_PATCHES, NEW_ELLIPSES)),
-                     figure(times[name]["units"])]
+            cells = [
+                *(precise(errors[name][label]["force"]) for label in (NEW_PATCHES, NEW_ELLIPSES)),
+                figure(times[name]["units"]),
+            ]
         elif name == "halfspace":
             cells = ["0 by definition", "0 by definition", ""]
         default = " (default)" if name == WITHOUT else ""
         use = USES.get(name, "comparison with other programs")
         rows.append([f'`"{name}"`{default}', model.words, use, *cells])
-    return grid(["`tangential_model`", "description", "use it for", "error on patches", "on ellipses",
-                 "units"], rows, words=3)
+    return grid(
+        ["`tangential_model`", "description", "use it for", "error on patches", "on ellipses", "units"],
+        rows,
+        words=3,
+    )
 
 
 def readme_row(parts):
@@ -386,5 +574,10 @@ def readme_row(parts):
     mean, _, worst = zip(*(errors["strips"][NEW_PATCHES][kind] for kind in ("force", "moment")))
     units = times[ALONE]["strips"]
     one = times["strips"]["µs"] / times["strips"]["units"]
-    return [f"ANALYN and creep forces by strips, at {SPEED:g} m/s", figure(units * one), figure(units),
-            f"force, moment: {precise(mean)}", precise(worst)]
+    return [
+        f"ANALYN and creep forces by strips, at {SPEED:g} m/s",
+        figure(units * one),
+        figure(units),
+        f"force, moment: {precise(mean)}",
+        precise(worst),
+    ]

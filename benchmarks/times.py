@@ -24,12 +24,17 @@ from .record import Cost, cost, costs, unit
 from .rows import batch
 
 NO_YAW, COARSE = "no yaw", "tolerance 0.02 instead of 0.0015"
-GROWTH = (1, 10, 100, 1000, 10_000)     # numbers of wheelsets
+GROWTH = (1, 10, 100, 1000, 10_000)  # numbers of wheelsets
 THREADS = (1, 2)
 SINE_STEPS, CONTACT_MODES = 1000, ("rigid", "compliant", "elastic")
-DERIVATIVES = {"Hertz": {"normal_model": "hertz"}, "ANALYN": {}, "strips": {"normal_model": "analyn_strip"},
-         "ANALYN, compliant": {"contact_mode": "compliant"}, "ANALYN, elastic": {"contact_mode": "elastic"},
-         "strips, elastic": {"contact_mode": "elastic", "normal_model": "analyn_strip"}}
+DERIVATIVES = {
+    "Hertz": {"normal_model": "hertz"},
+    "ANALYN": {},
+    "strips": {"normal_model": "analyn_strip"},
+    "ANALYN, compliant": {"contact_mode": "compliant"},
+    "ANALYN, elastic": {"contact_mode": "elastic"},
+    "strips, elastic": {"contact_mode": "elastic", "normal_model": "analyn_strip"},
+}
 DERIVATIVE_POSES = 100  # of the trajectory with yaw
 
 
@@ -60,33 +65,69 @@ def all_skips(effort):
     straight, yawed = trajectory(effort.count, yaw=0.0), trajectory(effort.count)
     count, full = effort.count, batch(system(), trajectory(effort.count, yaw=0.0))
     coarse, fine = system(tolerance=0.02), system(tolerance=0.0015)
-    yield Skip(NO_YAW, full, batch(system(), yawed), count,
-               "hunting run with its yaw left out: {mean} mean, {worst} worst")
+    yield Skip(
+        NO_YAW,
+        full,
+        batch(system(), yawed),
+        count,
+        "hunting run with its yaw left out: {mean} mean, {worst} worst",
+    )
     yield Skip("inputs unchanged, stepper", *resting(count), count, "the same bits")
     yield Skip("inputs unchanged, `evaluate()`", *resting_evaluate(count), count, "the same bits")
-    yield Skip('geometry alone, `outputs="geometry"`', batch(system(), straight, outputs="geometry"), full,
-               count, "the same bits")
-    yield Skip('no outline, `outputs="patches"`', batch(system(), straight, outputs="patches"), full, count,
-               "the same bits")
-    yield Skip('one side, `side="right"`', batch(system(), straight, side="right"), full, count,
-               "the same bits")
-    yield Skip("a wheel without load, `load_transfer=1`", loaded(straight, 1.0), full, count,
-               "its patch is empty")
-    yield Skip("known basin: the search starts at the last contact (geometry alone)",
-               batch(system(), straight, outputs="geometry"), wrong_start(straight), count,
-               "the same minimum, bounded")
-    yield Skip("force solve: penetration prescribed, the most that its history could save", sunk(straight),
-               full, count, "another question")
-    yield Skip(COARSE, batch(coarse, straight), batch(fine, straight), count,
-               "hunting run: {mean} mean instead of {fine}")
+    yield Skip(
+        'geometry alone, `outputs="geometry"`',
+        batch(system(), straight, outputs="geometry"),
+        full,
+        count,
+        "the same bits",
+    )
+    yield Skip(
+        'no outline, `outputs="patches"`',
+        batch(system(), straight, outputs="patches"),
+        full,
+        count,
+        "the same bits",
+    )
+    yield Skip(
+        'one side, `side="right"`', batch(system(), straight, side="right"), full, count, "the same bits"
+    )
+    yield Skip(
+        "a wheel without load, `load_transfer=1`", loaded(straight, 1.0), full, count, "its patch is empty"
+    )
+    yield Skip(
+        "known basin: the search starts at the last contact (geometry alone)",
+        batch(system(), straight, outputs="geometry"),
+        wrong_start(straight),
+        count,
+        "the same minimum, bounded",
+    )
+    yield Skip(
+        "force solve: penetration prescribed, the most that its history could save",
+        sunk(straight),
+        full,
+        count,
+        "another question",
+    )
+    yield Skip(
+        COARSE,
+        batch(coarse, straight),
+        batch(fine, straight),
+        count,
+        "hunting run: {mean} mean instead of {fine}",
+    )
 
 
 def skip_answers():
     """Errors on the hunting run of the skips that change the result [%], by their names."""
-    ignored, coarse, fine = (hunting(system(), yawed=False), hunting(system(tolerance=0.02)),
-                             hunting(system(tolerance=0.0015)))
-    return {NO_YAW: {"mean": 100 * ignored.mean, "worst": 100 * ignored.worst},
-            COARSE: {"mean": 100 * coarse.mean, "fine": 100 * fine.mean}}
+    ignored, coarse, fine = (
+        hunting(system(), yawed=False),
+        hunting(system(tolerance=0.02)),
+        hunting(system(tolerance=0.0015)),
+    )
+    return {
+        NO_YAW: {"mean": 100 * ignored.mean, "worst": 100 * ignored.worst},
+        COARSE: {"mean": 100 * coarse.mean, "fine": 100 * fine.mean},
+    }
 
 
 def resting(count):
@@ -109,8 +150,9 @@ def resting(count):
 
 def resting_evaluate(count):
     evaluate = system().evaluate
-    return (lambda: [evaluate(1e-3) for _ in range(count)]), (lambda: [evaluate(1e-3 + 1e-9 * k)
-                                                                       for k in range(count)])
+    return (lambda: [evaluate(1e-3) for _ in range(count)]), (
+        lambda: [evaluate(1e-3 + 1e-9 * k) for k in range(count)]
+    )
 
 
 def loaded(poses, transfer):
@@ -168,8 +210,10 @@ def threads(number, rounds, counts=THREADS):
 def station_times(effort):
     """By number: :class:`~benchmarks.record.Cost` of a step of the trajectory without yaw."""
     poses = trajectory(effort.count, yaw=0.0)
-    return costs({str(number): (batch(system(stations=number), poses), effort.count)
-                  for number in STATION_NUMBERS}, effort)
+    return costs(
+        {str(number): (batch(system(stations=number), poses), effort.count) for number in STATION_NUMBERS},
+        effort,
+    )
 
 
 def sine():
@@ -184,15 +228,25 @@ def elastic_times(effort):
     shift, yaw = sine()
     stand = system(contact_mode="elastic").evaluate_many(shift, yaw, FORCE)
     given = dict(vertical_shift_input=stand.vertical_shift, roll_input=stand.roll)
-    best = costs({(model, mode): (batch(system(normal_model=model, contact_mode=mode), (shift, yaw), **given),
-                                  SINE_STEPS) for model in MODELS for mode in CONTACT_MODES}, effort)
+    best = costs(
+        {
+            (model, mode): (
+                batch(system(normal_model=model, contact_mode=mode), (shift, yaw), **given),
+                SINE_STEPS,
+            )
+            for model in MODELS
+            for mode in CONTACT_MODES
+        },
+        effort,
+    )
     return {model: {mode: best[model, mode] for mode in CONTACT_MODES} for model in MODELS}
 
 
 def derivative_times(effort):
     """By case: :class:`~benchmarks.record.Cost` of a step and a derivative along the lateral shift."""
-    return costs({name: (derivatives(options), DERIVATIVE_POSES) for name, options in DERIVATIVES.items()},
-                 effort)
+    return costs(
+        {name: (derivatives(options), DERIVATIVE_POSES) for name, options in DERIVATIVES.items()}, effort
+    )
 
 
 def derivatives(options):
@@ -248,9 +302,16 @@ def counted(stepper):
     """What a stepper's kernel has done so far (6,): :data:`COUNTS`."""
     work = layout.Work.at(stepper._workspace)
     places = [side.place for side in work.sides]
-    return np.array([sum(place.gap_count for place in places), sum(side.scan_count for side in work.sides),
-                     work.sides[1].roll_count, sum(place.node_count for place in places),
-                     work.contact.regions[0].solve_count, work.contact.strip_problem.strip_count])
+    return np.array(
+        [
+            sum(place.gap_count for place in places),
+            sum(side.scan_count for side in work.sides),
+            work.sides[1].roll_count,
+            sum(place.node_count for place in places),
+            work.contact.regions[0].solve_count,
+            work.contact.strip_problem.strip_count,
+        ]
+    )
 
 
 def raster():
@@ -268,9 +329,9 @@ def count_table(count):
     return rows
 
 
-STEP = 1e-3                 # [s]
-STEPS, ROUNDS = 5_000, 3    # which are timed
-WHOLE = 20_000              # from these, work is counted
+STEP = 1e-3  # [s]
+STEPS, ROUNDS = 5_000, 3  # which are timed
+WHOLE = 20_000  # from these, work is counted
 #: Name of the row, parameters, and the units of ``np.sqrt`` of 2000 doubles that a step is to cost at most;
 #: None where none is asked for.
 ROWS = {
@@ -287,8 +348,11 @@ ROWS = {
 def motion(count, every=1):
     """Lateral shift [m], yaw [rad] and force [N] (count,) of each ``every``-th step."""
     turn = 2 * np.pi * STEP * every * np.arange(count)
-    return (6e-3 * np.sin(1.1 * turn) + 0.4e-3 * np.sin(7 * turn), 4e-3 * np.cos(1.1 * turn),
-            78.5e3 * (1 + 0.2 * np.sin(3 * turn)))
+    return (
+        6e-3 * np.sin(1.1 * turn) + 0.4e-3 * np.sin(7 * turn),
+        4e-3 * np.cos(1.1 * turn),
+        78.5e3 * (1 + 0.2 * np.sin(3 * turn)),
+    )
 
 
 def inputs(count, every=1):
@@ -337,5 +401,4 @@ def row_of(parameters, asked, count, rounds):
     """One row of :func:`trajectory_times`."""
     took = cost(trajectory_steps(parameters, count)[0], count, rounds)
     found = work(parameters, min(count, 2000), max(1, WHOLE // 2000))
-    return {"units": took.units, "asked": asked, "µs": took.microseconds,
-            **dict(zip(COUNTS, found.tolist()))}
+    return {"units": took.units, "asked": asked, "µs": took.microseconds, **dict(zip(COUNTS, found.tolist()))}

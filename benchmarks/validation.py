@@ -15,20 +15,40 @@ PROGRAM = "half-space program that shares no code"
 def validation_table(parts):
     """What is compared with what, and how far apart they are."""
     rows = {name: parts[name]["rows"] for name in PARTS}
-    return grid(["compared", "reference", "cases", "wrcontact's", "mean", "largest"],
-                [*positions(rows["model_errors"]), *random(rows["random_poses"]),
-                 *conformal(rows["conformal"]), *creep(rows["tangential_errors"]),
-                 *rolls(rows["manchester"]), *conicities(rows["en15302"])], words=4)
+    return grid(
+        ["compared", "reference", "cases", "wrcontact's", "mean", "largest"],
+        [
+            *positions(rows["model_errors"]),
+            *random(rows["random_poses"]),
+            *conformal(rows["conformal"]),
+            *creep(rows["tangential_errors"]),
+            *rolls(rows["manchester"]),
+            *conicities(rows["en15302"]),
+        ],
+        words=4,
+    )
 
 
 def positions(found):
     """Places by an independent search, patches by a half-space program of its own."""
     place = found["geometry and roll alone"]
-    yield ["roll and contact positions", "brute-force search over dense points", "a hunting run",
-           "search", "", f"{place['roll']:.0e} rad, {place['position']:.0e} mm"]
+    yield [
+        "roll and contact positions",
+        "brute-force search over dense points",
+        "a hunting run",
+        "search",
+        "",
+        f"{place['roll']:.0e} rad, {place['position']:.0e} mm",
+    ]
     for name, row in ((HERTZ, HERTZ), (ANALYN, DEFAULT_ROW), (STRIPS, STRIP_ROW)):
-        yield ["penetration / area / peak pressure [%]", PROGRAM, "20 positions, tread to flange", name,
-               three(found[row]["positions mean"]), three(found[row]["positions worst"])]
+        yield [
+            "penetration / area / peak pressure [%]",
+            PROGRAM,
+            "20 positions, tread to flange",
+            name,
+            three(found[row]["positions mean"]),
+            three(found[row]["positions worst"]),
+        ]
 
 
 def random(found):
@@ -36,8 +56,14 @@ def random(found):
     wheels = 2 * found["poses"]["count"]
     for name, model in ((ANALYN, "analyn"), (STRIPS, "analyn_strip")):
         row = found[model]
-        yield ["penetration / area / peak pressure [%]", "wrcontact's half-space", f"{wheels} random wheels",
-               name, three(row["mean"]), f"{three(row['worst'])}; 99 of 100: {three(row['99 of 100'])}"]
+        yield [
+            "penetration / area / peak pressure [%]",
+            "wrcontact's half-space",
+            f"{wheels} random wheels",
+            name,
+            three(row["mean"]),
+            f"{three(row['worst'])}; 99 of 100: {three(row['99 of 100'])}",
+        ]
 
 
 def conformal(found):
@@ -45,30 +71,56 @@ def conformal(found):
     for name, model in ((ANALYN, "analyn"), (STRIPS, "analyn_strip"), ("half-space", "halfspace")):
         row = found[model]
         cases = len(row) - 2
-        yield ["force / area / peak pressure [%]", f"{CONTACT}, conformal",
-               f"{cases} poses in the flange root", name, precise(row["mean"]), precise(row["worst"])]
+        yield [
+            "force / area / peak pressure [%]",
+            f"{CONTACT}, conformal",
+            f"{cases} poses in the flange root",
+            name,
+            precise(row["mean"]),
+            precise(row["worst"]),
+        ]
 
 
 def creep(found):
     """Creep forces: share of friction times load."""
     cases = found["cases"]
-    for label, reference in (("CONTACT's ellipses", CONTACT), ("CONTACT's patches", CONTACT),
-                             (NEW_PATCHES, "complete theory of steady rolling")):
+    for label, reference in (
+        ("CONTACT's ellipses", CONTACT),
+        ("CONTACT's patches", CONTACT),
+        (NEW_PATCHES, "complete theory of steady rolling"),
+    ):
         for model in ("strips", "fastsim"):
             mean, _, worst = found[model][label]["force"]
-            yield ["creep force, share of μN [%]", reference, f"{cases[label]} {label.split()[-1]}",
-                   model, precise([mean]), precise([worst])]
+            yield [
+                "creep force, share of μN [%]",
+                reference,
+                f"{cases[label]} {label.split()[-1]}",
+                model,
+                precise([mean]),
+                precise([worst]),
+            ]
 
 
 def rolls(found):
     for mode in ("rigid", "elastic"):
         row = found[mode]
-        yield ["roll [µrad]", "Manchester contact benchmark, case A-2.2",
-               f"shifts up to {NEAR} mm; beyond", mode, "", f"{figure(row['near'])}; {figure(row['beyond'])}"]
+        yield [
+            "roll [µrad]",
+            "Manchester contact benchmark, case A-2.2",
+            f"shifts up to {NEAR} mm; beyond",
+            mode,
+            "",
+            f"{figure(row['near'])}; {figure(row['beyond'])}",
+        ]
 
 
 def conicities(found):
     amplitudes, inside = (sum(row[name] for row in found.values()) for name in ("amplitudes", "either"))
-    yield ["equivalent conicity", "EN 15302, reference profiles",
-           f"{amplitudes} amplitudes in {len(found)} cases", "`check`", "",
-           f"{inside} of {amplitudes} inside its limits"]
+    yield [
+        "equivalent conicity",
+        "EN 15302, reference profiles",
+        f"{amplitudes} amplitudes in {len(found)} cases",
+        "`check`",
+        "",
+        f"{inside} of {amplitudes} inside its limits",
+    ]

@@ -70,8 +70,9 @@ class BuildWithKernel(build_py):
         package = PACKAGE if self.editable_mode else Path(self.build_lib, "wrcontact")
         self.distribution.has_kernel_library = compiler.wanted() and compiled_into(package / "kernel")
         if not self.editable_mode:
-            shutil.copytree(PACKAGE.parent / "fmu_src", package / "fmu_src",
-                            ignore=shutil.ignore_patterns("__pycache__"))
+            shutil.copytree(
+                PACKAGE.parent / "fmu_src", package / "fmu_src", ignore=shutil.ignore_patterns("__pycache__")
+            )
 
 
 class PlatformWheel(bdist_wheel):
@@ -101,10 +102,13 @@ def compiled_into(folder):
     try:
         library = compiler.compile_library(folder)
     except (compiler.CompilerProblem, OSError) as problem:
-        print(f"WARNING: {compiler.LIBRARY_NAME} was not built, wrcontact will run uncompiled (about 100 "
-              f"times slower): {problem}", file=sys.stderr)
+        print(
+            f"WARNING: {compiler.LIBRARY_NAME} was not built, wrcontact will run uncompiled (about 100 "
+            f"times slower): {problem}",
+            file=sys.stderr,
+        )
         return False
     if folder != KERNEL:
-        with contextlib.suppress(OSError):          # a read-only checkout
+        with contextlib.suppress(OSError):  # a read-only checkout
             compiler.write_atomically(KERNEL / library.name, library.read_bytes())
     return True

@@ -80,11 +80,35 @@ def s1002():
         (-49.662510381, -39.764473993, arc(-58.558326413, 8.834924130, 20, +1)),
         (-39.764473993, -38.426669071, polynomial(-93.576667419, -2.747477419)),
         (-38.426669071, -35, arc(-26.210665, 16.446, 13, -1)),
-        (-35, -26, polynomial(-4.320221063e3, -1.038384026e3, -1.065501873e2, -6.051367875, -2.054332446e-1,
-                              -4.169739389e-3, -4.687195829e-5, -2.252755540e-7)),
-        (-26, 32.15796,
-         polynomial(0, -3.358537058e-2, 1.565681624e-3, -2.810427944e-5, 5.844240864e-8, -1.562379023e-8,
-                    5.309217349e-15, -5.957839843e-12, 2.646656573e-13)),
+        (
+            -35,
+            -26,
+            polynomial(
+                -4.320221063e3,
+                -1.038384026e3,
+                -1.065501873e2,
+                -6.051367875,
+                -2.054332446e-1,
+                -4.169739389e-3,
+                -4.687195829e-5,
+                -2.252755540e-7,
+            ),
+        ),
+        (
+            -26,
+            32.15796,
+            polynomial(
+                0,
+                -3.358537058e-2,
+                1.565681624e-3,
+                -2.810427944e-5,
+                5.844240864e-8,
+                -1.562379023e-8,
+                5.309217349e-15,
+                -5.957839843e-12,
+                2.646656573e-13,
+            ),
+        ),
         (32.15796, 60, polynomial(1.364323640, -0.066666667)),
     ]
     return Zones(ends=tuple((a, b) for a, b, _ in table), formulas=tuple(f for *_, f in table))
@@ -175,8 +199,11 @@ def single_valued(pieces):
             slope = (end[1] - start[1]) / (end[0] - start[0])
             zones.append((start[0], end[0], polynomial(start[1] - slope * start[0], slope)))
     first, last = zones[0], zones[-1]
-    zones = [(first[0] - FAR, first[0], tangent(first[2], first[0])), *zones,
-             (last[1], last[1] + FAR, tangent(last[2], last[1]))]
+    zones = [
+        (first[0] - FAR, first[0], tangent(first[2], first[0])),
+        *zones,
+        (last[1], last[1] + FAR, tangent(last[2], last[1])),
+    ]
     return Zones(ends=tuple((a, b) for a, b, _ in zones), formulas=tuple(f for *_, f in zones))
 
 
@@ -248,8 +275,12 @@ def wheel_surface(system, pose, phi, y, zone=None):
         return np.tensordot(pose.rotation(), np.array([v + nil for v in vector]), axes=1)
 
     centre = pose.centre(system).reshape(3, *(1,) * nil.ndim)
-    return (turn(r * s, system.half_distance + y, r * c) + centre, turn(r * c, 0, -r * s),
-            turn(dz * s, 1, dz * c), turn(-r * s, 0, -r * c))
+    return (
+        turn(r * s, system.half_distance + y, r * c) + centre,
+        turn(r * c, 0, -r * s),
+        turn(dz * s, 1, dz * c),
+        turn(-r * s, 0, -r * c),
+    )
 
 
 def vertical_gap(system, pose, phi, y, zone=None):
@@ -257,8 +288,12 @@ def vertical_gap(system, pose, phi, y, zone=None):
     phi, by y and twice by phi."""
     p, p_phi, p_y, p_phiphi = wheel_surface(system, pose, phi, y, zone)
     z, dz, ddz = system.rail(p[1] - system.rail_origin)
-    return (z + system.rail_depth - p[2], dz * p_phi[1] - p_phi[2], dz * p_y[1] - p_y[2],
-            ddz * p_phi[1] ** 2 + dz * p_phiphi[1] - p_phiphi[2])
+    return (
+        z + system.rail_depth - p[2],
+        dz * p_phi[1] - p_phi[2],
+        dz * p_y[1] - p_y[2],
+        ddz * p_phi[1] ** 2 + dz * p_phiphi[1] - p_phiphi[2],
+    )
 
 
 # ----------------------------------------------------------------------------------------------------- search
@@ -286,8 +321,12 @@ def lowest_around(system, pose, y, zone, precision=1e-17):
     def slope(phi, y, zone):
         return vertical_gap(system, pose, phi, y, zone.astype(int))[1]
 
-    found = find_root(slope, (PHI_GRID[k - 1], PHI_GRID[k + 1]), args=(y, zone),
-                      tolerances=dict(xatol=precision, xrtol=ROUNDING))
+    found = find_root(
+        slope,
+        (PHI_GRID[k - 1], PHI_GRID[k + 1]),
+        args=(y, zone),
+        tolerances=dict(xatol=precision, xrtol=ROUNDING),
+    )
     return np.where(found.success, found.x, PHI_GRID[k])
 
 
@@ -306,8 +345,10 @@ def local_minima(system, pose):
     end = np.r_[start[1:], True]
     turn = np.flatnonzero(near[:-1] & (slope[:-1] < 0) & (slope[1:] >= 0) & ~end[:-1])
     edge = np.flatnonzero(near & ((start & (slope >= 0)) | (end & (slope <= 0))))
-    y, zone = np.r_[refine(system, pose, y[turn], y[turn + 1], zone[turn]),
-                    y[edge]], np.r_[zone[turn], zone[edge]]
+    y, zone = (
+        np.r_[refine(system, pose, y[turn], y[turn + 1], zone[turn]), y[edge]],
+        np.r_[zone[turn], zone[edge]],
+    )
     phi = lowest_around(system, pose, y, zone)
     return vertical_gap(system, pose, phi, y, zone)[0], phi, y, zone
 
@@ -386,10 +427,14 @@ def rigid_contact(system, lateral_shift, yaw=0.0, left=None):
     pose = Pose(lateral_shift, yaw, roll)
     on_right, on_left = smallest_gap(system, pose), smallest_gap(left, pose.mirrored())
     shift = float(min(on_right[0], on_left[0]))
-    return Wheelset(lateral_shift, yaw, roll, shift,
-                    left=contact(left, Pose(lateral_shift, yaw, roll, shift).mirrored(), *on_left[1:],
-                                 side=-1),
-                    right=contact(system, Pose(lateral_shift, yaw, roll, shift), *on_right[1:], side=+1))
+    return Wheelset(
+        lateral_shift,
+        yaw,
+        roll,
+        shift,
+        left=contact(left, Pose(lateral_shift, yaw, roll, shift).mirrored(), *on_left[1:], side=-1),
+        right=contact(system, Pose(lateral_shift, yaw, roll, shift), *on_right[1:], side=+1),
+    )
 
 
 def contact(system, pose, phi, y, zone, side):
@@ -400,6 +445,16 @@ def contact(system, pose, phi, y, zone, side):
     y_rail = y_track - system.rail_origin
     z_rail, slope, _ = system.rail(y_rail)
     # z_track is the wheel's point: on the rail, rail_depth below z_rail
-    values = (radius * sin(phi), y, radius * cos(phi) - system.nominal_radius, y_rail, z_rail,
-              x_track, side * y_track, z_track, -atan(slope), radius)
+    values = (
+        radius * sin(phi),
+        y,
+        radius * cos(phi) - system.nominal_radius,
+        y_rail,
+        z_rail,
+        x_track,
+        side * y_track,
+        z_track,
+        -atan(slope),
+        radius,
+    )
     return Contact(*map(float, values))

@@ -23,20 +23,27 @@ class Case(NamedTuple):
     """One case; creepages and moment hold for station zero of the patches."""
 
     name: str
-    parts: tuple                    # patches (CreepPatch) that are in contact
-    creepages: tuple                # xi, eta [-], phi [1/m]
+    parts: tuple  # patches (CreepPatch) that are in contact
+    creepages: tuple  # xi, eta [-], phi [1/m]
     friction: float
-    force: tuple                    # of the complete theory [N]
-    moment: float                   # [N m]
-    bound: float                    # mu N [N]
-    size: float                     # sqrt(a b) of the equivalent ellipse [m]
+    force: tuple  # of the complete theory [N]
+    moment: float  # [N m]
+    bound: float  # mu N [N]
+    size: float  # sqrt(a b) of the equivalent ellipse [m]
 
 
 @cache
 def cases(name):
     """The cases of one of SETS, as a tuple."""
-    return tuple({"hertz": hertz, "ellipses": ellipses, "long_and_short": long_and_short,
-                  "patches": outlined, "contact_patches": gridded}[name]())
+    return tuple(
+        {
+            "hertz": hertz,
+            "ellipses": ellipses,
+            "long_and_short": long_and_short,
+            "patches": outlined,
+            "contact_patches": gridded,
+        }[name]()
+    )
 
 
 def read(name):
@@ -51,10 +58,16 @@ def hertz():
     for row in found["cases"]:
         a, b, creep, contact = row["a_mm"] * MM, row["b_mm"] * MM, row["creep"], row["contact"]
         patch = elliptic_patch(a, b, meta["FN"], modulus(meta["G_MPa"], meta["nu"]), meta["nu"])
-        yield Case(f"a/b {row['a_over_b']} {row['family']} {row['level']}", (patch,),
-                   (creep["xi"], creep["eta"], creep["phi_per_mm"] / MM), meta["mu"],
-                   (contact["Fx"], contact["Fy"]), contact.get("Mz", np.nan) * MM, meta["mu"] * meta["FN"],
-                   np.sqrt(a * b))
+        yield Case(
+            f"a/b {row['a_over_b']} {row['family']} {row['level']}",
+            (patch,),
+            (creep["xi"], creep["eta"], creep["phi_per_mm"] / MM),
+            meta["mu"],
+            (contact["Fx"], contact["Fy"]),
+            contact.get("Mz", np.nan) * MM,
+            meta["mu"] * meta["FN"],
+            np.sqrt(a * b),
+        )
 
 
 def modulus(shear_modulus, nu):
@@ -63,16 +76,27 @@ def modulus(shear_modulus, nu):
 
 
 def extrapolated(row, patch):
-    return Case(f"{row.get('case', 'ellipse')} a/b {row['aob']:.3g} {row['set']}", (patch,),
-                (row["xi"], row["eta"], row["phi"] / MM), row["mu"], (row["Fx"], row["Fy"]), row["Mz"] * MM,
-                row["mu"] * row["N"], np.sqrt(row["a"] * row["b"]) * MM)
+    return Case(
+        f"{row.get('case', 'ellipse')} a/b {row['aob']:.3g} {row['set']}",
+        (patch,),
+        (row["xi"], row["eta"], row["phi"] / MM),
+        row["mu"],
+        (row["Fx"], row["Fy"]),
+        row["Mz"] * MM,
+        row["mu"] * row["N"],
+        np.sqrt(row["a"] * row["b"]) * MM,
+    )
 
 
 def extrapolated_ellipses(wanted):
     for row in read("ellipses_extrapolated")["cases"]:
         if wanted(row["aob"]):
-            yield extrapolated(row, elliptic_patch(row["a"] * MM, row["b"] * MM, row["N"],
-                                                   modulus(row["G"], row["nu"]), row["nu"]))
+            yield extrapolated(
+                row,
+                elliptic_patch(
+                    row["a"] * MM, row["b"] * MM, row["N"], modulus(row["G"], row["nu"]), row["nu"]
+                ),
+            )
 
 
 def ellipses():
@@ -90,11 +114,17 @@ def outlined():
     for row in found["cases"]:
         if row["patch"] not in outlines:
             # the number of the patch is that of a longer list
-            one = min(found["patches"],
-                      key=lambda one: abs(one["N"] - row["N"]) + (one["case"] != row["case"]))
+            one = min(
+                found["patches"], key=lambda one: abs(one["N"] - row["N"]) + (one["case"] != row["case"])
+            )
             outlines[row["patch"]] = outlined_patch(
-                np.array(one["y"]) * MM, np.array(one["a"]) * MM, np.array(one["p0"]) * 1e6,
-                normal_force=row["N"], youngs_modulus=modulus(row["G"], row["nu"]), poisson_ratio=row["nu"])
+                np.array(one["y"]) * MM,
+                np.array(one["a"]) * MM,
+                np.array(one["p0"]) * 1e6,
+                normal_force=row["N"],
+                youngs_modulus=modulus(row["G"], row["nu"]),
+                poisson_ratio=row["nu"],
+            )
         yield extrapolated(row, outlines[row["patch"]])
 
 
@@ -108,8 +138,16 @@ def gridded():
         for row in one["cases"]:
             contact = row["contact"]
             creepages = row["xi"], row["eta"], row["phi_per_mm"] / MM
-            yield Case(f"CONTACT {one['y_shift_mm']} mm {creepages}", parts, creepages, meta["mu"],
-                       (contact["Fx"], contact["Fy"]), contact["Mz"] * MM, meta["mu"] * one["FN"], size)
+            yield Case(
+                f"CONTACT {one['y_shift_mm']} mm {creepages}",
+                parts,
+                creepages,
+                meta["mu"],
+                (contact["Fx"], contact["Fy"]),
+                contact["Mz"] * MM,
+                meta["mu"] * one["FN"],
+                size,
+            )
 
 
 def grid_parts(one, youngs_modulus, nu):
@@ -131,8 +169,16 @@ def grid_parts(one, youngs_modulus, nu):
             station = np.concatenate([[y[run[0]] - grid["dy"] / 2], y[run], [y[run[-1]] + grid["dy"] / 2]])
             a, q = (np.concatenate([[0.0], values[run], [0.0]]) for values in (half_length, load))
             top = np.divide(2.0 * q, np.pi * a, out=np.zeros_like(q), where=a > 0.0)
-            parts.append(outlined_patch(station * MM, a * MM, top * 1e6, youngs_modulus=youngs_modulus,
-                                        poisson_ratio=nu, normal_force=one["FN"] * load[run].sum() / total))
+            parts.append(
+                outlined_patch(
+                    station * MM,
+                    a * MM,
+                    top * 1e6,
+                    youngs_modulus=youngs_modulus,
+                    poisson_ratio=nu,
+                    normal_force=one["FN"] * load[run].sum() / total,
+                )
+            )
     return tuple(parts)
 
 
@@ -150,8 +196,9 @@ class Model:
         """The record Patch for creepages at the patch's centre of load."""
         rolling = self.rolling
         rolling.creepage_x, rolling.creepage_y, rolling.spin, rolling.friction = xi, eta, phi, friction
-        forces.roll(patch, forces.model_tables(self.number, patch.youngs_modulus, patch.poisson_ratio),
-                    self.workspace)
+        forces.roll(
+            patch, forces.model_tables(self.number, patch.youngs_modulus, patch.poisson_ratio), self.workspace
+        )
         return rolling
 
     def forces(self, case):
@@ -172,8 +219,12 @@ def errors(model, name):
     rows = []
     for case in cases(name):
         found = model.forces(case)
-        rows.append((np.hypot(found[0] - case.force[0], found[1] - case.force[1]) / case.bound,
-                     abs(found[2] - case.moment) / (case.bound * case.size)))
+        rows.append(
+            (
+                np.hypot(found[0] - case.force[0], found[1] - case.force[1]) / case.bound,
+                abs(found[2] - case.moment) / (case.bound * case.size),
+            )
+        )
     return 100.0 * np.array(rows)
 
 
@@ -199,8 +250,10 @@ def vector(rolling):
 
 def all_shapes():
     """Some patches of every kind: ellipses from short to long, patches of the strip model, CONTACT's."""
-    ellipses = [elliptic_patch(5e-3 * ratio**0.5, 5e-3 * ratio**-0.5, 8e4)
-                for ratio in (0.05, 0.25, 1.0, 3.5, 20.0, 40.0)]
+    ellipses = [
+        elliptic_patch(5e-3 * ratio**0.5, 5e-3 * ratio**-0.5, 8e4)
+        for ratio in (0.05, 0.25, 1.0, 3.5, 20.0, 40.0)
+    ]
     outlined = list({id(case.parts[0]): case.parts[0] for case in cases("patches")}.values())
     gridded = list({id(part): part for case in cases("contact_patches") for part in case.parts}.values())
     return ellipses + outlined[::2] + gridded[::2]
@@ -210,11 +263,16 @@ def random_patch(rng):
     """An ellipse or a jagged outline of any size."""
     if rng.random() < 0.5:
         ratio, size = np.exp(rng.uniform(np.log(0.02), np.log(80.0))), 10.0 ** rng.uniform(-4.0, -1.7)
-        return elliptic_patch(size * ratio**0.5, size * ratio**-0.5, 10.0 ** rng.uniform(0.0, 5.3),
-                              poisson_ratio=rng.choice([0.0, 0.1, 0.25, 0.28, 0.3, 0.5]))
+        return elliptic_patch(
+            size * ratio**0.5,
+            size * ratio**-0.5,
+            10.0 ** rng.uniform(0.0, 5.3),
+            poisson_ratio=rng.choice([0.0, 0.1, 0.25, 0.28, 0.3, 0.5]),
+        )
     count = rng.integers(4, 60)
     station = np.cumsum(rng.uniform(0.05, 1.0, count)) * 10.0 ** rng.uniform(-5.0, -3.0)
     shape = rng.uniform(0.01, 1.0, count) ** rng.choice([0.2, 1.0, 3.0])
     half_length = 10.0 ** rng.uniform(-4.0, -2.0) * shape
-    return outlined_patch(station, half_length, 1e9 * rng.uniform(0.01, 1.0, count),
-                          slant=rng.choice([0.0, 0.0, 0.3, -1.0]))
+    return outlined_patch(
+        station, half_length, 1e9 * rng.uniform(0.01, 1.0, count), slant=rng.choice([0.0, 0.0, 0.3, -1.0])
+    )

@@ -18,7 +18,7 @@ MM = 1e-3
 WHEELS = {"E1": "AA", "E2": "BB", "E3": "HH", "E4": "II", "E5": "AA", "E7": "HH", "E9": "BA"}
 #: Nominal radius of the left wheel [m], where it is not that of the right one.
 LEFT_RADIUS = {"E5": 0.459, "E7": 0.459}
-GAUGE = 1435.16 * MM     # [m] of the standard's rails
+GAUGE = 1435.16 * MM  # [m] of the standard's rails
 
 
 class Limits(NamedTuple):
@@ -72,7 +72,7 @@ def radius_difference(case):
 def profile(kind, letter):
     """The standard's wheel or rail with this letter."""
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ProfileWarning)     # z is upwards in the files, the rail is inclined
+        warnings.simplefilter("ignore", ProfileWarning)  # z is upwards in the files, the rail is inclined
         return Profile.from_file(FOLDER / f"{kind}_{letter}.csv", kind)
 
 
@@ -80,8 +80,13 @@ def profile(kind, letter):
 def found_curve(case):
     """Our lateral shift (n,) [m] and rolling radius difference (n,) [m], of a wheelset that does not roll."""
     wheels = tuple(profile("wheel", letter) for letter in WHEELS[case])
-    system = ContactSystem(wheel=wheels, rail=profile("rail", "A"), rail_inclination=0.0, gauge=GAUGE,
-                           nominal_radius=(LEFT_RADIUS.get(case, 0.46), 0.46))
+    system = ContactSystem(
+        wheel=wheels,
+        rail=profile("rail", "A"),
+        rail_inclination=0.0,
+        gauge=GAUGE,
+        nominal_radius=(LEFT_RADIUS.get(case, 0.46), 0.46),
+    )
     return wrcontact.check(system).conicity_curves["level"]
 
 

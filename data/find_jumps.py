@@ -38,8 +38,9 @@ def inside(system, yaw, left, right, before, after):
         return [Jump((left + right) / 2, before, after)]
     middle = (left + right) / 2
     between = place(system, middle, yaw)
-    return (inside(system, yaw, left, middle, before, between)
-            + inside(system, yaw, middle, right, between, after))
+    return inside(system, yaw, left, middle, before, between) + inside(
+        system, yaw, middle, right, between, after
+    )
 
 
 def place(system, lateral_shift, yaw):
@@ -52,6 +53,8 @@ if __name__ == "__main__":
     print("yaw [deg]  lateral shift [mm]  y_wheel before, after [mm]")
     for degrees in (0, 0.5, 1, 1.2, 1.5, 2):
         for jump in find_jumps(standard, np.radians(degrees), 3.5e-3, 6.6e-3):
-            print(f"{degrees:8.2f} {jump.lateral_shift * 1e3:16.6f} {jump.before * 1e3:18.4f} "
-                  f"{jump.after * 1e3:10.4f}",
-                  flush=True)
+            print(
+                f"{degrees:8.2f} {jump.lateral_shift * 1e3:16.6f} {jump.before * 1e3:18.4f} "
+                f"{jump.after * 1e3:10.4f}",
+                flush=True,
+            )

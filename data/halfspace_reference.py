@@ -105,8 +105,10 @@ def loaded_cells(row):
     """
     loaded = np.flatnonzero(row)
     runs = np.split(loaded, np.flatnonzero(np.diff(loaded) > 1) + 1)
-    return sum(len(run) if len(run) < SHORT else len(run) - 1 + overhang(row[run]) + overhang(row[run[::-1]])
-               for run in runs)
+    return sum(
+        len(run) if len(run) < SHORT else len(run) - 1 + overhang(row[run]) + overhang(row[run[::-1]])
+        for run in runs
+    )
 
 
 def overhang(run):
@@ -212,8 +214,12 @@ class ContactPlane:
     def point(self, x, s, t):
         """Track coordinates (3, ...) of the point at (x, s) in the plane and t above it."""
         x, s, t = np.broadcast_arrays(x, s, t)
-        return np.array([o + x * along + s * across + t * up for o, along, across, up in
-                         zip(self.origin, (1, 0, 0), self.lateral, self.normal)])
+        return np.array(
+            [
+                o + x * along + s * across + t * up
+                for o, along, across, up in zip(self.origin, (1, 0, 0), self.lateral, self.normal)
+            ]
+        )
 
     def rail(self, s):
         """Height of the rail surface above the plane [m]; nan where the normal misses it."""
@@ -323,7 +329,8 @@ def solve_within(plane, low, high, cells, force, guess=None):
     coarser one if there is any."""
     x, s = (a + (b - a) * (np.arange(n) + 0.5) / n for a, b, n in zip(low, high, cells))
     if guess is not None:
-        look_up = RegularGridInterpolator((guess.x, guess.s), guess.pressure, bounds_error=False,
-                                          fill_value=0.0)
+        look_up = RegularGridInterpolator(
+            (guess.x, guess.s), guess.pressure, bounds_error=False, fill_value=0.0
+        )
         guess = look_up(tuple(np.meshgrid(x, s, indexing="ij")))
     return solve(x, s, plane.gap(x, s), force, guess=guess)

@@ -32,7 +32,7 @@ class Wheelset:
     rail_y: float
     coefficients: tuple
     mass: float = 1500.0
-    inertia: tuple = (900.0, 900.0, 120.0)      # roll, yaw, pitch
+    inertia: tuple = (900.0, 900.0, 120.0)  # roll, yaw, pitch
     springs: tuple = (0.0, 0.0, 0.0, 0.0)
     dampers: tuple = (0.0, 0.0, 0.0, 0.0)
     load: float = 157e3
@@ -50,8 +50,12 @@ def cones(touched, suspension):
     """A wheelset with cones 1:20 on a suspension, with the rail where the wheels touch it, ``touched`` [m]
     beside the middle."""
     across = 2 * suspension["lateral_stiffness"]
-    return Wheelset(slope=0.05, rail_y=touched + 0.3 * np.sin(np.arctan(0.05)), coefficients=COEFFICIENTS,
-                    springs=(across, 0.0, 0.0, 2 * suspension["longitudinal_stiffness"]))
+    return Wheelset(
+        slope=0.05,
+        rail_y=touched + 0.3 * np.sin(np.arctan(0.05)),
+        coefficients=COEFFICIENTS,
+        springs=(across, 0.0, 0.0, 2 * suspension["longitudinal_stiffness"]),
+    )
 
 
 def patch(model):
@@ -68,7 +72,7 @@ def touch(model, side, place):
     e2 = np.array([-np.sin(yaw) * np.cos(roll), np.cos(yaw) * np.cos(roll), np.sin(roll)])
     e3 = np.cross(e1, e2)
     cone = np.arctan(model.slope)
-    turn = (np.arcsin(-side * np.tan(cone) * e2[0] / np.hypot(e1[0], e3[0])) - np.arctan2(e3[0], e1[0]))
+    turn = np.arcsin(-side * np.tan(cone) * e2[0] / np.hypot(e1[0], e3[0])) - np.arctan2(e3[0], e1[0])
     radial = np.cos(turn) * e3 + np.sin(turn) * e1
     down = np.cos(cone) * radial + side * np.sin(cone) * e2
     start = np.array([0.0, y, z - model.radius]) + side * model.arm * e2 + model.radius * radial
@@ -98,8 +102,11 @@ def contact(model, state, speed):
         forward = np.array([1.0, 0.0, 0.0])
         lateral = np.cross(normal, forward)
         xi, eta, phi = slip @ forward / mean, slip @ lateral / mean, (turning - rate * e2) @ normal / mean
-        push = (load * normal - SHEAR * ab * c11 * xi * forward
-                - SHEAR * ab * (c22 * eta + c23 * np.sqrt(ab) * phi) * lateral)
+        push = (
+            load * normal
+            - SHEAR * ab * c11 * xi * forward
+            - SHEAR * ab * (c22 * eta + c23 * np.sqrt(ab) * phi) * lateral
+        )
         force += push
         moment += np.cross(arm, push) - SHEAR * ab**1.5 * (-c23 * eta + c33 * np.sqrt(ab) * phi) * normal
     return force, moment, -moment @ e2
@@ -110,8 +117,9 @@ def accelerations(model, state, speed):
     force, moment, torque = contact(model, state, speed)
     yaw = state[3]
     spin = model.inertia[2] * speed / model.radius
-    push = np.array([force[1], force[2] + model.load, moment[0] * np.cos(yaw) + moment[1] * np.sin(yaw),
-                     moment[2]])
+    push = np.array(
+        [force[1], force[2] + model.load, moment[0] * np.cos(yaw) + moment[1] * np.sin(yaw), moment[2]]
+    )
     push -= np.array(model.springs) * state[:4] + np.array(model.dampers) * state[4:8]
     push += spin * np.array([0.0, 0.0, -state[7], state[6]])
     inertia = np.array([model.mass, model.mass, *model.inertia])
@@ -143,8 +151,9 @@ def state_matrix(model, speed):
     matrix[:4, 4:8] = np.eye(4)
     for k, step in enumerate(STEPS):
         move = step * np.eye(9)[k]
-        matrix[4:, k] = (accelerations(model, state + move, speed)
-                         - accelerations(model, state - move, speed)) / (2 * step)
+        matrix[4:, k] = (
+            accelerations(model, state + move, speed) - accelerations(model, state - move, speed)
+        ) / (2 * step)
     return matrix
 
 

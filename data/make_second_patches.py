@@ -33,7 +33,8 @@ def draw(rng):
         yaw = rng.uniform(-0.02, 0.02, TRIED) * (rng.random(TRIED) < 0.5)
         load = 10 ** rng.uniform(np.log10(3e4), np.log10(1.5e5), TRIED)
         table = wrcontact.ContactSystem(rail=rail, rail_inclination=inclination).evaluate_many(
-            shift, yaw, normal_force=load)
+            shift, yaw, normal_force=load
+        )
         two = np.flatnonzero((table.status == 0) & (table.right.patch_count == 2))
         if len(two):
             return rail, inclination, float(shift[two[0]]), float(yaw[two[0]]), float(load[two[0]])
@@ -43,7 +44,7 @@ def answer(rail, inclination, shift, yaw, load, model="halfspace"):
     """Penetration, area and peak pressure of the right wheel, and load and area of both patches."""
     system = wrcontact.ContactSystem(rail=rail, rail_inclination=inclination, normal_model=model)
     wheel = system.evaluate(shift, yaw, normal_force=load).right
-    patches = sorted(wheel.patches[:wheel.patch_count], key=lambda patch: patch.y_track)
+    patches = sorted(wheel.patches[: wheel.patch_count], key=lambda patch: patch.y_track)
     found = [np.nan] * 4
     if len(patches) == 2:
         found = [value for patch in patches for value in (patch.normal_force, patch.area)]

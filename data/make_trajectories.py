@@ -48,8 +48,10 @@ def hunting(rows=160, cycles=4):
     phase = 2 * np.pi * cycles * np.arange(rows) / (rows - 1)
     growth = np.minimum(1, (0.3 + phase / phase[-1]) / 1.05)
     shift, yaw = growth * np.sin(phase), growth * np.sin(phase - np.pi / 2)
-    return [(round(7.6e-3 * y, 9), round(np.radians(1.2) * a, 9), None, WHEEL_FORCE, round(0.25 * y, 6))
-            for y, a in zip(shift, yaw)]
+    return [
+        (round(7.6e-3 * y, 9), round(np.radians(1.2) * a, 9), None, WHEEL_FORCE, round(0.25 * y, 6))
+        for y, a in zip(shift, yaw)
+    ]
 
 
 SWEEPS = [  # yaw [deg], from, to [mm], rows
@@ -64,8 +66,11 @@ CLEAR_OF_JUMP = 0.2e-6  # [m] and none closer
 
 def jumps():
     """Slow sweeps of the shift through the places where the contact point jumps."""
-    return [(shift, np.radians(yaw), 0.0, WHEEL_FORCE, 0.0)
-            for yaw, start, stop, rows in SWEEPS for shift in sweep(yaw, start, stop, rows)]
+    return [
+        (shift, np.radians(yaw), 0.0, WHEEL_FORCE, 0.0)
+        for yaw, start, stop, rows in SWEEPS
+        for shift in sweep(yaw, start, stop, rows)
+    ]
 
 
 def sweep(yaw, start, stop, rows):
@@ -80,13 +85,17 @@ def sweep(yaw, start, stop, rows):
 def load():
     """Load from nothing to 150 kN and back at 3 and 6 mm, then all of it moved from
     one wheel to the other."""
-    forces = 1e3 * np.array([0, 0.1, 1, 3, 10, 20, 35, 55, 78.5, 55, 20, 3, 0, 40, 78.5, 100, 125, 150, 110,
-                             78.5])
+    forces = 1e3 * np.array(
+        [0, 0.1, 1, 3, 10, 20, 35, 55, 78.5, 55, 20, 3, 0, 40, 78.5, 100, 125, 150, 110, 78.5]
+    )
     shares = np.concatenate([np.linspace(0, -1, 6), np.linspace(-0.9, 1, 14)])
     wrong = (0.01, -0.01, 0.0)  # roll guesses that must not matter
     plan = [(f, 0.0) for f in forces] + [(WHEEL_FORCE, round(float(share), 6)) for share in shares]
-    return [(shift, 0.0, wrong[k % 3], float(f), share) for shift in (3e-3, 6e-3)
-            for k, (f, share) in enumerate(plan)]
+    return [
+        (shift, 0.0, wrong[k % 3], float(f), share)
+        for shift in (3e-3, 6e-3)
+        for k, (f, share) in enumerate(plan)
+    ]
 
 
 RUNS = {"hunting": hunting, "jumps": jumps, "load": load}
@@ -106,10 +115,16 @@ def rigid_rows(inputs):
     for index, given in enumerate(tracked(inputs, "rigid contacts")):
         lateral_shift, yaw, roll_guess, normal_force, load_transfer = given
         wheelset = rigid(lateral_shift, yaw)
-        row = dict(time=index * TIME_STEP, lateral_shift=lateral_shift, yaw=yaw,
-                   roll_guess=last_roll if roll_guess is None else roll_guess,
-                   normal_force=normal_force, load_transfer=load_transfer,
-                   roll=wheelset.roll, vertical_shift=wheelset.vertical_shift)
+        row = dict(
+            time=index * TIME_STEP,
+            lateral_shift=lateral_shift,
+            yaw=yaw,
+            roll_guess=last_roll if roll_guess is None else roll_guess,
+            normal_force=normal_force,
+            load_transfer=load_transfer,
+            roll=wheelset.roll,
+            vertical_shift=wheelset.vertical_shift,
+        )
         row |= wheel_columns("left", wheelset.left, normal_force * (1 - load_transfer))
         row |= wheel_columns("right", wheelset.right, normal_force * (1 + load_transfer))
         rows.append(row)
@@ -121,16 +136,22 @@ def wheel_columns(side, contact, force):
     """Columns of one wheel under its normal force [N]."""
     point = asdict(contact)
     outside = {key: point.pop(key) for key in ("contact_angle", "rolling_radius")}
-    return ({f"{side}.contact.{key}": value for key, value in point.items()}
-            | {f"{side}.{key}": value for key, value in outside.items()}
-            | {f"{side}.normal_force": force} | {f"{side}.{key}": "" for key in PATCH})
+    return (
+        {f"{side}.contact.{key}": value for key, value in point.items()}
+        | {f"{side}.{key}": value for key, value in outside.items()}
+        | {f"{side}.normal_force": force}
+        | {f"{side}.{key}": "" for key in PATCH}
+    )
 
 
 def patches(row):
     """Patch columns of both wheels of a row; an unloaded wheel has zeros."""
     wheelset = rigid(row["lateral_shift"], row["yaw"])
-    return {f"{side}.{key}": value for side in SIDES
-            for key, value in zip(PATCH, patch(wheelset, side, row[f"{side}.normal_force"]))}
+    return {
+        f"{side}.{key}": value
+        for side in SIDES
+        for key, value in zip(PATCH, patch(wheelset, side, row[f"{side}.normal_force"]))
+    }
 
 
 @cache
@@ -147,8 +168,10 @@ def write(name, rows):
     with open(OUTPUT / f"{name}.csv", "w", newline="") as file:
         table = csv.DictWriter(file, rows[0], lineterminator="\n")
         table.writeheader()
-        table.writerows({key: value if value == "" else repr(round(float(value), 16) + 0.0)
-                         for key, value in row.items()} for row in rows)
+        table.writerows(
+            {key: value if value == "" else repr(round(float(value), 16) + 0.0) for key, value in row.items()}
+            for row in rows
+        )
     print(name, len(rows), "rows", flush=True)
 
 

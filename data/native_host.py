@@ -27,7 +27,23 @@ def native_host(fmu, version, folder):
     library = binaries / f"WheelsetContact{place.suffix}"
     sources = Path(folder, "sources")
     shutil.copy(HOST, sources)
-    subprocess.run(["cc", "-std=gnu11", "-O2", f"-DFMI={version}", "-DINTERPOSE", HOST.name, "model.c",
-                    str(library), f"-Wl,-rpath,{binaries}", "-o", "native_host", "-lm", "-pthread"],
-                   cwd=sources, check=True)
+    subprocess.run(
+        [
+            "cc",
+            "-std=gnu11",
+            "-O2",
+            f"-DFMI={version}",
+            "-DINTERPOSE",
+            HOST.name,
+            "model.c",
+            str(library),
+            f"-Wl,-rpath,{binaries}",
+            "-o",
+            "native_host",
+            "-lm",
+            "-pthread",
+        ],
+        cwd=sources,
+        check=True,
+    )
     return sources / "native_host"

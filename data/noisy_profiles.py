@@ -25,8 +25,9 @@ SEEDS = 6
 def even_points(kind, spacing):
     """y, z (n,) [mm] of the standard profile, ``spacing`` [mm] apart along it, exact."""
     profile = standard_profile(NAMES[kind])
-    y = profile.start + (profile.stop - profile.start) * (0.5
-                                                          - 0.5 * np.cos(np.linspace(0.0, math.pi, 50001)))
+    y = profile.start + (profile.stop - profile.start) * (
+        0.5 - 0.5 * np.cos(np.linspace(0.0, math.pi, 50001))
+    )
     s = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(profile.height(y))))]) / MM
     y = np.clip(np.interp(np.arange(0.0, s[-1], spacing), s, y), profile.start, profile.stop)
     return y / MM, profile.height(y) / MM
@@ -42,11 +43,13 @@ def noisy_points(kind, spacing, noise, seed, both=True):
 def contacts(**profiles):
     """Contact position [mm], patch area [m2], largest pressure [Pa] of the right wheel (3, n), and how many
     are not valid."""
-    state = wrcontact.ContactSystem(**profiles).evaluate_many(lateral_shift=SHIFTS, side="right",
-                                                              outputs="patches")
+    state = wrcontact.ContactSystem(**profiles).evaluate_many(
+        lateral_shift=SHIFTS, side="right", outputs="patches"
+    )
     right = state.right
-    return np.array([right.contact.y_wheel / MM, right.area,
-                     right.max_pressure]), int(np.count_nonzero(state.status))
+    return np.array([right.contact.y_wheel / MM, right.area, right.max_pressure]), int(
+        np.count_nonzero(state.status)
+    )
 
 
 def differences(found, wanted):

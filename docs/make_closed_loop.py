@@ -46,10 +46,29 @@ def klingel(archives):
     rows = []
     for name, case in hunting.KLINGEL.items():
         wave, amplitude, rolled, plain, run = hunting.klingel(archives, *case)
-        rows.append([name, f"{amplitude * 1e3:.2f}", f"{wave:.3f}", f"{plain:.3f}", f"{rolled:.3f}",
-                     f"{100 * (wave / rolled - 1):+.2f}", str(run.worst_status)])
-    return table(["wheels", "amplitude [mm]", "measured [m]", "Klingel [m]", "with roll [m]",
-                  "difference [%]", "status"], rows)
+        rows.append(
+            [
+                name,
+                f"{amplitude * 1e3:.2f}",
+                f"{wave:.3f}",
+                f"{plain:.3f}",
+                f"{rolled:.3f}",
+                f"{100 * (wave / rolled - 1):+.2f}",
+                str(run.worst_status),
+            ]
+        )
+    return table(
+        [
+            "wheels",
+            "amplitude [mm]",
+            "measured [m]",
+            "Klingel [m]",
+            "with roll [m]",
+            "difference [%]",
+            "status",
+        ],
+        rows,
+    )
 
 
 def critical(archives):
@@ -59,12 +78,22 @@ def critical(archives):
     with Linear(archives, hunting.SUSPENSION, LINEAR, LINEAR_FRICTION) as linear:
         for speed in (20.0, 40.0, 60.0, 80.0):
             found, wanted = linear.root(speed), theory.hunting_root(theory.state_matrix(model, speed))
-            rows.append([f"{speed:g}", f"{found.real:+.4f}", f"{wanted.real:+.4f}", f"{found.imag:.3f}",
-                         f"{wanted.imag:.3f}"])
+            rows.append(
+                [
+                    f"{speed:g}",
+                    f"{found.real:+.4f}",
+                    f"{wanted.real:+.4f}",
+                    f"{found.imag:.3f}",
+                    f"{wanted.imag:.3f}",
+                ]
+            )
         speeds = linear.critical_speed(30.0, 100.0), theory.critical_speed(model, 30.0, 100.0)
-    return [*table(["speed [m/s]", "growth [1/s]", "theory", "frequency [rad/s]", "theory"], rows), "",
-            f"Critical speed: {speeds[0]:.2f} m/s, by the theory {speeds[1]:.2f} m/s, "
-            f"{100 * abs(speeds[0] / speeds[1] - 1):.2f} % apart."]
+    return [
+        *table(["speed [m/s]", "growth [1/s]", "theory", "frequency [rad/s]", "theory"], rows),
+        "",
+        f"Critical speed: {speeds[0]:.2f} m/s, by the theory {speeds[1]:.2f} m/s, "
+        f"{100 * abs(speeds[0] / speeds[1] - 1):.2f} % apart.",
+    ]
 
 
 def hunts(archives):
@@ -72,12 +101,19 @@ def hunts(archives):
     with Linear(archives, hunting.SOFT) as linear:
         speed = linear.critical_speed(20.0, 80.0)
         save(hunting.draw(linear, found), IMAGES / "hunting.png")
-    rows = [[f"from {start * 1e3:g} mm", *(f"{amplitude * 1e3:.2f}" for _, amplitude in row)]
-            for start, row in found.items()]
-    rows += [[f"status from {start * 1e3:g} mm", *(str(run.worst_status) for run, _ in row)]
-             for start, row in found.items()]
-    return [*table(["amplitude [mm]", *(f"{speed:g} m/s" for speed in hunting.SPEEDS)], rows), "",
-            f"Critical speed {speed:.1f} m/s. Statuses are the largest of all steps, 1 a wheel without load."]
+    rows = [
+        [f"from {start * 1e3:g} mm", *(f"{amplitude * 1e3:.2f}" for _, amplitude in row)]
+        for start, row in found.items()
+    ]
+    rows += [
+        [f"status from {start * 1e3:g} mm", *(str(run.worst_status) for run, _ in row)]
+        for start, row in found.items()
+    ]
+    return [
+        *table(["amplitude [mm]", *(f"{speed:g} m/s" for speed in hunting.SPEEDS)], rows),
+        "",
+        f"Critical speed {speed:.1f} m/s. Statuses are the largest of all steps, 1 a wheel without load.",
+    ]
 
 
 def energies(archives):
@@ -89,23 +125,37 @@ def energies(archives):
             order = f"{energy.orders(errors)[place - 1]:.2f}" if place else ""
             cells += [f"{errors[place]:+.2e}", order]
         rows.append(cells)
-    return [*table(["step [ms]", "explicit [J]", "order", "with derivatives [J]", "order"], rows), "",
-            f"Of {found[0][1]:.3g} J that the contact exchanges with the wheelset in {energy.DURATION:g} s. "
-            f"Largest status {max(worst for _, _, worst in found)}."]
+    return [
+        *table(["step [ms]", "explicit [J]", "order", "with derivatives [J]", "order"], rows),
+        "",
+        f"Of {found[0][1]:.3g} J that the contact exchanges with the wheelset in {energy.DURATION:g} s. "
+        f"Largest status {max(worst for _, _, worst in found)}.",
+    ]
 
 
 def curve(archives):
     run = curve_entry.enter(archives)
     save(curve_entry.draw(run), IMAGES / "curve_entry.png")
-    still = curve_entry.equilibrium(wrcontact.ContactSystem(**coupling.CONTACT), curve_entry.WHEELSET,
-                                    run.motion[-1])
-    rows = [[name, f"{1e3 * run.motion[-1][place]:.6f}", f"{1e3 * still[place]:.6f}"] for name, place in
-            (("lateral shift [mm]", 0), ("vertical shift [mm]", 1), ("roll [mrad]", 2), ("yaw [mrad]", 3))]
+    still = curve_entry.equilibrium(
+        wrcontact.ContactSystem(**coupling.CONTACT), curve_entry.WHEELSET, run.motion[-1]
+    )
+    rows = [
+        [name, f"{1e3 * run.motion[-1][place]:.6f}", f"{1e3 * still[place]:.6f}"]
+        for name, place in (
+            ("lateral shift [mm]", 0),
+            ("vertical shift [mm]", 1),
+            ("roll [mrad]", 2),
+            ("yaw [mrad]", 3),
+        )
+    ]
     ratio = abs(run["left.force.y"][-1] / run["left.force.z"][-1])
     angle = run["left.patch[1].contact_angle"][-1]
-    return [*table(["", "end of the run", "equilibrium"], rows), "",
-            f"The outer wheel carries at {angle:.2f} rad and has Y/Q = {ratio:.2f}; largest status "
-            f"{run.worst_status}."]
+    return [
+        *table(["", "end of the run", "equilibrium"], rows),
+        "",
+        f"The outer wheel carries at {angle:.2f} rad and has Y/Q = {ratio:.2f}; largest status "
+        f"{run.worst_status}.",
+    ]
 
 
 def long(archives):
@@ -114,19 +164,28 @@ def long(archives):
 
 def master(archives):
     theirs, mine, worst, _ = structure.compare(archives[1].parent, archives)
-    rows = [[f"`{name}`", f"{np.abs(column).max():.3g}", f"{np.abs(column - other).max():.1e}"]
-            for name, column, other in zip(structure.MOTION, theirs.T, mine.T)]
-    return [*table(["output, SI", "largest", "libcosim against fmpy"], rows), "",
-            f"{len(mine)} steps of {structure.STEP * 1e6:g} us; largest status {worst}."]
+    rows = [
+        [f"`{name}`", f"{np.abs(column).max():.3g}", f"{np.abs(column - other).max():.1e}"]
+        for name, column, other in zip(structure.MOTION, theirs.T, mine.T)
+    ]
+    return [
+        *table(["output, SI", "largest", "libcosim against fmpy"], rows),
+        "",
+        f"{len(mine)} steps of {structure.STEP * 1e6:g} us; largest status {worst}.",
+    ]
 
 
 def exchanged(archives):
     """One solver with a variable step beside co-simulation with fixed ones."""
     found = exchange.study(archives, exchange.build_exchange(archives[1].parent))
-    rows = [[words, str(run.steps), str(run.evaluations), f"{missed * 1e6:.2g}"]
-            for words, run, missed in found]
-    return [*table(["", "steps", "calls of the contact", "error [um]"], rows), "",
-            f"Largest status {max(run.worst_status for _, run, _ in found)}."]
+    rows = [
+        [words, str(run.steps), str(run.evaluations), f"{missed * 1e6:.2g}"] for words, run, missed in found
+    ]
+    return [
+        *table(["", "steps", "calls of the contact", "error [um]"], rows),
+        "",
+        f"Largest status {max(run.worst_status for _, run, _ in found)}.",
+    ]
 
 
 def manchester_creep(archives):
@@ -134,15 +193,30 @@ def manchester_creep(archives):
     rows = []
     for row in manchester.rows():
         errors = [100 * manchester.error(row, manchester.wheel(row, model)) for model in MODELS]
-        rows.append([f"{row['side']}, {row['lateral_shift_mm']:g} mm", f"{-row['Fx_N']:.0f}",
-                     f"{row['Fs_N']:.0f}", *(f"{error:.2f}" for error in errors)])
+        rows.append(
+            [
+                f"{row['side']}, {row['lateral_shift_mm']:g} mm",
+                f"{-row['Fx_N']:.0f}",
+                f"{row['Fs_N']:.0f}",
+                *(f"{error:.2f}" for error in errors),
+            ]
+        )
     means = np.mean([[float(cell) for cell in row[3:]] for row in rows], axis=0)
     rows.append(["mean", "", "", *(f"{mean:.2f}" for mean in means)])
     return table(["wheel", "along [N]", "across [N]", *(f"`{model}` [% of μN]" for model in MODELS)], rows)
 
 
-PARTS = {"klingel": klingel, "critical": critical, "hunting": hunts, "energy": energies, "curve": curve,
-         "long": long, "master": master, "exchange": exchanged, "manchester": manchester_creep}
+PARTS = {
+    "klingel": klingel,
+    "critical": critical,
+    "hunting": hunts,
+    "energy": energies,
+    "curve": curve,
+    "long": long,
+    "master": master,
+    "exchange": exchanged,
+    "manchester": manchester_creep,
+}
 
 
 def write(name, lines):

@@ -149,11 +149,13 @@ def conformal():
         turning = halfspace.evaluate(shift, 0.0, FORCE, side="right").right.outline
         half = 0.5 * chords(edge_field(planar.pressure)) * (planar.x[1] - planar.x[0])
         for station, pressure, length, colour, name in (
-                (planar.s, planar.pressure.max(axis=0), half, QUIET, "one plane"),
-                (turning.station, turning.pressure, turning.half_length, CONTACT_COLOUR, "conformal")):
+            (planar.s, planar.pressure.max(axis=0), half, QUIET, "one plane"),
+            (turning.station, turning.pressure, turning.half_length, CONTACT_COLOUR, "conformal"),
+        ):
             there = np.append(length[1:], 0.0) + np.append(0.0, length[:-1]) + length > 0.0
-            station, pressure, length = (np.where(there, each, np.nan)
-                                         for each in (station, pressure, length))
+            station, pressure, length = (
+                np.where(there, each, np.nan) for each in (station, pressure, length)
+            )
             upper.plot(station / MM, pressure / style.MEGAPASCAL, color=colour, label=name)
             for sign in (-1, 1):
                 lower.plot(station / MM, sign * length / MM, color=colour)
@@ -174,8 +176,15 @@ def source(number):
     return source_figure(compute(number, Study()))
 
 
-PICTURES = {"frames": frames, "demo": demo, "check": check, "models": models, "conformal": conformal,
-            "source_5_8": partial(source, "5.8"), "source_7_14": partial(source, "7.14")}
+PICTURES = {
+    "frames": frames,
+    "demo": demo,
+    "check": check,
+    "models": models,
+    "conformal": conformal,
+    "source_5_8": partial(source, "5.8"),
+    "source_7_14": partial(source, "7.14"),
+}
 
 
 # --- sketches --------------------------------------------------------------------------------------
@@ -200,10 +209,12 @@ def draw_from_behind(panel, system, state):
     axis(panel, (0, 840), (260, 0), "lateral_shift", above=True)
     dimension(panel, -717.5, 717.5, -115, "gauge 1435 mm, at 14 mm depth")
     dimension(panel, -750, 750, 1010, "running circles 1500 mm")
-    panel.text(-752, radius / MM + 190, "left wheel", ha="center", rotation=90, va="center",
-               color=WHEEL_COLOUR)
-    panel.text(752, radius / MM + 190, "right wheel", ha="center", rotation=90, va="center",
-               color=WHEEL_COLOUR)
+    panel.text(
+        -752, radius / MM + 190, "left wheel", ha="center", rotation=90, va="center", color=WHEEL_COLOUR
+    )
+    panel.text(
+        752, radius / MM + 190, "right wheel", ha="center", rotation=90, va="center", color=WHEEL_COLOUR
+    )
     panel.text(430, 8, "top of rail", color=QUIET, fontsize=8, ha="center", va="bottom")
     panel.set(xlim=(-930, 930), ylim=(-270, 1080))
 
@@ -218,8 +229,12 @@ def draw_from_above(panel):
     for y in (-750, 750):
         corners = np.array([[y - 65, -420], [y + 65, -420], [y + 65, 420], [y - 65, 420]]) @ turned.T
         panel.fill(*corners.T, color=WHEEL_COLOUR, alpha=0.35, linewidth=0)
-    panel.plot(*(np.array([[-900, 0], [900, 0]]) @ turned.T).T, color=WHEEL_COLOUR, linewidth=1,
-               linestyle=(0, (8, 3, 2, 3)))
+    panel.plot(
+        *(np.array([[-900, 0], [900, 0]]) @ turned.T).T,
+        color=WHEEL_COLOUR,
+        linewidth=1,
+        linestyle=(0, (8, 3, 2, 3)),
+    )
     axis(panel, (0, 0), (0, 480), "x", shift=(30, -10))
     axis(panel, (0, 0), (420, 0), "y", above=True)
     into_page(panel, (0, 0), 26, "z", (-55, -85))
@@ -257,8 +272,15 @@ def draw_rail_frame(panel, system):
     inner = np.interp(14, z[: np.argmin(z)][::-1], y[: np.argmin(z)][::-1])
     panel.plot([inner - 26, inner], [-14, -14], color=QUIET, linewidth=0.8)
     panel.plot([inner], [-14], "o", color=INK, markersize=4)
-    panel.text(inner - 2, -17, "gauge\n14 mm below\nthe highest\npoint", fontsize=8, ha="right", va="top",
-               color=RAIL_LABEL)
+    panel.text(
+        inner - 2,
+        -17,
+        "gauge\n14 mm below\nthe highest\npoint",
+        fontsize=8,
+        ha="right",
+        va="top",
+        color=RAIL_LABEL,
+    )
     panel.text(0, -36, "leans 1:40 to the\ntrack centre", fontsize=8, ha="center", color=RAIL_LABEL)
     axis(panel, (0, 0), (34, 0), "y", above=True)
     axis(panel, (0, 0), (0, -22), "z", shift=(3, 0))
@@ -281,8 +303,14 @@ def draw_contact_plane(panel, system, state):
     panel.plot([point[0], point[0] + 30], [point[1]] * 2, color=QUIET, linewidth=0.8)
     panel.add_patch(Arc(point, 44, 44, theta1=0, theta2=np.degrees(angle), color=INK, linewidth=1.2))
     on_arc = point + 22 * np.array([np.cos(angle / 4), np.sin(angle / 4)])
-    panel.annotate("contact_angle,\nhere positive", on_arc, point + np.array([14, -11]), fontsize=8, va="top",
-                   arrowprops={"arrowstyle": "-", "color": QUIET, "linewidth": 0.7})
+    panel.annotate(
+        "contact_angle,\nhere positive",
+        on_arc,
+        point + np.array([14, -11]),
+        fontsize=8,
+        va="top",
+        arrowprops={"arrowstyle": "-", "color": QUIET, "linewidth": 0.7},
+    )
     axis(panel, point, 20 * along, "station s", shift=(-7, 6))
     axis(panel, point, 16 * normal, "normal", shift=(-12, 2))
     panel.plot(*point, "o", color=CONTACT_COLOUR, markersize=5)
@@ -308,8 +336,13 @@ def axis(panel, start, stroke, name, *, above=False, shift=None):
 def into_page(panel, centre, size, name, shift):
     """A circle with a cross: an axis that points away from the reader."""
     angle = np.linspace(0, 2 * np.pi, 60)
-    panel.fill(centre[0] + size * np.cos(angle), centre[1] + size * np.sin(angle), facecolor="white",
-               edgecolor=INK, zorder=4)
+    panel.fill(
+        centre[0] + size * np.cos(angle),
+        centre[1] + size * np.sin(angle),
+        facecolor="white",
+        edgecolor=INK,
+        zorder=4,
+    )
     reach = 0.7 * size
     for rise in (reach, -reach):
         ends = [centre[0] - reach, centre[0] + reach], [centre[1] - rise, centre[1] + rise]

@@ -15,8 +15,14 @@ from wrcontact.status import SENTENCES, Terms, written
 FOLDER = Path(__file__).resolve().parent / "reference"
 COMMAND_LINE, STATUSES = FOLDER / "command_line.md", FOLDER / "statuses.md"
 BEGIN, END = "<!-- python docs/make_reference.py: messages -->", "<!-- end: messages -->"
-WHEN = {"infinite": "not finite", "beyond": "too large", "outside": "out of range", "negative": "negative",
-        "zero": "zero", "always": ""}
+WHEN = {
+    "infinite": "not finite",
+    "beyond": "too large",
+    "outside": "out of range",
+    "negative": "negative",
+    "zero": "zero",
+    "always": "",
+}
 MODE = {None: "", True: " (compliant contact)", False: " (rigid and elastic contact)"}
 
 
@@ -24,10 +30,17 @@ def command_line():
     """The page of the command line."""
     group = typer.main.get_command(main)
     about = " ".join(cleandoc(group.help).split())
-    words = [f"* [`wrcontact {name}`](#wrcontact-{name}): {one.get_short_help_str(200)}"
-             for name, one in group.commands.items()]
-    lines = ["# Command line", "", f"{about} `docs/make_reference.py` writes this page from the command.",
-             "", *words]
+    words = [
+        f"* [`wrcontact {name}`](#wrcontact-{name}): {one.get_short_help_str(200)}"
+        for name, one in group.commands.items()
+    ]
+    lines = [
+        "# Command line",
+        "",
+        f"{about} `docs/make_reference.py` writes this page from the command.",
+        "",
+        *words,
+    ]
     for name, command in group.commands.items():
         lines += ["", *of_command(name, command)]
     return "\n".join(lines) + "\n"
@@ -88,8 +101,12 @@ def messages():
 def statuses():
     """The page of statuses, with its table written anew."""
     page = STATUSES.read_text(encoding="utf-8")
-    return re.sub(f"{re.escape(BEGIN)}.*{re.escape(END)}", lambda _: f"{BEGIN}\n{messages()}\n{END}", page,
-                  flags=re.DOTALL)
+    return re.sub(
+        f"{re.escape(BEGIN)}.*{re.escape(END)}",
+        lambda _: f"{BEGIN}\n{messages()}\n{END}",
+        page,
+        flags=re.DOTALL,
+    )
 
 
 if __name__ == "__main__":

@@ -38,12 +38,28 @@ def mileage_table(run):
     rows = []
     for step in run.steps:
         shape, wide = step.shapes["right"], 1e3
-        rows.append([f"{step.distance / 1e6:.1f}", f"{wide * shape.flange_thickness:.3f}",
-                     f"{wide * shape.flange_height:.3f}", f"{wide * shape.flange_steepness:.3f}",
-                     f"{wide * shape.hollow:.3f}", f"{wide * shape.radius_loss:.3f}",
-                     f"{1e6 * shape.worn_area:.1f}", f"{step.conicity:.3f}"])
-    head = ["1000 km", "Sd [mm]", "Sh [mm]", "qR [mm]", "hollow [mm]", "radius lost [mm]", "worn [mm²]",
-            "conicity"]
+        rows.append(
+            [
+                f"{step.distance / 1e6:.1f}",
+                f"{wide * shape.flange_thickness:.3f}",
+                f"{wide * shape.flange_height:.3f}",
+                f"{wide * shape.flange_steepness:.3f}",
+                f"{wide * shape.hollow:.3f}",
+                f"{wide * shape.radius_loss:.3f}",
+                f"{1e6 * shape.worn_area:.1f}",
+                f"{step.conicity:.3f}",
+            ]
+        )
+    head = [
+        "1000 km",
+        "Sd [mm]",
+        "Sh [mm]",
+        "qR [mm]",
+        "hollow [mm]",
+        "radius lost [mm]",
+        "worn [mm²]",
+        "conicity",
+    ]
     return grid(head, rows)
 
 
@@ -53,18 +69,26 @@ def section_table(wears):
     for (radius, speed, ahead, share), wear in wears:
         places, depth = wear.arc("wheel").places, wear.smooth_depth("wheel", 1e-3)
         k = int(np.argmax(depth))
-        rows.append(["straight" if np.isinf(radius) else f"{radius:.0f} m", "both" if np.isinf(radius) else
-                     "leading" if ahead > 0 else "trailing", f"{100 * share:.3g}", f"{3.6 * speed:.0f}",
-                     f"{1e9 * depth[k]:.3f}", f"{1e3 * places[k]:.1f}",
-                     f"{100 * wear.error('wheel', smoothing=1e-3)[k] / depth[k]:.0f}"])
+        rows.append(
+            [
+                "straight" if np.isinf(radius) else f"{radius:.0f} m",
+                "both" if np.isinf(radius) else "leading" if ahead > 0 else "trailing",
+                f"{100 * share:.3g}",
+                f"{3.6 * speed:.0f}",
+                f"{1e9 * depth[k]:.3f}",
+                f"{1e3 * places[k]:.1f}",
+                f"{100 * wear.error('wheel', smoothing=1e-3)[k] / depth[k]:.0f}",
+            ]
+        )
     head = ["curve", "wheelset", "share [%]", "km/h", "deepest [mm / 1000 km]", "at y [mm]", "error [%]"]
     return grid(head, rows)
 
 
 def joined(parts):
     """One record of fatigue of several."""
-    return type(parts[0])(*(np.concatenate([getattr(part, one.name) for part in parts])
-                            for one in fields(parts[0])))
+    return type(parts[0])(
+        *(np.concatenate([getattr(part, one.name) for part in parts]) for one in fields(parts[0]))
+    )
 
 
 def new_wheels(out):
@@ -103,10 +127,13 @@ if __name__ == "__main__":
     deepest = whole.smooth_depth("wheel", 1e-3).max()
     shares = ", ".join(f"{100 * share:.1f} % {name}" for name, share in whole.shares("wheel").items())
     worst = max(step.left_out for step in run.steps)
-    put("laboratory", "With new wheels the law without calibration takes 1 mm in "
+    put(
+        "laboratory",
+        "With new wheels the law without calibration takes 1 mm in "
         f"{1e-3 / deepest / 1e3:.0f} km at the deepest place; by mass {shares}. The run over "
         f"{run.distance[-1] / 1e6:.0f} 000 km with {route.CALIBRATION:g} of it has {len(run.steps) - 1} "
-        f"steps; of the rows of a step at most {worst} are left out.")
+        f"steps; of the rows of a step at most {worst} are left out.",
+    )
     save(wear_depth_figure(whole, DISTANCE), IMAGES / "wear_depth.png")
     found = [wrcontact.fatigue(table, yield_shear=YIELD) for table, _ in tables]
     everything = joined(found)

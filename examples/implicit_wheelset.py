@@ -20,8 +20,8 @@ import wrcontact
 
 MASS, ROLL_INERTIA, PITCH_INERTIA, YAW_INERTIA = 1813.0, 1120.0, 112.0, 1120.0
 STIFFNESS, DAMPING, YAW_STIFFNESS = 7.8e6, 4e3, 2e7
-SPEED, RADIUS, LOAD = 30.0, 0.46, 54.5e3        # [m/s], [m], of a wheel [N]
-DURATION = 0.6                                  # [s]
+SPEED, RADIUS, LOAD = 30.0, 0.46, 54.5e3  # [m/s], [m], of a wheel [N]
+DURATION = 0.6  # [s]
 #: Motion of the wheelset, and what acts on it.
 PLACES = ("lateral_shift", "vertical_shift_input", "roll_input", "yaw")
 RATES = ("lateral_velocity", "vertical_velocity", "roll_rate", "yaw_rate", "wheel_rate")
@@ -37,8 +37,9 @@ class Wheelset:
     """The rates of a motion (9,): places, then their rates; counts what it asks of the contact."""
 
     def __init__(self):
-        self.system = wrcontact.ContactSystem(contact_mode="compliant", contact_damping=1.0,
-                                              tangential_model="strips")
+        self.system = wrcontact.ContactSystem(
+            contact_mode="compliant", contact_damping=1.0, tangential_model="strips"
+        )
         self.stepper = self.system.stepper(outputs="patches")
         self.at = [self.stepper.place(name) for name in FORCES]
         self.into = [self.stepper.place(name) for name in (*PLACES, *RATES)]
@@ -65,10 +66,16 @@ class Wheelset:
         y, _, _, yaw, *speeds = motion
         force_y, force_z, moment_x, moment_y, moment_z, torque = acting
         gyroscope = PITCH_INERTIA * SPEED / RADIUS
-        return np.array([
-            *speeds[:4], (force_y - STIFFNESS * y - DAMPING * speeds[0]) / MASS,
-            (force_z + 2.0 * LOAD) / MASS, (moment_x + yaw * moment_y - gyroscope * speeds[3]) / ROLL_INERTIA,
-            (moment_z - YAW_STIFFNESS * yaw + gyroscope * speeds[2]) / YAW_INERTIA, torque / PITCH_INERTIA])
+        return np.array(
+            [
+                *speeds[:4],
+                (force_y - STIFFNESS * y - DAMPING * speeds[0]) / MASS,
+                (force_z + 2.0 * LOAD) / MASS,
+                (moment_x + yaw * moment_y - gyroscope * speeds[3]) / ROLL_INERTIA,
+                (moment_z - YAW_STIFFNESS * yaw + gyroscope * speeds[2]) / YAW_INERTIA,
+                torque / PITCH_INERTIA,
+            ]
+        )
 
     def jacobian(self, now, motion):
         """How the rates follow the motion (9, 9)."""
@@ -132,8 +139,16 @@ def linearly_implicit(wheelset, step):
 def adaptive(wheelset, method, own_jacobian=True):
     """A solver of scipy that chooses its steps."""
     more = {"jac": wheelset.jacobian if own_jacobian else None} if method in ("Radau", "BDF") else {}
-    found = solve_ivp(wheelset.rates, (0.0, DURATION), wheelset.start, method, rtol=1e-5, max_step=0.01,
-                      atol=np.array([1e-8] * 4 + [1e-6] * 4 + [1e-5]), **more)
+    found = solve_ivp(
+        wheelset.rates,
+        (0.0, DURATION),
+        wheelset.start,
+        method,
+        rtol=1e-5,
+        max_step=0.01,
+        atol=np.array([1e-8] * 4 + [1e-6] * 4 + [1e-5]),
+        **more,
+    )
     return len(found.t) - 1, abs(found.y[0]).max()
 
 
@@ -142,8 +157,9 @@ SOLVERS = {
     "trapezoidal, linearised, 1 ms": lambda wheelset: linearly_implicit(wheelset, 1e-3),
     "RK45": lambda wheelset: adaptive(wheelset, "RK45"),
     "Radau, Jacobian by differences": lambda wheelset: adaptive(wheelset, "Radau", own_jacobian=False),
-    "Radau, differences answered by derivatives":
-        lambda wheelset: adaptive(wheelset, "Radau", own_jacobian=False),
+    "Radau, differences answered by derivatives": lambda wheelset: adaptive(
+        wheelset, "Radau", own_jacobian=False
+    ),
     "Radau, Jacobian by derivatives": lambda wheelset: adaptive(wheelset, "Radau"),
     "BDF, Jacobian by derivatives": lambda wheelset: adaptive(wheelset, "BDF"),
 }

@@ -16,20 +16,19 @@ from fmpy.fmi2 import FMU2Slave
 from wrcontact.fmu.native import build_native_fmus
 from wrcontact.profiles import standard_profile
 
-MASS, INERTIA, LOAD = 1500.0, 900.0, 157e3      # [kg], [kg.m2] about x, [N] on both rails: weight and bogie
-GUIDE, DAMPER = 5e6, 2e4                        # [N/m], [N.s/m] between wheelset and bogie, across the track
-SPEED, STEP = 25.0, 1e-4                        # [m/s], [s]
-WAVELENGTHS = np.array([1.7, 3.1, 6.3, 11.0])   # [m]
-AMPLITUDES = {"lateral": 8e-5, "vertical": 5e-5, "roll": 1e-4}      # [m], [m], [rad] for each metre of wave
+MASS, INERTIA, LOAD = 1500.0, 900.0, 157e3  # [kg], [kg.m2] about x, [N] on both rails: weight and bogie
+GUIDE, DAMPER = 5e6, 2e4  # [N/m], [N.s/m] between wheelset and bogie, across the track
+SPEED, STEP = 25.0, 1e-4  # [m/s], [s]
+WAVELENGTHS = np.array([1.7, 3.1, 6.3, 11.0])  # [m]
+AMPLITUDES = {"lateral": 8e-5, "vertical": 5e-5, "roll": 1e-4}  # [m], [m], [rad] for each metre of wave
 RAILS = [f"{side}.rail_{part}" for side in ("left", "right") for part in AMPLITUDES]
-OUTPUTS = [f"{part}{name}" for part in ("", "left.", "right.")
-           for name in ("force.y", "force.z", "moment.x")]
+OUTPUTS = [f"{part}{name}" for part in ("", "left.", "right.") for name in ("force.y", "force.z", "moment.x")]
 
 
 def worn_wheel(file, depth, seed):
     """A file of points [mm] on an S1002 that is hollow by ``depth`` [m], with 3 um of noise."""
     y = np.arange(-69e-3, 59e-3, 0.2e-3)
-    z = standard_profile("S1002").height(y) - depth * np.exp(-(y / 15e-3) ** 2)
+    z = standard_profile("S1002").height(y) - depth * np.exp(-((y / 15e-3) ** 2))
     z += 3e-6 * np.random.default_rng(seed).standard_normal(len(y))
     np.savetxt(file, 1e3 * np.column_stack([y, z]), fmt="%.4f")
     return file
@@ -49,8 +48,12 @@ def instance(archive, **parameters):
     folder = fmpy.extract(str(archive))
     description = fmpy.read_model_description(folder)
     reference = {variable.name: variable.valueReference for variable in description.modelVariables}
-    slave = FMU2Slave(guid=description.guid, unzipDirectory=folder, instanceName="wheelset",
-                      modelIdentifier=description.coSimulation.modelIdentifier)
+    slave = FMU2Slave(
+        guid=description.guid,
+        unzipDirectory=folder,
+        instanceName="wheelset",
+        modelIdentifier=description.coSimulation.modelIdentifier,
+    )
     slave.instantiate()
     slave.setupExperiment(startTime=0.0)
     for name, value in parameters.items():
@@ -67,16 +70,26 @@ def ride(archive, duration, damping=0.5, outputs=OUTPUTS):
 
     It begins at rest, in equilibrium with its load."""
     slave, reference = instance(archive, contact_mode="compliant", contact_damping=damping)
-    names = ["lateral_shift", "vertical_shift_input", "roll_input", "lateral_velocity", "vertical_velocity",
-             "roll_rate", *RAILS, *(f"{name}_velocity" for name in RAILS)]
+    names = [
+        "lateral_shift",
+        "vertical_shift_input",
+        "roll_input",
+        "lateral_velocity",
+        "vertical_velocity",
+        "roll_rate",
+        *RAILS,
+        *(f"{name}_velocity" for name in RAILS),
+    ]
     inputs, wanted = [reference[name] for name in names], [reference[name] for name in outputs]
     forces = [reference[name] for name in ("force.y", "force.z", "moment.x")]
     time = np.arange(0.0, duration, STEP)
     rails, moving = moving_rails(time)
-    slave.setReal([reference["normal_force"], reference["speed"], *inputs[6:12]],
-                  [LOAD / 2, SPEED, *rails[0]])
-    place = np.array([0.0, *slave.getReal([reference["equilibrium.vertical_shift"],
-                                          reference["equilibrium.roll"]])])
+    slave.setReal(
+        [reference["normal_force"], reference["speed"], *inputs[6:12]], [LOAD / 2, SPEED, *rails[0]]
+    )
+    place = np.array(
+        [0.0, *slave.getReal([reference["equilibrium.vertical_shift"], reference["equilibrium.roll"]])]
+    )
     velocity, seen = np.zeros(3), []
     for now, rail, motion in zip(time, rails, moving):
         slave.setReal(inputs, [*place, *velocity, *rail, *motion])
@@ -85,7 +98,7 @@ def ride(archive, duration, damping=0.5, outputs=OUTPUTS):
         seen.append([*place, *velocity, *slave.getReal(wanted)])
         across -= GUIDE * place[0] + DAMPER * velocity[0]
         velocity += STEP * np.array([across / MASS, (down + LOAD) / MASS, turning / INERTIA])
-        place += STEP * velocity            # with the new velocity: Euler's symplectic method keeps energy
+        place += STEP * velocity  # with the new velocity: Euler's symplectic method keeps energy
     slave.terminate()
     slave.freeInstance()
     return time, rails, *np.split(np.array(seen), [3, 6], axis=1)

@@ -12,8 +12,10 @@ place = table.right.contact.y_wheel
 
 # the contact jumps from the tread to the flange root where two minima of the gap are equal
 first = int(np.argmax(place < -26e-3))  # the flange root of the S1002 begins at y = -26 mm
-print(f"tread to flange root at {shift[first] * 1e3:.3f} mm: y_wheel {place[first - 1] * 1e3:.1f} -> "
-      f"{place[first] * 1e3:.1f} mm")
+print(
+    f"tread to flange root at {shift[first] * 1e3:.3f} mm: y_wheel {place[first - 1] * 1e3:.1f} -> "
+    f"{place[first] * 1e3:.1f} mm"
+)
 
 figure, (above, below) = plt.subplots(2, 1, sharex=True, layout="constrained")
 above.plot(shift * 1e3, place * 1e3, ".", markersize=1.5)

@@ -9,8 +9,10 @@ state = system.evaluate(lateral_shift=1e-3, yaw=0.0, normal_force=78.5e3)
 right = state.right
 
 print(f"roll {state.roll * 1e6:.3f} microrad, status {state.status.name}")
-print(f"contact on the right wheel at y = {right.contact.y_wheel * 1e3:.4f} mm, angle "
-      f"{right.contact_angle:.5f} rad")
+print(
+    f"contact on the right wheel at y = {right.contact.y_wheel * 1e3:.4f} mm, angle "
+    f"{right.contact_angle:.5f} rad"
+)
 print(f"patch {right.area * 1e6:.1f} mm2, largest pressure {right.max_pressure / 1e6:.0f} MPa")
 save(pose_figure(system, state), "one_pose.png")
 

@@ -10,8 +10,12 @@ from wrcontact.fmu import build_fmu
 folder = fmpy.extract(str(build_fmu("out")))
 description = fmpy.read_model_description(folder)
 reference = {variable.name: variable.valueReference for variable in description.modelVariables}
-slave = FMU2Slave(guid=description.guid, unzipDirectory=folder, instanceName="wheelset",
-                  modelIdentifier=description.coSimulation.modelIdentifier)
+slave = FMU2Slave(
+    guid=description.guid,
+    unzipDirectory=folder,
+    instanceName="wheelset",
+    modelIdentifier=description.coSimulation.modelIdentifier,
+)
 slave.instantiate()
 slave.setupExperiment(startTime=0.0)
 slave.enterInitializationMode()
@@ -28,8 +32,9 @@ slave.terminate()
 slave.freeInstance()
 
 plt.plot(time, np.degrees(roll))
-plt.gca().set(xlabel="time [s]", ylabel="roll of the wheelset [deg]",
-              title="Roll while the wheelset hunts by 5 mm")
+plt.gca().set(
+    xlabel="time [s]", ylabel="roll of the wheelset [deg]", title="Roll while the wheelset hunts by 5 mm"
+)
 plt.savefig("step_the_fmu.png", dpi=150)
 
 # at 5 mm an independent search finds the roll -3.696026826666e-4 rad

@@ -26,7 +26,7 @@ def pytest_collection_modifyitems(config, items):
     for item in items:
         if room_of(item.path) in FULL_ROOMS and not item.get_closest_marker("check"):
             item.add_marker(pytest.mark.full)
-    yield       # now the tests of other tiers are gone
+    yield  # now the tests of other tiers are gone
     turn = os.environ.get("WRCONTACT_TURN")
     if turn:
         out = set(out_of_turn(items, int(turn)))
@@ -37,7 +37,7 @@ def pytest_collection_modifyitems(config, items):
 def pytest_sessionfinish(session):
     """Fail a run of .ci/run that has skipped a test which is not to be skipped."""
     writer = session.config.pluginmanager.get_plugin("terminalreporter")
-    if os.environ.get("WRCONTACT_SKIPS") == "listed" and writer:       # workers have no writer
+    if os.environ.get("WRCONTACT_SKIPS") == "listed" and writer:  # workers have no writer
         for line in unlisted(writer.stats.get("skipped", [])):
             writer.write_line(f"\nskipped, and not on the list in tests/helpers/skips.py: {line}", red=True)
             session.exitstatus = session.exitstatus or pytest.ExitCode.TESTS_FAILED
@@ -65,8 +65,10 @@ def comma(tmp_path, monkeypatch):
         pytest.skip("localedef, which makes a locale with decimal commas, is not installed")
     source = tmp_path / "comma"
     source.write_text('LC_NUMERIC\ndecimal_point ","\nthousands_sep "."\ngrouping 3;3\nEND LC_NUMERIC\n')
-    subprocess.run(["localedef", "-c", "-i", str(source), "-f", "ANSI_X3.4-1968", str(tmp_path / "de_DE")],
-                   capture_output=True)
+    subprocess.run(
+        ["localedef", "-c", "-i", str(source), "-f", "ANSI_X3.4-1968", str(tmp_path / "de_DE")],
+        capture_output=True,
+    )
     monkeypatch.setenv("LOCPATH", str(tmp_path))
     return "de_DE"
 

@@ -17,8 +17,9 @@ from wrcontact.kernel.binding.files import HERE  # noqa: E402
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--folder", type=Path, default=HERE)
     parser.add_argument("--check-bounds", action="store_true")
     parser.add_argument("--quick", action="store_true")

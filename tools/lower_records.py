@@ -40,8 +40,9 @@ Ref = namedtuple("Ref", "kind array terms")
 
 def total(terms):
     """The sum of names, numbers and expressions as an expression."""
-    nodes = ([ast.Name(term, ast.Load()) if isinstance(term, str) else term for term in terms]
-             or [ast.Constant(0)])
+    nodes = [ast.Name(term, ast.Load()) if isinstance(term, str) else term for term in terms] or [
+        ast.Constant(0)
+    ]
     result = nodes[0]
     for node in nodes[1:]:
         result = ast.BinOp(result, ast.Add(), node)
@@ -62,8 +63,12 @@ class Lowered(ast.NodeTransformer):
         self.name, self.layout, self.signatures, self.results = name, layout, signatures, results
         self.lines = text.split(b"\n")
         self.tree = ast.parse(text)
-        self.origins = {alias.name: node.module for node in self.tree.body if isinstance(node, ast.ImportFrom)
-                        for alias in node.names}
+        self.origins = {
+            alias.name: node.module
+            for node in self.tree.body
+            if isinstance(node, ast.ImportFrom)
+            for alias in node.names
+        }
         self.edits, self.records = [], {}
         for node in self.tree.body:
             if isinstance(node, ast.FunctionDef):
@@ -80,8 +85,9 @@ class Lowered(ast.NodeTransformer):
             self.edits.append(((mark.lineno, 0), (mark.end_lineno, mark.end_col_offset), ""))
         parameters = record_parameters(node, self.layout)
         self.records, self.loops = {}, 0
-        self.assigned = [n.id for n in ast.walk(node) if isinstance(n, ast.Name)
-                         and isinstance(n.ctx, ast.Store)]
+        self.assigned = [
+            n.id for n in ast.walk(node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)
+        ]
         for name, kind in parameters:
             if is_root(kind):
                 self.records[name] = Ref(kind, name, [])
@@ -112,9 +118,14 @@ class Lowered(ast.NodeTransformer):
             self.edit(node.returns, node.returns, "int")
             return
         line = self.lines[node.returns.lineno - 1]
-        start = line[:node.returns.col_offset].rindex(b"->")
-        self.edits.append(((node.returns.lineno, len(line[:start].rstrip())),
-                           (node.returns.end_lineno, node.returns.end_col_offset), ""))
+        start = line[: node.returns.col_offset].rindex(b"->")
+        self.edits.append(
+            (
+                (node.returns.lineno, len(line[:start].rstrip())),
+                (node.returns.end_lineno, node.returns.end_col_offset),
+                "",
+            )
+        )
 
     def end(self, node):
         """A function without a result returns 0, as C and the differentiation have it; the line is that
@@ -132,8 +143,14 @@ class Lowered(ast.NodeTransformer):
     def array_name(self, array):
         """What this function calls an array: its parameter of the class at that array's head,
         or the array's own name."""
-        return next((name for name, ref in self.records.items() if is_root(ref.kind)
-                     and ref.kind.array == array and not ref.terms), array)
+        return next(
+            (
+                name
+                for name, ref in self.records.items()
+                if is_root(ref.kind) and ref.kind.array == array and not ref.terms
+            ),
+            array,
+        )
 
     def block(self, statements):
         for node in statements:
@@ -143,8 +160,11 @@ class Lowered(ast.NodeTransformer):
                 self.replace(node.iter)
             elif isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name) and self.note(node):
                 continue
-            elif (isinstance(node, ast.Return) and isinstance(node.value, ast.Name)
-                  and node.value.id in self.records):
+            elif (
+                isinstance(node, ast.Return)
+                and isinstance(node.value, ast.Name)
+                and node.value.id in self.records
+            ):
                 self.edit(node.value, node.value, ast.unparse(total(self.records[node.value.id].terms)))
             elif isinstance(node, ast.Expr) and ast.unparse(node).startswith(("copy(", "clear(")):
                 self.edit(node, node, self.loop(node.value))
@@ -161,16 +181,18 @@ class Lowered(ast.NodeTransformer):
             self.refuse(call, f"{ast.unparse(call)}: no records of one size")
         self.loops += 1
         places = [f"{ref.array}[{ast.unparse(total([*ref.terms, f'i_{self.loops}']))}]" for ref in refs]
-        return (f"for i_{self.loops} in range({ast.unparse(numbers(refs[0].kind))}): {places[-1]} = "
-                + (places[0] if len(places) == 2 else "0.0"))
+        return f"for i_{self.loops} in range({ast.unparse(numbers(refs[0].kind))}): {places[-1]} = " + (
+            places[0] if len(places) == 2 else "0.0"
+        )
 
     def note(self, node):
         """A record under a local name: an offset, or nothing at all where it has only one place."""
         name, ref = node.targets[0].id, self.ref(node.value)
         if ref is None or not (is_record(ref.kind) or is_run(ref.kind)):
             return False
-        if (self.assigned.count(name) == 1
-            and all(isinstance(term, str) and term.isupper() for term in ref.terms)):
+        if self.assigned.count(name) == 1 and all(
+            isinstance(term, str) and term.isupper() for term in ref.terms
+        ):
             self.records[name] = ref
             self.edit(node, node, "")
             return True
@@ -191,17 +213,23 @@ class Lowered(ast.NodeTransformer):
             outer = self.ref(node.value)
             if node.attr == "raw" and outer and not outer.terms:
                 return outer
-            if node.attr == "shape":                # of an array; Pyccel knows it
+            if node.attr == "shape":  # of an array; Pyccel knows it
                 return None
             if outer is None:
                 self.refuse(node, f"{ast.unparse(node.value)} is no record")
-            place = Ref(self.field(node, outer.kind), outer.array,
-                        [*outer.terms, self.layout.offset(outer.kind, node.attr)])
+            place = Ref(
+                self.field(node, outer.kind),
+                outer.array,
+                [*outer.terms, self.layout.offset(outer.kind, node.attr)],
+            )
             if node.attr in outer.kind.targets and isinstance(node.ctx, ast.Load):
-                if is_root(outer.kind.targets[node.attr]):      # the array's own head
+                if is_root(outer.kind.targets[node.attr]):  # the array's own head
                     return Ref(outer.kind.targets[node.attr], outer.array, [])
-                return Ref(outer.kind.targets[node.attr], outer.array,
-                           [*outer.terms, integer(self.element(place, ast.Load()))])
+                return Ref(
+                    outer.kind.targets[node.attr],
+                    outer.array,
+                    [*outer.terms, integer(self.element(place, ast.Load()))],
+                )
             return place
         if isinstance(node, ast.Subscript):
             outer = self.ref(node.value)
@@ -211,8 +239,9 @@ class Lowered(ast.NodeTransformer):
             element, index = outer.kind._type_ if many else float, self.visit(deepcopy(node.slice))
             if not (is_record(element) or is_run(element)):
                 middle = getattr(outer.kind, "middle", 0) if many else 0
-                return Ref(float, outer.array,
-                           [*outer.terms, *([ast.Constant(middle)] if middle else []), index])
+                return Ref(
+                    float, outer.array, [*outer.terms, *([ast.Constant(middle)] if middle else []), index]
+                )
             terms = [] if ast.unparse(index) == "0" else [ast.BinOp(numbers(element), ast.Mult(), index)]
             return Ref(element, outer.array, [*outer.terms, *terms])
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "at":
@@ -221,8 +250,11 @@ class Lowered(ast.NodeTransformer):
             return Ref(kind, array, [*terms, *(self.visit(deepcopy(argument)) for argument in node.args[1:])])
         if isinstance(node, ast.Call):
             kind = self.results.get(self.function_key(ast.unparse(node.func)))
-            return Ref(kind, self.array_name(self.layout.home(kind)[0]),
-                       [self.visit(deepcopy(node))]) if kind else None
+            return (
+                Ref(kind, self.array_name(self.layout.home(kind)[0]), [self.visit(deepcopy(node))])
+                if kind
+                else None
+            )
         return None
 
     def function_key(self, name):
@@ -289,8 +321,9 @@ class Lowered(ast.NodeTransformer):
             return self.generic_visit(node)
         if len(parameters) != len(node.args):
             self.refuse(node, f"{name} has {len(parameters)} parameters")
-        arguments = [ast.Name(self.array_name(array), ast.Load())
-                     for array in added_arrays(parameters, self.layout)]
+        arguments = [
+            ast.Name(self.array_name(array), ast.Load()) for array in added_arrays(parameters, self.layout)
+        ]
         for (parameter, kind), argument in zip(parameters, node.args):
             ref = self.ref(argument) if kind else None
             if kind and (ref is None or ref.kind is not kind):
@@ -306,7 +339,7 @@ class Lowered(ast.NodeTransformer):
     def visit_Name(self, node):
         ref = self.records.get(node.id)
         if ref and is_root(ref.kind) and not ref.terms:
-            return ast.Name(ref.array, node.ctx)        # the whole array, to a function that takes arrays
+            return ast.Name(ref.array, node.ctx)  # the whole array, to a function that takes arrays
         if ref:
             self.refuse(node, f"the record {node.id} is used as a number")
         return node
@@ -325,8 +358,9 @@ class Lowered(ast.NodeTransformer):
 
     def imports(self):
         """The constants that the lowered text names come from layout, records do not."""
-        wanted = self.layout.values.keys() & {word for _, _, text in self.edits
-                                              for word in re.findall(r"\w+", text)}
+        wanted = self.layout.values.keys() & {
+            word for _, _, text in self.edits for word in re.findall(r"\w+", text)
+        }
         for node in self.tree.body:
             if isinstance(node, ast.ImportFrom) and node.module == "layout":
                 names = wanted.union(alias.name for alias in node.names)
@@ -337,15 +371,18 @@ class Lowered(ast.NodeTransformer):
 
     def text(self):
         for start, stop, text in sorted(self.edits, reverse=True):
-            head, tail = self.lines[start[0] - 1][:start[1]], self.lines[stop[0] - 1][stop[1]:]
-            self.lines[start[0] - 1:stop[0]] = [head + text.encode() + tail]
+            head, tail = self.lines[start[0] - 1][: start[1]], self.lines[stop[0] - 1][stop[1] :]
+            self.lines[start[0] - 1 : stop[0]] = [head + text.encode() + tail]
         return b"\n".join(self.lines)
 
 
 def numbers(kind):
     """How many numbers a record or a run is, of a record by name."""
-    return (ast.Name(f"{constant(kind.__name__)}_SIZE", ast.Load()) if is_record(kind)
-            else ast.Constant(sizeof(kind) // 8))
+    return (
+        ast.Name(f"{constant(kind.__name__)}_SIZE", ast.Load())
+        if is_record(kind)
+        else ast.Constant(sizeof(kind) // 8)
+    )
 
 
 def integer(expression):
@@ -361,19 +398,29 @@ def record_parameters(node, layout):
 def added_arrays(parameters, layout):
     """The arrays that a function's records live in and that it is not given anyway."""
     kinds = [kind for _, kind in parameters if kind]
-    return [array for array in ARRAYS
-            if array in {layout.home(kind)[0] for kind in kinds if not is_root(kind)}
-            and array not in {kind.array for kind in kinds if is_root(kind)}]
+    return [
+        array
+        for array in ARRAYS
+        if array in {layout.home(kind)[0] for kind in kinds if not is_root(kind)}
+        and array not in {kind.array for kind in kinds if is_root(kind)}
+    ]
 
 
 def lower(texts, module):
     """Modules without records, {name: text}, from modules with, and the imported layout."""
     layout = Layout(module)
-    functions = [(name, node) for name, text in texts.items() for node in ast.parse(text).body
-                 if isinstance(node, ast.FunctionDef)]
+    functions = [
+        (name, node)
+        for name, text in texts.items()
+        for node in ast.parse(text).body
+        if isinstance(node, ast.FunctionDef)
+    ]
     signatures = {(name, node.name): record_parameters(node, layout) for name, node in functions}
-    results = {(name, node.name): layout.classes[node.returns.id] for name, node in functions
-               if node.returns and node.returns.id not in NUMBERS}
+    results = {
+        (name, node.name): layout.classes[node.returns.id]
+        for name, node in functions
+        if node.returns and node.returns.id not in NUMBERS
+    }
     lowered, refusals = {}, []
     for name in texts.keys() - {"layout"}:
         try:
@@ -382,11 +429,17 @@ def lower(texts, module):
             refusals.append(str(refusal))
     if refusals:
         raise Refused("\n".join(sorted(refusals)))
-    finals = {name: value for name, value in vars(module).items() if name.isupper()
-              and isinstance(value, (int, float))}
-    lines = [f"{name}: Final[{type(value).__name__}] = {value!r}"
-             for name, value in (finals | layout.values).items()]
+    finals = {
+        name: value
+        for name, value in vars(module).items()
+        if name.isupper() and isinstance(value, (int, float))
+    }
+    lines = [
+        f"{name}: Final[{type(value).__name__}] = {value!r}"
+        for name, value in (finals | layout.values).items()
+    ]
     docstring = ast.get_docstring(ast.parse(texts["layout"]))
-    lowered["layout"] = "\n".join([f'"""{docstring}"""', "", "from typing import Final", "", *lines,
-                                   ""]).encode()
+    lowered["layout"] = "\n".join(
+        [f'"""{docstring}"""', "", "from typing import Final", "", *lines, ""]
+    ).encode()
     return lowered

@@ -17,8 +17,11 @@ from wrcontact.kernel.binding import exact_tables, fixed_tables, rolling_table  
 def made_tables():
     """The arrays (n,) to be stored, by name."""
     rolling = rolling_table.made_table()
-    return {"hertz": exact_tables.hertz_table(), "influence": exact_tables.influence_table(),
-            "rolling": rolling[:len(rolling) - len(fixed_tables.corrections())]}
+    return {
+        "hertz": exact_tables.hertz_table(),
+        "influence": exact_tables.influence_table(),
+        "rolling": rolling[: len(rolling) - len(fixed_tables.corrections())],
+    }
 
 
 if __name__ == "__main__":

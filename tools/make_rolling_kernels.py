@@ -15,7 +15,7 @@ import sys
 
 import numpy as np
 
-os.environ["WRCONTACT_KERNEL"] = "python"       # the factors do not depend on what is compiled
+os.environ["WRCONTACT_KERNEL"] = "python"  # the factors do not depend on what is compiled
 
 from wrcontact.creep.elliptic_nodes import strip_coefficients  # noqa: E402
 from wrcontact.kernel import layout  # noqa: E402
@@ -29,7 +29,7 @@ DIGITS = 12
 
 def pieces(first, last, finest):
     """Points and weights (n,) on first ... last, over pieces that triple in length from ``finest`` on."""
-    edges = [first, *(first + finest * 3.0**np.arange(60)), last]
+    edges = [first, *(first + finest * 3.0 ** np.arange(60)), last]
     edges = [edge for edge in edges if edge < last] + [last]
     low, high = np.array(edges[:-1])[:, None], np.array(edges[1:])[:, None]
     points, weights = GAUSS
@@ -50,8 +50,11 @@ def reach(eta):
         near = np.array([eta / r, eta * X**2 / r**3])
         far = np.array([eta**3 / r**3, 3.0 * eta**3 * X**2 / r**5])
         spin = (np.sin(u + w) * np.sin(u - w)) ** 2
-        total += 8.0 * weight * np.array([near @ weights, far @ weights, near @ (spin * weights),
-                                          far @ (spin * weights)])
+        total += (
+            8.0
+            * weight
+            * np.array([near @ weights, far @ weights, near @ (spin * weights), far @ (spin * weights)])
+        )
     return total * np.array([[1.0 / (2.0 * np.pi**2)]] * 2 + [[2.0 / np.pi**2]] * 2)
 
 
@@ -91,8 +94,9 @@ def rounded(values):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
     found = np.array(rounded(reaches().tolist()))

@@ -18,7 +18,7 @@ from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from pathlib import Path
 
-for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):    # small matrices: threads only disturb
+for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):  # small matrices: threads only disturb
     os.environ.setdefault(variable, "1")
 
 import numpy as np  # noqa: E402
@@ -59,9 +59,17 @@ def make_table(poisson_ratio, workers, folder):
             file.write(" ".join([*map(str, line), *(f"{each:.7g}" for each in values.ravel()), "end\n"]))
             file.flush()
     coefficients = [nodes.creep_coefficients(ratio, 1.0, poisson_ratio) for ratio in nodes.RATIO]
-    np.savez_compressed(path, forces=nodes.filled(found).astype(np.float32), columns=np.array(nodes.COLUMNS),
-                        ratio=nodes.RATIO, beta=nodes.BETA, alpha=nodes.ALPHA, rho=nodes.RHO,
-                        poisson_ratio=poisson_ratio, creep_coefficients=np.array(coefficients))
+    np.savez_compressed(
+        path,
+        forces=nodes.filled(found).astype(np.float32),
+        columns=np.array(nodes.COLUMNS),
+        ratio=nodes.RATIO,
+        beta=nodes.BETA,
+        alpha=nodes.ALPHA,
+        rho=nodes.RHO,
+        poisson_ratio=poisson_ratio,
+        creep_coefficients=np.array(coefficients),
+    )
     parts.unlink()
     return path
 
@@ -72,15 +80,19 @@ def compare(poisson_ratio, count, folder):
         forces = stored["forces"]
     lines = nodes.lines()
     wanted = -(-count // len(nodes.RHO))
-    for line in lines[len(lines) // (2 * wanted)::len(lines) // wanted][:wanted]:
+    for line in lines[len(lines) // (2 * wanted) :: len(lines) // wanted][:wanted]:
         apart = np.abs(nodes.solve_line(line, poisson_ratio) - forces[line]).max(axis=0)
-        print(f"nu {poisson_ratio}, line {line}: " + ", ".join(
-            f"{name} {each:.1e}" for name, each in zip(nodes.COLUMNS, apart)), flush=True)
+        print(
+            f"nu {poisson_ratio}, line {line}: "
+            + ", ".join(f"{name} {each:.1e}" for name, each in zip(nodes.COLUMNS, apart)),
+            flush=True,
+        )
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--poisson", type=float, nargs="+", default=POISSON_RATIOS)
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--nodes", type=int)

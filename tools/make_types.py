@@ -22,17 +22,37 @@ from wrcontact.results.views import View
 ROOT = Path(__file__).resolve().parent.parent
 TEMPLATES = ROOT / "tools" / "types"
 #: Where each of them goes, in wrcontact.
-PLACES = {"__init__": "__init__.pyi", "state": "state.pyi", "system": "system.pyi", "wheel": "wheel.pyi",
-          "stepper": "stepper.pyi", "results_inputs": "results/inputs.pyi",
-          "results_outlines": "results/outlines.pyi", "results_views": "results/views.pyi"}
+PLACES = {
+    "__init__": "__init__.pyi",
+    "state": "state.pyi",
+    "system": "system.pyi",
+    "wheel": "wheel.pyi",
+    "stepper": "stepper.pyi",
+    "results_inputs": "results/inputs.pyi",
+    "results_outlines": "results/outlines.pyi",
+    "results_views": "results/views.pyi",
+}
 NOTE = "# Written by tools/make_types.py; do not edit.\n"
 PROFILES = ("wheel", "rail")
 #: A result with every property, and its parts by their classes.
 STATE = wrcontact.ContactSystem(wear_outputs=True).evaluate(3e-3)
 RIGHT = STATE.right
-SAMPLES = {type(part).__name__: part for part in (
-    STATE, STATE.normal, RIGHT, RIGHT.contact, RIGHT.normal, RIGHT.force, RIGHT.patches[0],
-    RIGHT.patches[0].creepage, RIGHT.patches[0].tangential, RIGHT.strips[0], STATE.inputs)}
+SAMPLES = {
+    type(part).__name__: part
+    for part in (
+        STATE,
+        STATE.normal,
+        RIGHT,
+        RIGHT.contact,
+        RIGHT.normal,
+        RIGHT.force,
+        RIGHT.patches[0],
+        RIGHT.patches[0].creepage,
+        RIGHT.patches[0].tangential,
+        RIGHT.strips[0],
+        STATE.inputs,
+    )
+}
 SAMPLES["Outline"] = RIGHT.outline
 
 
@@ -42,8 +62,12 @@ def properties(kind, written):
     owner = Outline if kind == "Outline" else type(sample)
     for name in dir(owner):
         found = getattr(owner, name)
-        if name.startswith("_") or not isinstance(found, property) or name in written \
-                or any(name in vars(base) for base in owner.__mro__[1:]):
+        if (
+            name.startswith("_")
+            or not isinstance(found, property)
+            or name in written
+            or any(name in vars(base) for base in owner.__mro__[1:])
+        ):
             continue
         words = (found.__doc__ or "").strip().splitlines()
         value = getattr(sample, name)
@@ -52,8 +76,9 @@ def properties(kind, written):
             typed = f"{type(value).__name__}[_N]"
         yield "@property"
         yield f"def {name}(self) -> {typed}:"
-        yield from indent("\n".join(['"""' + words[0], *(line.strip() for line in words[1:])]) + '"""',
-                          "    ").splitlines()
+        yield from indent(
+            "\n".join(['"""' + words[0], *(line.strip() for line in words[1:])]) + '"""', "    "
+        ).splitlines()
 
 
 def parameter_type(row, single=False):
@@ -79,8 +104,11 @@ def _shown(default):
 
 def parameters(single=False):
     """Lines of the keywords of ContactSystem, or of one wheel."""
-    rows = [row for row in PARAMETERS.values()
-            if not single or row.name not in one_wheel.WITHOUT and not row.name.startswith(LEFT)]
+    rows = [
+        row
+        for row in PARAMETERS.values()
+        if not single or row.name not in one_wheel.WITHOUT and not row.name.startswith(LEFT)
+    ]
     for row in rows[:2]:
         yield f"{row.name}: {parameter_type(row, single)} = {_shown(row.default)},"
     yield "*,"
@@ -148,8 +176,11 @@ def stubs():
 
 
 if __name__ == "__main__":
-    changed = {path: text for path, text in stubs().items()
-               if not path.exists() or path.read_text(encoding="utf-8") != text}
+    changed = {
+        path: text
+        for path, text in stubs().items()
+        if not path.exists() or path.read_text(encoding="utf-8") != text
+    }
     for path, text in changed.items():
         path.write_text(text, encoding="utf-8")
     print(f"{len(changed)} files of types changed", file=sys.stderr)

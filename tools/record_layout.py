@@ -27,8 +27,9 @@ class Layout:
             if not is_record(kind):
                 continue
             self.values[f"{constant(name)}_SIZE"] = sizeof(kind) // 8
-            kind.targets.update({field: named[target] for field, target in kind.targets.items()
-                                 if isinstance(target, str)})
+            kind.targets.update(
+                {field: named[target] for field, target in kind.targets.items() if isinstance(target, str)}
+            )
             for field, _ in kind._fields_:
                 self.values[self.offset(kind, field)] = getattr(kind, field).offset // 8
         for name, value in self.values.items():

@@ -32,12 +32,17 @@ SUMS = "SHA256SUMS"
 def build_fmus(folder, platforms):
     """The FMUs of a release: a wheelset for FMI 2.0 and 3.0, one wheel likewise, and the one in Python."""
     names = ",".join(platforms)
-    made = [*built(True, names, output=folder), *built(True, names, "right", output=folder),
-            *built(False, None, output=folder)]
+    made = [
+        *built(True, names, output=folder),
+        *built(True, names, "right", output=folder),
+        *built(False, None, output=folder),
+    ]
     for fmu in made[:4]:
         if libraries_of(fmu) != set(platforms):
-            raise ReleaseProblem(f"{fmu.name} has libraries for {', '.join(sorted(libraries_of(fmu)))}; "
-                                 f"expected are {', '.join(platforms)}")
+            raise ReleaseProblem(
+                f"{fmu.name} has libraries for {', '.join(sorted(libraries_of(fmu)))}; "
+                f"expected are {', '.join(platforms)}"
+            )
     return made
 
 
@@ -49,9 +54,11 @@ def write_sums(folder):
     return files
 
 
-def release(folder: Annotated[Path, typer.Argument(help="New or empty folder for the files of the release")],
-            platforms: Annotated[str, typer.Option(help="Platforms, with commas, or all")] = "all",
-            trial: Annotated[bool, typer.Option(help="Install and try what can run here")] = True):
+def release(
+    folder: Annotated[Path, typer.Argument(help="New or empty folder for the files of the release")],
+    platforms: Annotated[str, typer.Option(help="Platforms, with commas, or all")] = "all",
+    trial: Annotated[bool, typer.Option(help="Install and try what can run here")] = True,
+):
     """Build and try everything that a release consists of."""
     names = list(PLATFORMS) if platforms == "all" else platforms.split(",")
     folder = folder.resolve()
@@ -62,8 +69,9 @@ def release(folder: Annotated[Path, typer.Argument(help="New or empty folder for
         if set(names) - set(PLATFORMS):
             raise ReleaseProblem(f"--platforms is {platforms}; permitted are {', '.join(PLATFORMS)} and all")
         if not Path(wrcontact.__file__).is_relative_to(ROOT):
-            raise ReleaseProblem(f"wrcontact is that of {wrcontact.__file__}; permitted is an editable "
-                                 f"installation of {ROOT}")
+            raise ReleaseProblem(
+                f"wrcontact is that of {wrcontact.__file__}; permitted is an editable installation of {ROOT}"
+            )
         with tempfile.TemporaryDirectory() as scratch:
             print(f"wrcontact {wrcontact.__version__} for {', '.join(names)}", flush=True)
             build_packages(folder, names, Path(scratch, "compiled"))

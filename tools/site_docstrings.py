@@ -15,8 +15,13 @@ ENTRY = re.compile(r"^(\S[^\n]*?) : ", re.MULTILINE)
 ROLE = re.compile(r":(?:class|func|meth|mod|attr|data):`(~?)([\w.]+)`", re.ASCII)
 EXAMPLE = re.compile(r"(?:^>>> .*\n?(?:^(?!\s*$).*\n?)*)+", re.MULTILINE)
 #: What the page of the interface shows, and so can be linked.
-SHOWN = set(re.findall(r"^::: (\S+)", (Path(__file__).parent.parent / "docs/reference/api.md").read_text(
-    encoding="utf-8"), re.MULTILINE))
+SHOWN = set(
+    re.findall(
+        r"^::: (\S+)",
+        (Path(__file__).parent.parent / "docs/reference/api.md").read_text(encoding="utf-8"),
+        re.MULTILINE,
+    )
+)
 LISTED = ("Parameters", "Attributes", "Returns", "Raises", "Other Parameters")
 
 
@@ -44,9 +49,14 @@ def items(body):
     for line in body.rstrip().split("\n"):
         if line and not line.startswith(" "):
             name, colon, words = line.partition(" : ")
-            lines.append(f"* {code(name)}: {words}" if colon else f"* {code(name)}" if name.isidentifier()
-                         else f"* {name}")
-        elif re.match(r" +'\w+', :class:", line):               # a choice of a method
+            lines.append(
+                f"* {code(name)}: {words}"
+                if colon
+                else f"* {code(name)}"
+                if name.isidentifier()
+                else f"* {name}"
+            )
+        elif re.match(r" +'\w+', :class:", line):  # a choice of a method
             name, _, words = line.strip().partition(" : ")
             lines.append(f"    * {name.replace(chr(39), '`')}: {words}")
         else:
@@ -69,7 +79,9 @@ def without_directives(example):
 
 def links(text):
     """Roles as links to where the site has the object, or as code."""
+
     def link(match):
         name = match[2].rpartition(".")[2] if match[1] else match[2]
         return f"[`{name}`][{match[2]}]" if match[2] in SHOWN else f"`{name}`"
+
     return ROLE.sub(link, text).replace("``", "`")

@@ -20,7 +20,7 @@ INLINE = re.compile(r"(?<![\\$\w])\$(?![\s$])([^$\n]+?(?:\n[^$\n]+?)?)(?<![\s\\]
 TAG = re.compile(r"\\tag\{([^}]*)\}")
 CODE = re.compile(r"(^[ ]*```.*?^[ ]*```[ ]*$|`[^`\n]+`)", re.DOTALL | re.MULTILINE)
 LINK = re.compile(r"(\]\()((?:\.\./)+[^)#\s]+)(#[^)]*)?\)")
-FUNCTION = r"(<mi>(?:sin|cos|tan|ln|exp|arcsin|arccos|arctan)</mi>)(?!<m[on])"     # "cos a" with a gap
+FUNCTION = r"(<mi>(?:sin|cos|tan|ln|exp|arcsin|arccos|arctan)</mi>)(?!<m[on])"  # "cos a" with a gap
 LANGUAGES = {".py": "python", ".c": "c", ".csv": "text", ".toml": "toml"}
 
 
@@ -38,7 +38,7 @@ def on_files(files, config):
 
 def on_page_markdown(markdown, page, config, files):
     """Equations and links of one page."""
-    pieces = CODE.split(markdown)                # code stands at odd places
+    pieces = CODE.split(markdown)  # code stands at odd places
     pieces[::2] = [equations(piece) for piece in pieces[::2]]
     return LINK.sub(lambda match: inside(match, page.file.src_uri), "".join(pieces))
 
@@ -66,7 +66,7 @@ def shown(source):
         return f"# {source}\n\nA folder of the project:\n\n" + "\n".join(f"* `{name}`" for name in names)
     text = path.read_text(encoding="utf-8")
     if path.suffix == ".md":
-        return re.sub(r"!?\[([^\]]*)\]\((?!http)[^)]*\)", r"\1", text)       # without links to other files
+        return re.sub(r"!?\[([^\]]*)\]\((?!http)[^)]*\)", r"\1", text)  # without links to other files
     return f"# {source}\n\n````{LANGUAGES.get(path.suffix, 'text')}\n{text}\n````\n"
 
 

@@ -48,14 +48,26 @@ from transpile.translator import run_pyccel  # noqa: E402
 from transpile.units import assemble  # noqa: E402
 
 #: Also for the tests and for other tools.
-__all__ = ["FILES", "KERNEL", "Module", "Refused", "assemble", "flat_name", "main", "read_modules",
-           "run_pyccel", "source_modules", "translate"]
+__all__ = [
+    "FILES",
+    "KERNEL",
+    "Module",
+    "Refused",
+    "assemble",
+    "flat_name",
+    "main",
+    "read_modules",
+    "run_pyccel",
+    "source_modules",
+    "translate",
+]
 
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--check", action="store_true",
-                        help="write nothing; exit 1 if the C files are not up to date")
+    parser.add_argument(
+        "--check", action="store_true", help="write nothing; exit 1 if the C files are not up to date"
+    )
     parser.add_argument("--kernel", type=Path, default=KERNEL, help="folder of the kernel's modules")
     options = parser.parse_args(arguments)
     try:
@@ -68,8 +80,10 @@ def main(arguments=None):
         write(files, generated)
         print(f"{len(files)} files in {generated}, {len(stale)} of them changed")
     elif stale:
-        sys.exit("The generated C is not what the kernel's Python gives; run tools/transpile_kernel.py. "
-                 f"Stale: {', '.join(stale)}")
+        sys.exit(
+            "The generated C is not what the kernel's Python gives; run tools/transpile_kernel.py. "
+            f"Stale: {', '.join(stale)}"
+        )
     else:
         print(f"The {len(files)} generated files are up to date.")
 

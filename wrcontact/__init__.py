@@ -19,14 +19,45 @@ from .wheel import WheelContact, WheelState
 
 __version__ = "1.0.0"
 #: What is imported when it is first used, and where from: an FMU does not have it.
-_ELSEWHERE = {"interpolate": ".sweeps.interpolation", "sweep": ".sweeps.run",
-              **dict.fromkeys(("ArchardMap", "BritishRail", "Usfd", "Wear", "WearRun", "Zobory", "fatigue",
-                               "wear_run"), ".wear")}
-__all__ = ["ContactSystem", "CreepForces", "CreepPatch", "Friction", "GuidingForces", "Material", "Profile",
-           "ProfileFile", "ProfileWarning", "Status", "Stepper", "Track", "UnusualValueWarning",
-           "WheelContact", "WheelState", "Wheelset", "WheelsetState", "check", "check_fleet", "creep_forces",
-           "elliptic_patch", "explain", "guiding_forces", "low_pass", "motion_of", "outlined_patch",
-           "patch_of", "sliding_mean", *_methods, *_ELSEWHERE]
+_ELSEWHERE = {
+    "interpolate": ".sweeps.interpolation",
+    "sweep": ".sweeps.run",
+    **dict.fromkeys(
+        ("ArchardMap", "BritishRail", "Usfd", "Wear", "WearRun", "Zobory", "fatigue", "wear_run"), ".wear"
+    ),
+}
+__all__ = [
+    "ContactSystem",
+    "CreepForces",
+    "CreepPatch",
+    "Friction",
+    "GuidingForces",
+    "Material",
+    "Profile",
+    "ProfileFile",
+    "ProfileWarning",
+    "Status",
+    "Stepper",
+    "Track",
+    "UnusualValueWarning",
+    "WheelContact",
+    "WheelState",
+    "Wheelset",
+    "WheelsetState",
+    "check",
+    "check_fleet",
+    "creep_forces",
+    "elliptic_patch",
+    "explain",
+    "guiding_forces",
+    "low_pass",
+    "motion_of",
+    "outlined_patch",
+    "patch_of",
+    "sliding_mean",
+    *_methods,
+    *_ELSEWHERE,
+]
 
 #: Parts of the package that are imported when they are first used: they need matplotlib or scipy.
 _LATER = frozenset({"conditioning", "fleet", "halfspace", "plots", "study", "wear"})

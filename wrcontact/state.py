@@ -42,8 +42,11 @@ def _named(rows, record, **parts):
                 owner._members += (name,)
             if name not in vars(owner):
                 words = words_of(row)
-                setattr(owner, name, view_at(Vector, place, words) if isinstance(row, VectorRow)
-                        else number_at(place, words))
+                setattr(
+                    owner,
+                    name,
+                    view_at(Vector, place, words) if isinstance(row, VectorRow) else number_at(place, words),
+                )
         return cls
 
     return decorate
@@ -134,8 +137,11 @@ class Side(View):
         """Patches by decreasing load; in a table always three, with zeros for missing ones."""
         start, size = self._offset + layout.SIDE_PATCH, layout.PATCH_OUTPUTS_SIZE
         single = self._values.ndim == 1
-        return tuple(Patch(self._values, start + size * k) for k in range(layout.PATCH_LIMIT)
-                     if not single or k < self.patch_count)
+        return tuple(
+            Patch(self._values, start + size * k)
+            for k in range(layout.PATCH_LIMIT)
+            if not single or k < self.patch_count
+        )
 
     @property
     def outline(self):
@@ -150,8 +156,9 @@ class Side(View):
         if not columns.has_wear(width):
             raise AttributeError("strips are not computed; they need ContactSystem(wear_outputs=True)")
         (side,) = (name for name, first in SIDES.items() if first == self._offset)
-        return tuple(Strips(self._values, columns.strips_place(width, side, k))
-                     for k in range(len(self.patches)))
+        return tuple(
+            Strips(self._values, columns.strips_place(width, side, k)) for k in range(len(self.patches))
+        )
 
     @property
     def _is_right(self):
@@ -224,8 +231,11 @@ class WheelsetState(View):
         """Where both wheels carry the load of the inputs, an :class:`Equilibrium`; found when it is asked for
         first.  A compliant wheelset starts at rest from there; in other modes it is where it stands."""
         if self._equilibrium is None:
-            self._equilibrium = (Equilibrium(self.vertical_shift, self.roll, self.status)
-                                 if self._system is None else self._system.find_equilibrium(self.inputs))
+            self._equilibrium = (
+                Equilibrium(self.vertical_shift, self.roll, self.status)
+                if self._system is None
+                else self._system.find_equilibrium(self.inputs)
+            )
         return self._equilibrium
 
     @property
@@ -247,8 +257,14 @@ class WheelsetState(View):
             values = self.values[key] if self._places is None else self._values.row(key)
             status = Status(int(self.status[key]))
             return WheelsetState(values, status, self._inputs[key], system=self._system)
-        return WheelsetState(self.values[key], self.status[key], self._inputs[key], self._places,
-                             self._values.shape[-1], self._system)
+        return WheelsetState(
+            self.values[key],
+            self.status[key],
+            self._inputs[key],
+            self._places,
+            self._values.shape[-1],
+            self._system,
+        )
 
     def _named(self, name):
         """The output or input of this name."""
@@ -288,25 +304,28 @@ class WheelsetState(View):
         """This table; of one pose a table of one row."""
         if self.values.ndim > 1:
             return self
-        return WheelsetState(self.values[None], np.array([int(self.status)]), self._inputs[None],
-                             system=self._system)
+        return WheelsetState(
+            self.values[None], np.array([int(self.status)]), self._inputs[None], system=self._system
+        )
 
     @property
     def summary(self):
         """How many rows a table has, and of which status they are, in words."""
-        counts = {kind.name.lower().replace("_", " "): np.count_nonzero(self.status == kind)
-                  for kind in Status}
+        counts = {
+            kind.name.lower().replace("_", " "): np.count_nonzero(self.status == kind) for kind in Status
+        }
         said = ", ".join(f"{count} {words}" for words, count in counts.items() if count)
         return f"{len(self)} poses: {said}" if said else "0 poses"
 
     def __repr__(self):
         if self.values.ndim > 1:
             return f"WheelsetState({self.summary})"
-        return (f"WheelsetState(status={self.status!r}, roll={self.roll:.6g} rad, "
-                f"vertical_shift={self.vertical_shift:.6g} m)")
+        return (
+            f"WheelsetState(status={self.status!r}, roll={self.roll:.6g} rad, "
+            f"vertical_shift={self.vertical_shift:.6g} m)"
+        )
 
     def _repr_html_(self):
         from .results import pages
 
         return pages.page(self)
-

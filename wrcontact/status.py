@@ -30,8 +30,8 @@ class Status(IntEnum):
     """Outcome of a step; the FMU's ``status``."""
 
     VALID = layout.VALID
-    UNLOADED = layout.UNLOADED            #: a wheel carries no load; geometry valid, its patch empty
-    OFF_PROFILE = layout.OFF_PROFILE      #: contact beyond the profiles; no results
+    UNLOADED = layout.UNLOADED  #: a wheel carries no load; geometry valid, its patch empty
+    OFF_PROFILE = layout.OFF_PROFILE  #: contact beyond the profiles; no results
     NOT_CONVERGED = layout.NOT_CONVERGED  #: likewise
     INVALID_INPUT = layout.INVALID_INPUT  #: likewise
 
@@ -77,20 +77,22 @@ class Sentence(NamedTuple):
     """What is said of a status if a test of one input holds, in one contact mode or in all."""
 
     status: Status
-    test: str                   #: one of TESTS
-    name: str                   #: the input that is tested
-    limit: float                #: of the test, and what the shown value has to differ from
-    text: str                   #: <name of an input>, [value with its unit], [input:value], {length in m}
-    compliant: bool | None = None       #: None is every contact mode
+    test: str  #: one of TESTS
+    name: str  #: the input that is tested
+    limit: float  #: of the test, and what the shown value has to differ from
+    text: str  #: <name of an input>, [value with its unit], [input:value], {length in m}
+    compliant: bool | None = None  #: None is every contact mode
 
 
 #: Tests of an input against a limit.
-TESTS = {"always": lambda value, limit: True,
-         "infinite": lambda value, limit: not math.isfinite(value),
-         "beyond": lambda value, limit: abs(value) > limit,
-         "outside": lambda value, limit: not 0.0 <= value <= limit,
-         "negative": lambda value, limit: value < 0.0,
-         "zero": lambda value, limit: value == 0.0}
+TESTS = {
+    "always": lambda value, limit: True,
+    "infinite": lambda value, limit: not math.isfinite(value),
+    "beyond": lambda value, limit: abs(value) > limit,
+    "outside": lambda value, limit: not 0.0 <= value <= limit,
+    "negative": lambda value, limit: value < 0.0,
+    "zero": lambda value, limit: value == 0.0,
+}
 
 
 def _beyond(status, name, limit, why="", compliant=None):
@@ -101,55 +103,131 @@ def _beyond(status, name, limit, why="", compliant=None):
 
 #: The first one that holds is said.
 SENTENCES = (
-    *(Sentence(Status.INVALID_INPUT, "infinite", name, math.nan,
-               f"<{name}> is [{name}]; permitted are finite numbers") for name in INPUT_NAMES),
+    *(
+        Sentence(
+            Status.INVALID_INPUT,
+            "infinite",
+            name,
+            math.nan,
+            f"<{name}> is [{name}]; permitted are finite numbers",
+        )
+        for name in INPUT_NAMES
+    ),
     *(_beyond(Status.INVALID_INPUT, row.name, row.maximum) for row in INPUTS if row.limited),
-    *(Sentence(Status.INVALID_INPUT, "outside", row.name, FRICTION_LIMIT,
-               f"<{row.name}> is [{row.name}]; permitted is 0 <= <{row.name}> <= "
-               f"[{row.name}:{FRICTION_LIMIT!r}]") for row in FRICTION),
-    Sentence(Status.INVALID_INPUT, "outside", "rail_time_step", TIME_LIMIT,
-             "<rail_time_step> is [rail_time_step]; permitted is 0 <= <rail_time_step> <= "
-             f"[rail_time_step:{TIME_LIMIT!r}]"),
-    Sentence(Status.INVALID_INPUT, "negative", "normal_force", 0.0,
-             "<normal_force> is [normal_force]; permitted is <normal_force> >= [normal_force:0.0]"),
-    Sentence(Status.INVALID_INPUT, "always", "load_transfer", 1.0,
-             "<load_transfer> is [load_transfer]; permitted is -1 <= <load_transfer> <= 1"),
-    Sentence(Status.UNLOADED, "always", "vertical_shift_input", math.nan,
-             "<vertical_shift_input> is [vertical_shift_input] at <roll_input> [roll_input], so a wheel is "
-             "lifted and carries no load; its patch is empty (a larger <vertical_shift_input> lowers the "
-             "wheelset)", True),
-    *(Sentence(Status.UNLOADED, test, name, math.nan,
-               f"<{name}> is [{name}], so a wheel carries no load; its patch is empty (a load needs "
-               "<normal_force> > [normal_force:0.0] and |<load_transfer>| < 1)", False)
-      for test, name in (("zero", "normal_force"), ("always", "load_transfer"))),
+    *(
+        Sentence(
+            Status.INVALID_INPUT,
+            "outside",
+            row.name,
+            FRICTION_LIMIT,
+            f"<{row.name}> is [{row.name}]; permitted is 0 <= <{row.name}> <= "
+            f"[{row.name}:{FRICTION_LIMIT!r}]",
+        )
+        for row in FRICTION
+    ),
+    Sentence(
+        Status.INVALID_INPUT,
+        "outside",
+        "rail_time_step",
+        TIME_LIMIT,
+        "<rail_time_step> is [rail_time_step]; permitted is 0 <= <rail_time_step> <= "
+        f"[rail_time_step:{TIME_LIMIT!r}]",
+    ),
+    Sentence(
+        Status.INVALID_INPUT,
+        "negative",
+        "normal_force",
+        0.0,
+        "<normal_force> is [normal_force]; permitted is <normal_force> >= [normal_force:0.0]",
+    ),
+    Sentence(
+        Status.INVALID_INPUT,
+        "always",
+        "load_transfer",
+        1.0,
+        "<load_transfer> is [load_transfer]; permitted is -1 <= <load_transfer> <= 1",
+    ),
+    Sentence(
+        Status.UNLOADED,
+        "always",
+        "vertical_shift_input",
+        math.nan,
+        "<vertical_shift_input> is [vertical_shift_input] at <roll_input> [roll_input], so a wheel is "
+        "lifted and carries no load; its patch is empty (a larger <vertical_shift_input> lowers the "
+        "wheelset)",
+        True,
+    ),
+    *(
+        Sentence(
+            Status.UNLOADED,
+            test,
+            name,
+            math.nan,
+            f"<{name}> is [{name}], so a wheel carries no load; its patch is empty (a load needs "
+            "<normal_force> > [normal_force:0.0] and |<load_transfer>| < 1)",
+            False,
+        )
+        for test, name in (("zero", "normal_force"), ("always", "load_transfer"))
+    ),
     _beyond(Status.OFF_PROFILE, "lateral_shift", LATERAL_LIMIT, ", beyond the profiles"),
     _beyond(Status.OFF_PROFILE, "yaw", YAW_LIMIT, ", beyond the profiles"),
-    *(_beyond(Status.OFF_PROFILE, row.name,
-              RAIL_ROLL_LIMIT if row.name.endswith("rail_roll") else RAIL_LIMIT)
-      for row in (*RAILS, *DEFLECTIONS)),
+    *(
+        _beyond(
+            Status.OFF_PROFILE, row.name, RAIL_ROLL_LIMIT if row.name.endswith("rail_roll") else RAIL_LIMIT
+        )
+        for row in (*RAILS, *DEFLECTIONS)
+    ),
     _beyond(Status.OFF_PROFILE, "roll_input", ROLL_LIMIT, compliant=True),
-    Sentence(Status.OFF_PROFILE, "always", "vertical_shift_input", math.nan,
-             "<vertical_shift_input> is [vertical_shift_input] and <roll_input> [roll_input] at "
-             "<lateral_shift> [lateral_shift]: the contact leaves a profile, or a wheel is deeper in its "
-             f"rail than {{{DEEPEST!r}}}", True),
-    Sentence(Status.OFF_PROFILE, "outside", "normal_force", USUAL_LOAD[1],
-             f"<normal_force> is [normal_force]; usual is at most [normal_force:{USUAL_LOAD[1]!r}]: it "
-             "presses a wheel beyond the end of a profile, or deeper into its rail than "
-             f"{{{DEEPEST!r}}}, at <lateral_shift> [lateral_shift] and <yaw> [yaw]", False),
-    Sentence(Status.OFF_PROFILE, "always", "lateral_shift", math.nan,
-             "<lateral_shift> is [lateral_shift] at <yaw> [yaw]: the smallest gap lies at the end of a "
-             "profile, so there is no contact; or, in elastic contact, <normal_force> [normal_force] with "
-             "<load_transfer> [load_transfer] presses a wheel deeper into its rail than "
-             f"{{{DEEPEST!r}}}; permitted are poses with the contact inside both profiles", False),
-    Sentence(Status.NOT_CONVERGED, "always", "lateral_shift", math.nan,
-             "no solution at <lateral_shift> [lateral_shift], <yaw> [yaw], <normal_force> [normal_force], "
-             "<load_transfer> [load_transfer] within the iteration limit; friction may jam a wheel "
-             "that has a vertical load"),
+    Sentence(
+        Status.OFF_PROFILE,
+        "always",
+        "vertical_shift_input",
+        math.nan,
+        "<vertical_shift_input> is [vertical_shift_input] and <roll_input> [roll_input] at "
+        "<lateral_shift> [lateral_shift]: the contact leaves a profile, or a wheel is deeper in its "
+        f"rail than {{{DEEPEST!r}}}",
+        True,
+    ),
+    Sentence(
+        Status.OFF_PROFILE,
+        "outside",
+        "normal_force",
+        USUAL_LOAD[1],
+        f"<normal_force> is [normal_force]; usual is at most [normal_force:{USUAL_LOAD[1]!r}]: it "
+        "presses a wheel beyond the end of a profile, or deeper into its rail than "
+        f"{{{DEEPEST!r}}}, at <lateral_shift> [lateral_shift] and <yaw> [yaw]",
+        False,
+    ),
+    Sentence(
+        Status.OFF_PROFILE,
+        "always",
+        "lateral_shift",
+        math.nan,
+        "<lateral_shift> is [lateral_shift] at <yaw> [yaw]: the smallest gap lies at the end of a "
+        "profile, so there is no contact; or, in elastic contact, <normal_force> [normal_force] with "
+        "<load_transfer> [load_transfer] presses a wheel deeper into its rail than "
+        f"{{{DEEPEST!r}}}; permitted are poses with the contact inside both profiles",
+        False,
+    ),
+    Sentence(
+        Status.NOT_CONVERGED,
+        "always",
+        "lateral_shift",
+        math.nan,
+        "no solution at <lateral_shift> [lateral_shift], <yaw> [yaw], <normal_force> [normal_force], "
+        "<load_transfer> [load_transfer] within the iteration limit; friction may jam a wheel "
+        "that has a vertical load",
+    ),
 )
 
 
-def explain(status: int, inputs: Iterable[float] | Mapping[str, float], compliant: bool | None = None,
-            terms: Terms | None = None, held: bool = False) -> str:
+def explain(
+    status: int,
+    inputs: Iterable[float] | Mapping[str, float],
+    compliant: bool | None = None,
+    terms: Terms | None = None,
+    held: bool = False,
+) -> str:
     """One sentence on a non-zero ``status`` that names the variable, its value and the limit; "" for VALID.
 
     ``inputs`` are those of the step: ``state.inputs``, also of one wheel, or numbers in the order of
@@ -163,15 +241,22 @@ def explain(status: int, inputs: Iterable[float] | Mapping[str, float], complian
     if compliant is None:
         compliant = getattr(inputs, "compliant", False)
     if isinstance(inputs, Mapping):
-        if "normal_force" not in inputs:        # of one wheel, by its own names
+        if "normal_force" not in inputs:  # of one wheel, by its own names
             compliant, terms = True, terms or _OneWheel()
         inputs = [inputs.get(row.name, inputs.get(row.name.rpartition(".")[2], row.start)) for row in INPUTS]
     terms, given = terms or Terms(), dict(zip(INPUT_NAMES, map(float, inputs)))
-    said = next(row for row in SENTENCES
-                if row.status == status and row.compliant in (None, bool(compliant))
-                and TESTS[row.test](given[row.name], row.limit))
-    text = written(said.text, terms, lambda name: terms.value(
-        name, given[name], said.limit if name == said.name else math.nan))
+    said = next(
+        row
+        for row in SENTENCES
+        if row.status == status
+        and row.compliant in (None, bool(compliant))
+        and TESTS[row.test](given[row.name], row.limit)
+    )
+    text = written(
+        said.text,
+        terms,
+        lambda name: terms.value(name, given[name], said.limit if name == said.name else math.nan),
+    )
     return text + (KEPT if held and status >= Status.OFF_PROFILE else "")
 
 

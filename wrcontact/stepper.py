@@ -27,8 +27,9 @@ from .results.saved import check_mark, version_mark
 SIDES = {"both": layout.SIDES_BOTH, "left": layout.SIDES_LEFT, "right": layout.SIDES_RIGHT}
 DEPTHS = {"all": layout.DEPTH_ALL, "patches": layout.DEPTH_PATCHES, "geometry": layout.DEPTH_GEOMETRY}
 #: Where the wheelset's force and moment are among the outputs.
-FORCE, MOMENT = (slice(place, place + 3) for place in (layout.Outputs.force.offset // 8,
-                                                       layout.Outputs.moment.offset // 8))
+FORCE, MOMENT = (
+    slice(place, place + 3) for place in (layout.Outputs.force.offset // 8, layout.Outputs.moment.offset // 8)
+)
 #: Permitted penetration, where it is prescribed [m].
 PENETRATION_RANGE = (0.0, 0.01)
 #: Rows that a part of many has at first, and the time that a part should take [s].
@@ -74,8 +75,14 @@ class Stepper:
         self._wanted = ("both", "all")
 
     def __reduce__(self):
-        return _restored, (version_mark(), self._tables, self._bind, (self.inputs, self.outputs, self.state),
-                           self._penetration, self._wanted)
+        return _restored, (
+            version_mark(),
+            self._tables,
+            self._bind,
+            (self.inputs, self.outputs, self.state),
+            self._penetration,
+            self._wanted,
+        )
 
     @property
     def tables(self):
@@ -152,12 +159,16 @@ class Stepper:
         columns = differentiated_inputs(listed("by", by))
         places, least = differentiated_outputs(listed("of", of), len(self.outputs))
         if not is_computed(least, self._wanted):
-            raise ValueError(f"of needs side={least[0]!r} and outputs={least[1]!r}; this stepper computes "
-                             f"side={self._wanted[0]!r} and outputs={self._wanted[1]!r}")
+            raise ValueError(
+                f"of needs side={least[0]!r} and outputs={least[1]!r}; this stepper computes "
+                f"side={self._wanted[0]!r} and outputs={self._wanted[1]!r}"
+            )
         if not hasattr(self._bound, "derivatives"):
-            raise RuntimeError("there are no derivatives of the half-space's models" if self._bind else
-                               "there are no derivatives, since the kernel runs uncompiled; they need the "
-                               "compiled one")
+            raise RuntimeError(
+                "there are no derivatives of the half-space's models"
+                if self._bind
+                else "there are no derivatives, since the kernel runs uncompiled; they need the compiled one"
+            )
         seeds = np.zeros((len(columns), len(self.inputs)))
         seeds[np.arange(len(columns)), columns] = 1.0
         status, rates = self._bound.derivatives(seeds)
@@ -225,16 +236,19 @@ class Stepper:
             return
         settings = layout.Tables.at(self._tables)
         if settings.mode != layout.MODE_RIGID:
-            raise ValueError("penetration is given; permitted with the contact_mode 'elastic' or 'compliant' "
-                             "is none, since it follows from the load or from the height")
+            raise ValueError(
+                "penetration is given; permitted with the contact_mode 'elastic' or 'compliant' "
+                "is none, since it follows from the load or from the height"
+            )
         try:
             given = np.asarray(np.nan if penetration is None else penetration)
-            if given.dtype.kind in "Ub":        # numpy takes texts and truth values for numbers
+            if given.dtype.kind in "Ub":  # numpy takes texts and truth values for numbers
                 raise TypeError
             left, right = np.broadcast_to(given.astype(float), 2)
         except (TypeError, ValueError):
-            raise ValueError(f"penetration is {penetration!r}; permitted is one number or (left, right) "
-                             "[m]") from None
+            raise ValueError(
+                f"penetration is {penetration!r}; permitted is one number or (left, right) [m]"
+            ) from None
         low, high = PENETRATION_RANGE
         for side, value in (("left", left), ("right", right)):
             if not (math.isnan(value) or low <= value <= high):

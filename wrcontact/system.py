@@ -66,7 +66,7 @@ class ContactSystem:
         :class:`~wrcontact.Profile`.  These two, ``nominal_radius`` and ``rail_inclination`` may also be
         pairs (left, right), which is short for the keywords that begin with ``left_``.
     track, wheelset, material, friction : records of the keywords that follow, or None.
-{parameters}
+    {parameters}
 
     Attributes
     ----------
@@ -80,8 +80,17 @@ class ContactSystem:
         in one sentence with name, value, unit and permitted range or choices.
     """
 
-    def __init__(self, wheel="S1002", rail="UIC60", *, track=None, wheelset=None, material=None,
-                 friction=None, **parameters):
+    def __init__(
+        self,
+        wheel="S1002",
+        rail="UIC60",
+        *,
+        track=None,
+        wheelset=None,
+        material=None,
+        friction=None,
+        **parameters,
+    ):
         for name in parameters.keys() - PARAMETERS.keys():
             raise unknown_parameter(name)
         groups = {"track": track, "wheelset": wheelset, "material": material, "friction": friction}
@@ -99,8 +108,8 @@ class ContactSystem:
         self._tables = prepare_sides(profiles[:2], profiles[2:], parameters=parameters, methods=methods)
         layout.Tables.at(self._tables).stations = parameters["stations"]
         self._own = threading.local()
-        self._told = set()              # names of inputs of which the user has been warned
-        self._elastic = None            # the same wheelset in elastic contact, once it is needed
+        self._told = set()  # names of inputs of which the user has been warned
+        self._elastic = None  # the same wheelset in elastic contact, once it is needed
 
     @property
     def equal_sides(self):
@@ -115,8 +124,10 @@ class ContactSystem:
     @property
     def title(self):
         """The names of the profiles, "S1002 on UIC60", for headlines; of both sides where they differ."""
-        names = [f"{wheel.name} on {rail.name}" for wheel, rail in ((self.left_wheel, self.left_rail),
-                                                                    (self.wheel, self.rail))]
+        names = [
+            f"{wheel.name} on {rail.name}"
+            for wheel, rail in ((self.left_wheel, self.left_rail), (self.wheel, self.rail))
+        ]
         return names[1] if names[0] == names[1] else f"{names[0]} (left) and {names[1]} (right)"
 
     def side_parameters(self, side):
@@ -130,12 +141,18 @@ class ContactSystem:
         return profile_tables(self._tables, 0 if side == "left" else 1)
 
     def __reduce__(self):
-        return _rebuilt, (type(self), self.parameters,
-                          (self.wheel, self.rail, self.left_wheel, self.left_rail))
+        return _rebuilt, (
+            type(self),
+            self.parameters,
+            (self.wheel, self.rail, self.left_wheel, self.left_rail),
+        )
 
     def __repr__(self):
-        changed = [f"{name}={value!r}" for name, value in self.parameters.items()
-                   if value != PARAMETERS[name].default]
+        changed = [
+            f"{name}={value!r}"
+            for name, value in self.parameters.items()
+            if value != PARAMETERS[name].default
+        ]
         return f"ContactSystem({', '.join(changed)})"
 
     def stepper(self, side="both", outputs="all"):
@@ -176,7 +193,7 @@ class ContactSystem:
 
         Parameters
         ----------
-{inputs}
+        {inputs}
         penetration : prescribe the penetration [m] instead of the force: one value, or (left, right); rigid
             contact only.
         side, outputs : what is wanted, as for :meth:`stepper`, or names of outputs as for
@@ -264,8 +281,10 @@ class ContactSystem:
             if the contact_mode is not compliant.
         """
         if self._balancing() is None:
-            raise ValueError(f"the contact_mode is {self.parameters['contact_mode']!r}; a roll can be given "
-                             "with 'compliant'")
+            raise ValueError(
+                f"the contact_mode is {self.parameters['contact_mode']!r}; a roll can be given "
+                "with 'compliant'"
+            )
         return stand_at(self, roll, inputs)
 
     def rail_reaction(self, state, side):
@@ -280,8 +299,9 @@ class ContactSystem:
         given = {row.keyword: value for row, value in zip(INPUTS, values)}
         return self.evaluate_many(penetration=penetration, side=side, outputs=outputs, **given)[0]
 
-    def evaluate_many(self, *arguments, penetration=None, side="both", outputs="all", processes=1,
-                      threads=None, **inputs):
+    def evaluate_many(
+        self, *arguments, penetration=None, side="both", outputs="all", processes=1, threads=None, **inputs
+    ):
         """As :meth:`evaluate` for arrays (n,) that broadcast against each other; the same names hold arrays
         (n, ...).
 
@@ -316,15 +336,18 @@ class ContactSystem:
                 advance(len(found))
         return WheelsetState(values, status, rows, wanted.places, width, self._balancing())
 
-    def evaluate_parts(self, *arguments, penetration=None, side="both", outputs="all", processes=1,
-                       **inputs):
+    def evaluate_parts(self, *arguments, penetration=None, side="both", outputs="all", processes=1, **inputs):
         """As :meth:`evaluate_many`, but yields the table in parts of up to 512 rows, one after the other:
         the memory does not grow with the number of rows."""
         check_count("processes", processes)
         rows, wanted, stepper = self._many(arguments, penetration, side, outputs, inputs)
         parts = self._parts(stepper, rows, wanted.places, processes)
-        return (WheelsetState(found.copy(), outcome, rows[part], wanted.places, len(stepper.outputs),
-                              self._balancing()) for part, found, outcome in parts)
+        return (
+            WheelsetState(
+                found.copy(), outcome, rows[part], wanted.places, len(stepper.outputs), self._balancing()
+            )
+            for part, found, outcome in parts
+        )
 
     def _balancing(self):
         """What finds the equilibrium of a state: this system, if it is compliant, else None."""
@@ -334,8 +357,9 @@ class ContactSystem:
         """Where both wheels carry the load of the ``inputs`` of a state, or of a table's (n, ...): an
         :class:`~wrcontact.state.Equilibrium`."""
         rows = np.atleast_2d(inputs)
-        found = self._elastic_twin().evaluate_many(outputs=["vertical_shift", "roll"],
-                                            **{row.keyword: rows[:, k] for k, row in enumerate(INPUTS)})
+        found = self._elastic_twin().evaluate_many(
+            outputs=["vertical_shift", "roll"], **{row.keyword: rows[:, k] for k, row in enumerate(INPUTS)}
+        )
         if np.ndim(inputs) > 1:
             return Equilibrium(found.vertical_shift, found.roll, found.status)
         return Equilibrium(float(found.vertical_shift[0]), float(found.roll[0]), Status(int(found.status[0])))

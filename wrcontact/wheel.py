@@ -117,11 +117,13 @@ class WheelContact:
 
         Parameters
         ----------
-{inputs}
+        {inputs}
         outputs : "all", "patches" (no outline), "geometry", or names of outputs; the rest is NaN.
         """
-        return WheelState(self.system.evaluate(side=self.side, outputs=self._outputs(outputs),
-                                               **self._inputs(inputs)), self.side)
+        return WheelState(
+            self.system.evaluate(side=self.side, outputs=self._outputs(outputs), **self._inputs(inputs)),
+            self.side,
+        )
 
     def evaluate_many(self, *, outputs="all", processes=1, threads=None, **inputs):
         """As :meth:`evaluate` for arrays (n,) that broadcast against each other; the same names hold arrays
@@ -129,9 +131,16 @@ class WheelContact:
 
         ``processes`` and ``threads`` as for :meth:`wrcontact.ContactSystem.evaluate_many`.
         """
-        return WheelState(self.system.evaluate_many(side=self.side, outputs=self._outputs(outputs),
-                                                    processes=processes, threads=threads,
-                                                    **self._inputs(inputs)), self.side)
+        return WheelState(
+            self.system.evaluate_many(
+                side=self.side,
+                outputs=self._outputs(outputs),
+                processes=processes,
+                threads=threads,
+                **self._inputs(inputs),
+            ),
+            self.side,
+        )
 
     def stepper(self, outputs="all"):
         """A :class:`~wrcontact.Stepper` that computes this wheel alone.
@@ -151,8 +160,9 @@ class WheelContact:
                 raise unknown_wheel_output(name, self.side, stepper.output_names)
         for name, value in inputs.items():
             stepper.inputs[stepper.place(self._row(name).name)] = value
-        return stepper.derivatives(self._prefixed(listed("of", of)),
-                                   [self._row(name).name for name in listed("by", by)])
+        return stepper.derivatives(
+            self._prefixed(listed("of", of)), [self._row(name).name for name in listed("by", by)]
+        )
 
     def _row(self, name):
         """The row of an input by the wheel's name."""

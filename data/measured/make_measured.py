@@ -13,28 +13,28 @@ import numpy as np
 from data.noisy_profiles import even_points
 
 HERE = Path(__file__).parent
-SPACING = 0.2           # [mm] along the profile
-NOISE = 0.005           # [mm] standard deviation in y and z
-HOLLOW, HOLLOW_WIDTH = 0.8, 20.0      # [mm] depth of the tread's wear at the running circle
-FLANGE, FLANGE_HEIGHT = 0.8, 10.0     # [mm] the flange's face is thinner by this, most at this depth
-HEAD, HEAD_WIDTH = 0.5, 20.0          # [mm] depth of the rail head's wear at its top
-INCLINATION = 1 / 40                  # of the track in which the rail was measured
-DUST = {"wheel": (120, 300, 470), "rail": (330,)}      # points that a grain of dust has lifted
-GRAIN = 0.3             # [mm]
+SPACING = 0.2  # [mm] along the profile
+NOISE = 0.005  # [mm] standard deviation in y and z
+HOLLOW, HOLLOW_WIDTH = 0.8, 20.0  # [mm] depth of the tread's wear at the running circle
+FLANGE, FLANGE_HEIGHT = 0.8, 10.0  # [mm] the flange's face is thinner by this, most at this depth
+HEAD, HEAD_WIDTH = 0.5, 20.0  # [mm] depth of the rail head's wear at its top
+INCLINATION = 1 / 40  # of the track in which the rail was measured
+DUST = {"wheel": (120, 300, 470), "rail": (330,)}  # points that a grain of dust has lifted
+GRAIN = 0.3  # [mm]
 
 
 def worn_wheel():
     """y, z (n,) [mm] of the wheel without noise, z down from the old running circle."""
     y, z = even_points("wheel", SPACING)
-    face = np.arange(len(y)) > np.argmax(z)         # of the flange's tip
-    thinner = FLANGE * np.exp(-((z - FLANGE_HEIGHT) / 5.0) ** 2)
-    return y - np.where(face, thinner, 0.0), z - HOLLOW * np.exp(-(y / HOLLOW_WIDTH) ** 2)
+    face = np.arange(len(y)) > np.argmax(z)  # of the flange's tip
+    thinner = FLANGE * np.exp(-(((z - FLANGE_HEIGHT) / 5.0) ** 2))
+    return y - np.where(face, thinner, 0.0), z - HOLLOW * np.exp(-((y / HOLLOW_WIDTH) ** 2))
 
 
 def worn_rail():
     """y, z (n,) [mm] of the upright rail without noise, z down from the old top."""
     y, z = even_points("rail", SPACING)
-    return y, z + HEAD * np.exp(-(y / HEAD_WIDTH) ** 2)
+    return y, z + HEAD * np.exp(-((y / HEAD_WIDTH) ** 2))
 
 
 def inclined(y, z):

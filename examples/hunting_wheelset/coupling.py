@@ -64,8 +64,12 @@ class Unit:
         description = fmpy.read_model_description(folder)
         self.reference = {v.name: v.valueReference for v in description.modelVariables}
         kind = description.coSimulation or description.modelExchange
-        self.slave = self.slave_class(guid=description.guid, unzipDirectory=folder, instanceName=name,
-                                      modelIdentifier=kind.modelIdentifier)
+        self.slave = self.slave_class(
+            guid=description.guid,
+            unzipDirectory=folder,
+            instanceName=name,
+            modelIdentifier=kind.modelIdentifier,
+        )
         self.slave.instantiate()
         self.slave.setupExperiment(startTime=0.0)
         for name, value in parameters.items():
@@ -153,15 +157,21 @@ class Loop:
         self.stand = self.contact.ports(["equilibrium.vertical_shift", "equilibrium.roll"]).read()
         given = {"start_vertical_shift": self.stand[0], "start_roll": self.stand[1]} | wheelset
         self.wheelset = Unit(archives[1], "wheelset", **given)
-        self.motion, self.moved = (unit.ports(names) for unit, names in zip(
-            (self.wheelset, self.contact), zip(*TO_CONTACT)))
-        self.given, self.taken = (unit.ports(names) for unit, names in zip(
-            (self.contact, self.wheelset), zip(*TO_WHEELSET)))
-        self.matrix = self.wheelset.ports([f"derivative[{i + 1},{j + 1}]" for i in range(len(FORCES))
-                                           for j in range(len(MOTION))])
+        self.motion, self.moved = (
+            unit.ports(names) for unit, names in zip((self.wheelset, self.contact), zip(*TO_CONTACT))
+        )
+        self.given, self.taken = (
+            unit.ports(names) for unit, names in zip((self.contact, self.wheelset), zip(*TO_WHEELSET))
+        )
+        self.matrix = self.wheelset.ports(
+            [f"derivative[{i + 1},{j + 1}]" for i in range(len(FORCES)) for j in range(len(MOTION))]
+        )
         self.seen = tuple(seen)
-        self.asked = [(unit, unit.ports([name])) for name in seen
-                      for unit in [self.wheelset if name in self.wheelset.reference else self.contact]]
+        self.asked = [
+            (unit, unit.ports([name]))
+            for name in seen
+            for unit in [self.wheelset if name in self.wheelset.reference else self.contact]
+        ]
         self.now = 0.0
         self.moved.write(self.motion.read())
         self.contact.start()
@@ -171,10 +181,13 @@ class Loop:
     @staticmethod
     def loads(wheelset, friction):
         """Inputs of the contact by name that its equilibrium needs, and that stay as they are."""
-        return {"normal_force": wheelset.get("load", 157e3) / 2,
-                "lateral_shift": wheelset.get("start_lateral_shift", 0.0),
-                "yaw": wheelset.get("start_yaw", 0.0),
-                "left.friction": friction, "right.friction": friction}
+        return {
+            "normal_force": wheelset.get("load", 157e3) / 2,
+            "lateral_shift": wheelset.get("start_lateral_shift", 0.0),
+            "yaw": wheelset.get("start_yaw", 0.0),
+            "left.friction": friction,
+            "right.friction": friction,
+        }
 
     @staticmethod
     def put(unit, values):
@@ -183,8 +196,12 @@ class Loop:
     def derivatives(self):
         """Of the contact's forces (6,) by the motion (9,), at its present inputs: (6, 9)."""
         forces = [self.contact.reference[name] for name in FORCES]
-        return np.array([self.contact.slave.getDirectionalDerivative(
-            forces, [self.contact.reference[name]], [1.0]) for name in CONTACT_INPUTS]).T
+        return np.array(
+            [
+                self.contact.slave.getDirectionalDerivative(forces, [self.contact.reference[name]], [1.0])
+                for name in CONTACT_INPUTS
+            ]
+        ).T
 
     def run(self, duration, step, derivatives=False, parallel=False, every=1):
         """A :class:`Run` of ``duration`` [s] in steps of ``step`` [s], from where the last one ended; every
@@ -200,8 +217,14 @@ class Loop:
             forces = self.given.read()
             worst = max(worst, self.contact.status())
             if k % every == 0:
-                rows.append((now, motion[:len(MOTION)], forces,
-                             [value for _, port in self.asked for value in port.read()]))
+                rows.append(
+                    (
+                        now,
+                        motion[: len(MOTION)],
+                        forces,
+                        [value for _, port in self.asked for value in port.read()],
+                    )
+                )
             if not parallel:
                 self.taken.write(forces)
             if derivatives:

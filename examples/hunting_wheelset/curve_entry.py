@@ -18,14 +18,29 @@ from wrcontact.plots.style import INK, MM, QUIET, SIDE_COLOUR, new_figure, save,
 from .coupling import CONTACT, Loop, build
 from .wheelset import CONTACT_INPUTS, Wheelset
 
-SPEED, RADIUS_OF_CURVE = 14.0, 150.0            # [m/s], [m]
-WHEELSET = {"frame_speed": SPEED, "curve_curvature": 1 / RADIUS_OF_CURVE, "curve_start": 5.0,
-            "transition_length": 20.0, "longitudinal_stiffness": 8e6, "lateral_stiffness": 1e5,
-            "lateral_damping": 2e4, "longitudinal_damping": 2e4, "half_wheelbase": 1.25, "canted": 0.0}
-DURATION, STEP = 4.0, 1e-4                      # [s]
-SEEN = ("distance", "track_curvature",
-        *(f"{side}.{name}" for side in ("left", "right")
-          for name in ("force.y", "force.z", "patch[1].contact_angle")))
+SPEED, RADIUS_OF_CURVE = 14.0, 150.0  # [m/s], [m]
+WHEELSET = {
+    "frame_speed": SPEED,
+    "curve_curvature": 1 / RADIUS_OF_CURVE,
+    "curve_start": 5.0,
+    "transition_length": 20.0,
+    "longitudinal_stiffness": 8e6,
+    "lateral_stiffness": 1e5,
+    "lateral_damping": 2e4,
+    "longitudinal_damping": 2e4,
+    "half_wheelbase": 1.25,
+    "canted": 0.0,
+}
+DURATION, STEP = 4.0, 1e-4  # [s]
+SEEN = (
+    "distance",
+    "track_curvature",
+    *(
+        f"{side}.{name}"
+        for side in ("left", "right")
+        for name in ("force.y", "force.z", "patch[1].contact_angle")
+    ),
+)
 
 
 def enter(archives, wheelset=WHEELSET, contact=None, duration=DURATION, every=10):
@@ -58,16 +73,24 @@ def equilibrium(system, wheelset, guess):
         motion = np.zeros(9)
         motion[moving] = scaled * scale
         inputs = {name.replace(".", "_"): value for name, value in zip(CONTACT_INPUTS, motion)}
-        state = system.evaluate(**inputs, speed=wheelset["frame_speed"],
-                                track_curvature=wheelset["curve_curvature"])
-        model.forces.update({"force.y": state.force.y, "force.z": state.force.z, "moment.x": state.moment.x,
-                             "moment.y": state.moment.y, "moment.z": state.moment.z,
-                             "driving_torque": state.driving_torque})
+        state = system.evaluate(
+            **inputs, speed=wheelset["frame_speed"], track_curvature=wheelset["curve_curvature"]
+        )
+        model.forces.update(
+            {
+                "force.y": state.force.y,
+                "force.z": state.force.z,
+                "moment.x": state.moment.x,
+                "moment.y": state.moment.y,
+                "moment.z": state.moment.z,
+                "driving_torque": state.driving_torque,
+            }
+        )
         model.place, model.rate = motion[:4].tolist(), motion[4:].tolist()
         return model.accelerations(wheelset["curve_start"] + 2 * wheelset["transition_length"])
 
     found = root(accelerations, np.asarray(guess)[moving] / scale, method="hybr", options={"xtol": 1e-10})
-    if not np.abs(found.fun).max() < 1e-3:          # [m/s2, rad/s2]
+    if not np.abs(found.fun).max() < 1e-3:  # [m/s2, rad/s2]
         raise RuntimeError(f"no steady state in the curve: {found.message}")
     motion = np.zeros(9)
     motion[moving] = found.x * scale

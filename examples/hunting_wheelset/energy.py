@@ -16,21 +16,30 @@ from scipy.integrate import trapezoid
 
 from .coupling import CONES, Loop, build
 
-STEPS = (4e-4, 2e-4, 1e-4, 5e-5)        # [s]
-DURATION = 0.4                          # [s]
-SETTLE = 0.05                           # [s] in which the wheelset finds its rotation, in the smallest steps
+STEPS = (4e-4, 2e-4, 1e-4, 5e-5)  # [s]
+DURATION = 0.4  # [s]
+SETTLE = 0.05  # [s] in which the wheelset finds its rotation, in the smallest steps
 #: A swing of 3 mm on cones of 1:20, at 20 m/s on soft springs.
-WHEELSET = {"frame_speed": 20.0, "start_lateral_shift": 3e-3, "longitudinal_stiffness": 2e5,
-            "lateral_stiffness": 1e5, "lateral_damping": 1e3}
+WHEELSET = {
+    "frame_speed": 20.0,
+    "start_lateral_shift": 3e-3,
+    "longitudinal_stiffness": 2e5,
+    "lateral_stiffness": 1e5,
+    "lateral_damping": 1e3,
+}
 
 
 def contact_power(run):
     """Power (n,) of the contact's forces on the wheelset [W], without that along the track."""
     yaw = run["yaw"]
     about_x = run["moment.x"] * np.cos(yaw) + run["moment.y"] * np.sin(yaw)
-    return (run["force.y"] * run["lateral_velocity"] + run["force.z"] * run["vertical_velocity"]
-            + about_x * run["roll_rate"] + run["moment.z"] * run["yaw_rate"]
-            + run["driving_torque"] * run["wheel_rate"])
+    return (
+        run["force.y"] * run["lateral_velocity"]
+        + run["force.z"] * run["vertical_velocity"]
+        + about_x * run["roll_rate"]
+        + run["moment.z"] * run["yaw_rate"]
+        + run["driving_torque"] * run["wheel_rate"]
+    )
 
 
 def balance(run):

@@ -36,7 +36,7 @@ OUTPUTS = (*STATES, "speed", "track_curvature")
 NOMINAL = (1e-3, 1e-3, 1e-3, 1e-3, 1e-1, 1e-1, 1e-1, 1e-1, 1e2, 1.0)
 #: Beyond the critical speed, over the limit cycle between the flanges.
 HUNTS = SOFT | {"frame_speed": 45.0, "start_lateral_shift": LARGE}
-DURATION, GRID = 0.5, 2e-3          # [s] of three swings, and between rows of a run
+DURATION, GRID = 0.5, 2e-3  # [s] of three swings, and between rows of a run
 #: Of the table: relative tolerances of CVode, the last for comparison, and steps [s] without and with
 #: derivatives.
 TOLERANCES, FINEST = (1e-3, 1e-4, 1e-5, 1e-6), 1e-9
@@ -59,27 +59,46 @@ def header(guid):
     rows = variables()
     names = [name.replace(".", "_") for name, *_ in rows if not name.startswith("der(")]
     starts = [repr(start) for *_, start, causality in rows if causality == "parameter"]
-    return "\n".join([f'#define GUID "{guid}"', f"enum {{ {', '.join(names)}, VARIABLES = {len(rows)} }};",
-                      f"static const double START[] = {{{', '.join(starts)}}};",
-                      f"static const double NOMINAL[] = {{{', '.join(map(repr, NOMINAL))}}};", ""])
+    return "\n".join(
+        [
+            f'#define GUID "{guid}"',
+            f"enum {{ {', '.join(names)}, VARIABLES = {len(rows)} }};",
+            f"static const double START[] = {{{', '.join(starts)}}};",
+            f"static const double NOMINAL[] = {{{', '.join(map(repr, NOMINAL))}}};",
+            "",
+        ]
+    )
 
 
 def description(guid):
     """The modelDescription.xml as bytes."""
-    root = Element("fmiModelDescription", fmiVersion="2.0", modelName=MODEL, guid=guid,
-                   numberOfEventIndicators="0",
-                   description="Wheelset on its primary suspension, for model exchange")
+    root = Element(
+        "fmiModelDescription",
+        fmiVersion="2.0",
+        modelName=MODEL,
+        guid=guid,
+        numberOfEventIndicators="0",
+        description="Wheelset on its primary suspension, for model exchange",
+    )
     SubElement(root, "ModelExchange", modelIdentifier=MODEL, completedIntegratorStepNotNeeded="true")
     rows = variables()
     units = SubElement(root, "UnitDefinitions")
     for unit in dict.fromkeys(unit for _, unit, *_ in rows if unit):
-        SubElement(SubElement(units, "Unit", name=unit), "BaseUnit",
-                   {base: str(exponent) for base, exponent in BASE[unit].items()})
+        SubElement(
+            SubElement(units, "Unit", name=unit),
+            "BaseUnit",
+            {base: str(exponent) for base, exponent in BASE[unit].items()},
+        )
     table, states = SubElement(root, "ModelVariables"), len(PARAMETERS) + len(FORCES)
     for place, (name, unit, start, causality) in enumerate(rows):
-        variable = SubElement(table, "ScalarVariable", name=name, valueReference=str(place),
-                              causality=causality,
-                              variability="fixed" if causality == "parameter" else "continuous")
+        variable = SubElement(
+            table,
+            "ScalarVariable",
+            name=name,
+            valueReference=str(place),
+            causality=causality,
+            variability="fixed" if causality == "parameter" else "continuous",
+        )
         real = SubElement(variable, "Real", {"unit": unit} if unit else {})
         if start is not None:
             real.set("start", repr(start))
@@ -90,8 +109,11 @@ def description(guid):
     structure, first = SubElement(root, "ModelStructure"), len(rows) - len(STATES)
     outputs, derivatives = range(states, states + len(OUTPUTS)), range(first, len(rows))
     known = " ".join(str(place + 1) for place in range(states, states + len(STATES)))
-    for section, places, follows in (("Outputs", outputs, known), ("Derivatives", derivatives, None),
-                                     ("InitialUnknowns", (*outputs, *derivatives), None)):
+    for section, places, follows in (
+        ("Outputs", outputs, known),
+        ("Derivatives", derivatives, None),
+        ("InitialUnknowns", (*outputs, *derivatives), None),
+    ):
         parent = SubElement(structure, section)
         for place in places:
             unknown = SubElement(parent, "Unknown", index=str(place + 1))
@@ -112,8 +134,14 @@ def build_exchange(folder):
         library = compile_platform(host_platform(), scratch, [SOURCE.name], MODEL)
     target = Path(folder, f"{MODEL}.fmu")
     target.parent.mkdir(parents=True, exist_ok=True)
-    target.write_bytes(archive({"modelDescription.xml": description(guid),
-                                f"binaries/{place.fmi2}/{MODEL}{place.suffix}": library}))
+    target.write_bytes(
+        archive(
+            {
+                "modelDescription.xml": description(guid),
+                f"binaries/{place.fmi2}/{MODEL}{place.suffix}": library,
+            }
+        )
+    )
     return target
 
 
@@ -154,10 +182,12 @@ class Coupled:
         stand = self.contact.ports(["equilibrium.vertical_shift", "equilibrium.roll"]).read()
         given = {"start_vertical_shift": stand[0], "start_roll": stand[1]} | wheelset
         self.wheelset = Model(archives[1], "wheelset", **given)
-        self.motion, self.moved = (unit.ports(names) for unit, names in zip(
-            (self.wheelset, self.contact), zip(*TO_CONTACT)))
-        self.given, self.taken = (unit.ports(names) for unit, names in zip(
-            (self.contact, self.wheelset), zip(*TO_WHEELSET)))
+        self.motion, self.moved = (
+            unit.ports(names) for unit, names in zip((self.wheelset, self.contact), zip(*TO_CONTACT))
+        )
+        self.given, self.taken = (
+            unit.ports(names) for unit, names in zip((self.contact, self.wheelset), zip(*TO_WHEELSET))
+        )
         self.evaluations = 0
         self.connect()
         self.contact.start()
@@ -182,9 +212,19 @@ class Coupled:
     def run(self, duration=DURATION, tolerance=1e-6, grid=GRID):
         """A :class:`Travel` with a row every ``grid`` [s], by CVode with this relative tolerance."""
         slave, self.evaluations = self.wheelset.slave, 0
-        solver = CVodeSolver(len(STATES), 0, slave.getContinuousStates, slave.setContinuousStates,
-                             self.get_derivatives, None, slave.getNominalsOfContinuousStates, self.set_time,
-                             None, 0.0, relativeTolerance=tolerance)
+        solver = CVodeSolver(
+            len(STATES),
+            0,
+            slave.getContinuousStates,
+            slave.setContinuousStates,
+            self.get_derivatives,
+            None,
+            slave.getNominalsOfContinuousStates,
+            self.set_time,
+            None,
+            0.0,
+            relativeTolerance=tolerance,
+        )
         CVodeSetMaxNumSteps(solver.cvode_mem, 100_000)
         motion, worst, now = [], 0, 0.0
         times, states = np.arange(round(duration / grid) + 1) * grid, self.wheelset.ports(STATES)
@@ -193,7 +233,7 @@ class Coupled:
                 _, _, now = solver.step(now, time)
             self.set_time(time)
             self.connect()
-            self.evaluations -= 1       # for the row, not for the solver
+            self.evaluations -= 1  # for the row, not for the solver
             self.contact.slave.completedIntegratorStep()
             motion.append(states.read())
             worst = max(worst, self.contact.status())
@@ -211,8 +251,13 @@ def stepped(archives, step, duration=DURATION, derivatives=False, wheelset=HUNTS
         run = loop.run(duration + grid, step, derivatives=derivatives, every=round(grid / step))
     count = round(duration / grid) + 1
     steps = round(duration / step)
-    return Travel(run.time[:count], np.column_stack((run.motion, run["distance"]))[:count],
-                  steps * (1 + derivatives * len(MOTION)), steps, run.worst_status)
+    return Travel(
+        run.time[:count],
+        np.column_stack((run.motion, run["distance"]))[:count],
+        steps * (1 + derivatives * len(MOTION)),
+        steps,
+        run.worst_status,
+    )
 
 
 def error(travel, wanted):
@@ -232,14 +277,21 @@ def study(archives, exchange):
     pair = archives[0], exchange
     finest = solved(pair, FINEST)
     runs = [(f"CVode, tolerance {tolerance:.0e}", solved(pair, tolerance)) for tolerance in TOLERANCES]
-    runs += [(f"{'with derivatives' if derivatives else 'explicit'}, {step * 1e3:g} ms",
-              stepped(archives, step, derivatives=derivatives))
-             for derivatives, steps in STEPS.items() for step in steps]
+    runs += [
+        (
+            f"{'with derivatives' if derivatives else 'explicit'}, {step * 1e3:g} ms",
+            stepped(archives, step, derivatives=derivatives),
+        )
+        for derivatives, steps in STEPS.items()
+        for step in steps
+    ]
     return [(words, run, error(run, finest)) for words, run in runs]
 
 
 if __name__ == "__main__":
     folder = Path((sys.argv[1:] or ["out"])[0])
     for words, run, missed in study(build(folder), build_exchange(folder)):
-        print(f"{words}: {run.steps} steps, {run.evaluations} calls of the contact, {missed * 1e6:.3g} um, "
-              f"status {run.worst_status}")
+        print(
+            f"{words}: {run.steps} steps, {run.evaluations} calls of the contact, {missed * 1e6:.3g} um, "
+            f"status {run.worst_status}"
+        )

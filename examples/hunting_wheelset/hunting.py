@@ -18,8 +18,8 @@ from wrcontact.plots.style import CONTACT_COLOUR, MM, QUIET, WHEEL_COLOUR, new_f
 from .coupling import CONES, CONTACT, Loop, build
 from .stability import Linear
 
-RADIUS, LOAD = 0.46, 157e3      # [m], [N]
-STEP = 1e-4                     # [s]
+RADIUS, LOAD = 0.46, 157e3  # [m], [N]
+STEP = 1e-4  # [s]
 #: Cases of Klingel's wave: contact, and lateral shift at the start [m]; and their speed [m/s].
 KLINGEL, SLOW = {"cone 1:20": (CONES, 0.5e-3), "S1002": (CONTACT, 3e-3)}, 10.0
 #: Soft primary suspension, one axle box, for the critical speed of S1002: [N/m], [N.s/m].
@@ -70,8 +70,12 @@ def rolling(system, reach, count=121):
         """Right minus left (n,)."""
         return np.array([mean(state.right, name) - mean(state.left, name) for state in states])
 
-    return Rolling(shifts, apart("rolling_radius"), np.array([state.roll for state in states]),
-                   float(apart("y_track").mean()) / 2)
+    return Rolling(
+        shifts,
+        apart("rolling_radius"),
+        np.array([state.roll for state in states]),
+        float(apart("y_track").mean()) / 2,
+    )
 
 
 def crossings(x, y):
@@ -92,8 +96,11 @@ def measured_wave(run, skip=1):
 
 def elastic(contact):
     """The :class:`wrcontact.ContactSystem` of a contact FMU with these parameters, in elastic contact."""
-    return wrcontact.ContactSystem(wheel=contact.get("wheel_profile", "S1002"), contact_mode="elastic",
-                                   rail_inclination=contact.get("rail_inclination", 0.025))
+    return wrcontact.ContactSystem(
+        wheel=contact.get("wheel_profile", "S1002"),
+        contact_mode="elastic",
+        rail_inclination=contact.get("rail_inclination", 0.025),
+    )
 
 
 def klingel(archives, contact, start, waves=2.5):
@@ -114,7 +121,7 @@ def cycle(archives, speed, start, duration, contact=None, suspension=SOFT, step=
     """A run at ``speed`` [m/s] from ``start`` [m], and its amplitude at the end [m], over its last fifth."""
     with Loop(archives, suspension | {"frame_speed": speed, "start_lateral_shift": start}, contact) as loop:
         run = loop.run(duration, step, every=10)
-    return run, np.ptp(run["lateral_shift"][-len(run.time) // 5:]) / 2
+    return run, np.ptp(run["lateral_shift"][-len(run.time) // 5 :]) / 2
 
 
 def growth(run):
@@ -149,19 +156,32 @@ def draw(linear, found, speeds=SPEEDS):
     grows.axhline(0.0, color=QUIET, linewidth=0.8)
     grows.set(title="Growth of small swings", xlabel="speed [m/s]", ylabel="growth [1/s]")
     for start, marker, words in ((LARGE, "o", "from a large swing"), (SMALL, "x", "from a small swing")):
-        reached.plot(speeds, [amplitude / MM for _, amplitude in found[start]], marker, color=CONTACT_COLOUR,
-                     fillstyle="none", label=f"{words}, {start / MM:g} mm")
+        reached.plot(
+            speeds,
+            [amplitude / MM for _, amplitude in found[start]],
+            marker,
+            color=CONTACT_COLOUR,
+            fillstyle="none",
+            label=f"{words}, {start / MM:g} mm",
+        )
     reached.set(title=f"Amplitude after {PATIENCE:g} s", xlabel="speed [m/s]", ylabel="lateral shift [mm]")
     reached.legend(loc="center right", fontsize=8, frameon=True, framealpha=1.0, edgecolor="none")
     for panel in (grows, reached):
         panel.axvline(critical, color=QUIET, linestyle="--", linewidth=0.8)
-    grows.annotate(f"{critical:.1f} m/s", (critical, grows.get_ylim()[1]), xytext=(3, -10),
-                   textcoords="offset points", fontsize=8, color=QUIET)
+    grows.annotate(
+        f"{critical:.1f} m/s",
+        (critical, grows.get_ylim()[1]),
+        xytext=(3, -10),
+        textcoords="offset points",
+        fontsize=8,
+        color=QUIET,
+    )
     place = len(speeds) - 2
     run = found[SMALL][place][0]
     swing.plot(run.time, run["lateral_shift"] / MM, color=WHEEL_COLOUR, linewidth=0.8)
-    swing.set(title=f"{speeds[place]:g} m/s, from a small swing", xlabel="time [s]",
-              ylabel="lateral shift [mm]")
+    swing.set(
+        title=f"{speeds[place]:g} m/s, from a small swing", xlabel="time [s]", ylabel="lateral shift [mm]"
+    )
     last = slice(-len(run.time) // 5, None)
     plane.plot(run["lateral_shift"] / MM, 1e3 * run["yaw"], color=QUIET, linewidth=0.4)
     plane.plot(run["lateral_shift"][last] / MM, 1e3 * run["yaw"][last], color=CONTACT_COLOUR)
@@ -174,13 +194,19 @@ if __name__ == "__main__":
     archives = build(folder)
     for name, case in KLINGEL.items():
         wave, amplitude, rolled, plain, run = klingel(archives, *case)
-        print(f"{name}: amplitude {amplitude / MM:.3f} mm, wavelength {wave:.3f} m, Klingel {plain:.3f} m, "
-              f"with roll {rolled:.3f} m, difference {100 * (wave / rolled - 1):.2f} %, "
-              f"status {run.worst_status}")
+        print(
+            f"{name}: amplitude {amplitude / MM:.3f} mm, wavelength {wave:.3f} m, Klingel {plain:.3f} m, "
+            f"with roll {rolled:.3f} m, difference {100 * (wave / rolled - 1):.2f} %, "
+            f"status {run.worst_status}"
+        )
     with Linear(archives, SOFT) as linear:
         print(f"critical speed {linear.critical_speed(20.0, 80.0):.2f} m/s")
         found = cycles(archives)
         for start, row in found.items():
-            print(f"from {start / MM:g} mm: " + ", ".join(
-                f"{speed:g} m/s {amplitude / MM:.2f} mm" for speed, (_, amplitude) in zip(SPEEDS, row)))
+            print(
+                f"from {start / MM:g} mm: "
+                + ", ".join(
+                    f"{speed:g} m/s {amplitude / MM:.2f} mm" for speed, (_, amplitude) in zip(SPEEDS, row)
+                )
+            )
         save(draw(linear, found), folder / "hunting.png")

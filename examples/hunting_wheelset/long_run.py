@@ -1,6 +1,6 @@
 """A long run in the limit cycle between the flanges: statuses, and the time it takes.
 
-    python -m examples.hunting_wheelset.long_run [FOLDER [STEPS]]
+python -m examples.hunting_wheelset.long_run [FOLDER [STEPS]]
 """
 
 import sys
@@ -10,7 +10,7 @@ import numpy as np
 from .coupling import CONTACT, Loop, build
 from .hunting import LARGE, SOFT
 
-SPEED, STEP, STEPS = 36.0, 1e-4, 1_000_000     # [m/s], [s]
+SPEED, STEP, STEPS = 36.0, 1e-4, 1_000_000  # [m/s], [s]
 
 
 def hunt(archives, steps=STEPS, contact=None):
@@ -24,14 +24,16 @@ def hunt(archives, steps=STEPS, contact=None):
 
 def report(run, steps):
     """A sentence with the amplitude at the end, the largest status and the real-time factor."""
-    amplitude = np.ptp(run["lateral_shift"][-len(run.time) // 5:]) / 2
-    return (f"{steps} steps of {STEP * 1e3:g} ms, {steps * STEP:g} s at {SPEED:g} m/s, tangential_model "
-            f"{CONTACT['tangential_model']}: amplitude {amplitude * 1e3:.3f} mm, largest status "
-            f"{run.worst_status}. It took {run.seconds:.1f} s, a real-time factor of "
-            f"{run.seconds / (steps * STEP):.2f}; the processor worked for {run.processor:.1f} s of them, "
-            f"{run.processor / steps * 1e6:.0f} us a step")
+    amplitude = np.ptp(run["lateral_shift"][-len(run.time) // 5 :]) / 2
+    return (
+        f"{steps} steps of {STEP * 1e3:g} ms, {steps * STEP:g} s at {SPEED:g} m/s, tangential_model "
+        f"{CONTACT['tangential_model']}: amplitude {amplitude * 1e3:.3f} mm, largest status "
+        f"{run.worst_status}. It took {run.seconds:.1f} s, a real-time factor of "
+        f"{run.seconds / (steps * STEP):.2f}; the processor worked for {run.processor:.1f} s of them, "
+        f"{run.processor / steps * 1e6:.0f} us a step"
+    )
 
 
 if __name__ == "__main__":
-    folder, steps = (*sys.argv[1:], *["out", str(STEPS)][len(sys.argv) - 1:])
+    folder, steps = (*sys.argv[1:], *["out", str(STEPS)][len(sys.argv) - 1 :])
     print(report(hunt(build(folder), int(steps)), int(steps)))

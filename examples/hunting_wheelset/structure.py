@@ -16,13 +16,19 @@ import numpy as np
 from .coupling import CONTACT, TO_CONTACT, TO_WHEELSET, Loop, build
 from .wheelset import MOTION
 
-SPACES = {"ssd": "http://ssp-standard.org/SSP1/SystemStructureDescription",
-          "ssc": "http://ssp-standard.org/SSP1/SystemStructureCommon",
-          "ssv": "http://ssp-standard.org/SSP1/SystemStructureParameterValues"}
+SPACES = {
+    "ssd": "http://ssp-standard.org/SSP1/SystemStructureDescription",
+    "ssc": "http://ssp-standard.org/SSP1/SystemStructureCommon",
+    "ssv": "http://ssp-standard.org/SSP1/SystemStructureParameterValues",
+}
 CONTACT_NAME, WHEELSET_NAME = "contact", "wheelset"
 #: A run that shows hunting: speed [m/s], start [m], springs [N/m] of an axle box.
-EXAMPLE = {"frame_speed": 20.0, "start_lateral_shift": 2e-3, "longitudinal_stiffness": 4e5,
-           "lateral_stiffness": 2e5}
+EXAMPLE = {
+    "frame_speed": 20.0,
+    "start_lateral_shift": 2e-3,
+    "longitudinal_stiffness": 4e5,
+    "lateral_stiffness": 2e5,
+}
 #: libcosim hands the forces on one step late, which takes damping from the springs of the contacts, so that
 #: steps [s] are smaller than where the contact comes first.
 STEP = 2e-5
@@ -35,8 +41,13 @@ def _child(parent, name, /, **attributes):
 
 def _component(elements, name, archive, ports, parameters):
     """A component with its connectors ``(name, kind)`` and values ``parameters``."""
-    part = _child(elements, "ssd:Component", name=name, source=f"resources/{archive.name}",
-                  type="application/x-fmu-sharedlibrary")
+    part = _child(
+        elements,
+        "ssd:Component",
+        name=name,
+        source=f"resources/{archive.name}",
+        type="application/x-fmu-sharedlibrary",
+    )
     connectors = _child(part, "ssd:Connectors")
     for port, kind in ports:
         _child(_child(connectors, "ssd:Connector", name=port, kind=kind), "ssc:Real")
@@ -64,26 +75,42 @@ def write_ssp(path, archives, contact, wheelset):
     """
     for prefix, space in SPACES.items():
         ElementTree.register_namespace(prefix, space)
-    root = ElementTree.Element(f"{{{SPACES['ssd']}}}SystemStructureDescription",
-                               {"name": "hunting_wheelset", "version": "1.0"})
-    system = _child(root, "ssd:System", name="hunting_wheelset",
-                    description="A wheelset on its primary suspension and its contacts with the rails")
+    root = ElementTree.Element(
+        f"{{{SPACES['ssd']}}}SystemStructureDescription", {"name": "hunting_wheelset", "version": "1.0"}
+    )
+    system = _child(
+        root,
+        "ssd:System",
+        name="hunting_wheelset",
+        description="A wheelset on its primary suspension and its contacts with the rails",
+    )
     elements, connections = _child(system, "ssd:Elements"), _child(system, "ssd:Connections")
-    ends = ((CONTACT_NAME, TO_CONTACT, TO_WHEELSET, contact),
-            (WHEELSET_NAME, TO_WHEELSET, TO_CONTACT, wheelset))
+    ends = (
+        (CONTACT_NAME, TO_CONTACT, TO_WHEELSET, contact),
+        (WHEELSET_NAME, TO_WHEELSET, TO_CONTACT, wheelset),
+    )
     for archive, (name, into, out_of, values) in zip(archives, ends):
         ports = [(target, "input") for _, target in into] + [(source, "output") for source, _ in out_of]
         _component(elements, name, Path(archive), ports, values)
-    for start, end, pairs in ((WHEELSET_NAME, CONTACT_NAME, TO_CONTACT),
-                              (CONTACT_NAME, WHEELSET_NAME, TO_WHEELSET)):
+    for start, end, pairs in (
+        (WHEELSET_NAME, CONTACT_NAME, TO_CONTACT),
+        (CONTACT_NAME, WHEELSET_NAME, TO_WHEELSET),
+    ):
         for source, target in pairs:
-            _child(connections, "ssd:Connection", startElement=start, startConnector=source, endElement=end,
-                   endConnector=target)
+            _child(
+                connections,
+                "ssd:Connection",
+                startElement=start,
+                startConnector=source,
+                endElement=end,
+                endConnector=target,
+            )
     _child(root, "ssd:DefaultExperiment", startTime="0.0", stopTime="1.0")
     ElementTree.indent(root)
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr("SystemStructure.ssd",
-                         ElementTree.tostring(root, encoding="UTF-8", xml_declaration=True))
+        archive.writestr(
+            "SystemStructure.ssd", ElementTree.tostring(root, encoding="UTF-8", xml_declaration=True)
+        )
         for fmu in archives:
             archive.write(fmu, f"resources/{Path(fmu).name}")
     return Path(path)
@@ -100,8 +127,9 @@ def run_libcosim(ssp, count, step):
     execution = CosimExecution.from_ssp_file(ssp_path=str(ssp), step_size=round(step * 1e9))
     observer = CosimObserver.create_last_value()
     execution.add_observer(observer=observer)
-    contact, wheelset = (execution.slave_index_from_instance_name(name)
-                         for name in (CONTACT_NAME, WHEELSET_NAME))
+    contact, wheelset = (
+        execution.slave_index_from_instance_name(name) for name in (CONTACT_NAME, WHEELSET_NAME)
+    )
 
     def references(slave, names):
         known = {variable.name.decode(): variable.reference for variable in execution.slave_variables(slave)}
@@ -133,7 +161,7 @@ def compare(folder, archives, count=10000, step=STEP):
     ssp = write_ssp(folder / "hunting_wheelset.ssp", archives, *settings(archives, EXAMPLE))
     with Loop(archives, EXAMPLE) as loop:
         run = loop.run(count * step, step, parallel=True)
-        mine = np.vstack([run.motion[1:], loop.motion.read()[:len(MOTION)]])
+        mine = np.vstack([run.motion[1:], loop.motion.read()[: len(MOTION)]])
     theirs, worst = run_libcosim(ssp, count, step)
     return theirs, mine, max(worst, run.worst_status), ssp
 

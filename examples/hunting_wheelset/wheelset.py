@@ -41,12 +41,23 @@ UNITS = dict(zip(MOTION, ("m", "m", "rad", "rad", "m/s", "m/s", "rad/s", "rad/s"
 FORCE_UNITS = dict(zip(FORCES, ("N", "N", "N.m", "N.m", "N.m", "N.m")))
 
 #: Units by their SI exponents.
-BASE = {"m": {"m": 1}, "rad": {"rad": 1}, "m/s": {"m": 1, "s": -1}, "rad/s": {"rad": 1, "s": -1},
-        "1/m": {"m": -1}, "N": {"kg": 1, "m": 1, "s": -2}, "N/m": {"kg": 1, "s": -2},
-        "N.s/m": {"kg": 1, "s": -1}, "N.m": {"kg": 1, "m": 2, "s": -2}, "J": {"kg": 1, "m": 2, "s": -2},
-        "W": {"kg": 1, "m": 2, "s": -3}, "kg": {"kg": 1}, "kg.m2": {"kg": 1, "m": 2}}
+BASE = {
+    "m": {"m": 1},
+    "rad": {"rad": 1},
+    "m/s": {"m": 1, "s": -1},
+    "rad/s": {"rad": 1, "s": -1},
+    "1/m": {"m": -1},
+    "N": {"kg": 1, "m": 1, "s": -2},
+    "N/m": {"kg": 1, "s": -2},
+    "N.s/m": {"kg": 1, "s": -1},
+    "N.m": {"kg": 1, "m": 2, "s": -2},
+    "J": {"kg": 1, "m": 2, "s": -2},
+    "W": {"kg": 1, "m": 2, "s": -3},
+    "kg": {"kg": 1},
+    "kg.m2": {"kg": 1, "m": 2},
+}
 
-GRAVITY = 9.81      # [m/s2]
+GRAVITY = 9.81  # [m/s2]
 #: Start value, unit and meaning of each parameter.
 PARAMETERS = {
     "mass": (1500.0, "kg", "mass"),
@@ -64,18 +75,27 @@ PARAMETERS = {
     "vertical_damping": (0.0, "N.s/m", "primary suspension of one axle box, vertical"),
     "box_distance": (1.0, "m", "distance of an axle box from the middle"),
     "start_lateral_shift": (0.0, "m", "lateral shift at the start"),
-    "start_vertical_shift": (0.0, "m", "vertical shift at the start, at which the frame's springs have "
-                             "only the load to carry"),
+    "start_vertical_shift": (
+        0.0,
+        "m",
+        "vertical shift at the start, at which the frame's springs have only the load to carry",
+    ),
     "start_roll": (0.0, "rad", "roll at the start"),
     "start_yaw": (0.0, "rad", "yaw at the start"),
     "start_lateral_velocity": (0.0, "m/s", "lateral velocity at the start"),
-    "start_wheel_rate": (0.0, "rad/s", "rotation about the axle at the start; 0 means frame_speed / "
-                         "nominal_radius"),
+    "start_wheel_rate": (
+        0.0,
+        "rad/s",
+        "rotation about the axle at the start; 0 means frame_speed / nominal_radius",
+    ),
     "curve_curvature": (0.0, "1/m", "curvature of the track in the curve, positive to the right"),
     "curve_start": (0.0, "m", "distance at which the transition to the curve begins"),
     "canted": (1.0, None, "share of the load's centrifugal force that the cant balances"),
-    "half_wheelbase": (0.0, "m", "how far the wheelset is ahead of the middle of the frame, which is a "
-                       "chord of the curve"),
+    "half_wheelbase": (
+        0.0,
+        "m",
+        "how far the wheelset is ahead of the middle of the frame, which is a chord of the curve",
+    ),
     "transition_length": (1.0, "m", "length of the transition, in which the curvature grows evenly"),
 }
 
@@ -91,7 +111,7 @@ class Wheelset(Fmi2Slave):
         self.parameters = {name: row[0] for name, row in PARAMETERS.items()}
         self.forces = dict.fromkeys(FORCES, 0.0)
         self.derivatives = np.zeros((len(FORCES), len(MOTION)))
-        self.linear = False                     # whether a derivative was ever given
+        self.linear = False  # whether a derivative was ever given
         self.distance = 0.0
         self.units = {}
         self._register()
@@ -101,18 +121,38 @@ class Wheelset(Fmi2Slave):
 
     def _register(self):
         for name, (start, unit, meaning) in PARAMETERS.items():
-            self._add(name, Fmi2Causality.parameter, unit, meaning, start,
-                      *self._parameter(name), variability=Fmi2Variability.fixed)
+            self._add(
+                name,
+                Fmi2Causality.parameter,
+                unit,
+                meaning,
+                start,
+                *self._parameter(name),
+                variability=Fmi2Variability.fixed,
+            )
         for name in FORCES:
-            self._add(name, Fmi2Causality.input, FORCE_UNITS[name], "of the contact on the wheelset", 0.0,
-                      *self._force(name))
+            self._add(
+                name,
+                Fmi2Causality.input,
+                FORCE_UNITS[name],
+                "of the contact on the wheelset",
+                0.0,
+                *self._force(name),
+            )
         for i in range(len(FORCES)):
             for j in range(len(MOTION)):
-                self._add(f"derivative[{i + 1},{j + 1}]", Fmi2Causality.input, None,
-                          f"of {FORCES[i]} by {MOTION[j]}", 0.0, *self._derivative(i, j))
+                self._add(
+                    f"derivative[{i + 1},{j + 1}]",
+                    Fmi2Causality.input,
+                    None,
+                    f"of {FORCES[i]} by {MOTION[j]}",
+                    0.0,
+                    *self._derivative(i, j),
+                )
         for name, unit in UNITS.items():
-            self._add(name, Fmi2Causality.output, unit, name.replace("_", " "), None, self._output(name),
-                      None)
+            self._add(
+                name, Fmi2Causality.output, unit, name.replace("_", " "), None, self._output(name), None
+            )
         self.getters = [variable.getter for variable in self.vars.values()]
         self.setters = [variable.setter for variable in self.vars.values()]
 
@@ -120,8 +160,9 @@ class Wheelset(Fmi2Slave):
         """Many arguments because this is a row of the model description."""
         if causality == Fmi2Causality.output:
             more["initial"] = Fmi2Initial.calculated
-        variable = Real(name, causality=causality, start=start, description=meaning, getter=getter,
-                        setter=setter, **more)
+        variable = Real(
+            name, causality=causality, start=start, description=meaning, getter=getter, setter=setter, **more
+        )
         self.units[name] = unit
         self.register_variable(variable, nested=False)
 
@@ -150,9 +191,13 @@ class Wheelset(Fmi2Slave):
         if name in RATES:
             place = RATES.index(name)
             return lambda: self.rate[place]
-        return {"speed": lambda: self.parameters["frame_speed"],
-                "track_curvature": lambda: self.curvature(self.distance)[0],
-                "distance": lambda: self.distance, "energy": self.energy, "supply": self.supply}[name]
+        return {
+            "speed": lambda: self.parameters["frame_speed"],
+            "track_curvature": lambda: self.curvature(self.distance)[0],
+            "distance": lambda: self.distance,
+            "energy": self.energy,
+            "supply": self.supply,
+        }[name]
 
     def get_real(self, vrs):
         """As the base class does it, in a fifth of its time."""
@@ -172,15 +217,21 @@ class Wheelset(Fmi2Slave):
         definitions = Element("UnitDefinitions")
         root.insert(list(root).index(root.find("CoSimulation")) + 1, definitions)
         for unit in dict.fromkeys(filter(None, self.units.values())):
-            SubElement(SubElement(definitions, "Unit", name=unit), "BaseUnit",
-                       {base: str(exponent) for base, exponent in BASE[unit].items()})
+            SubElement(
+                SubElement(definitions, "Unit", name=unit),
+                "BaseUnit",
+                {base: str(exponent) for base, exponent in BASE[unit].items()},
+            )
         for variable in root.iter("ScalarVariable"):
             if self.units[variable.get("name")]:
                 variable.find("Real").set("unit", self.units[variable.get("name")])
         structure = root.find("ModelStructure")
         unknowns = SubElement(structure, "InitialUnknowns")
-        given = " ".join(str(place + 1) for place, variable in enumerate(root.iter("ScalarVariable"))
-                         if variable.get("causality") == "parameter")
+        given = " ".join(
+            str(place + 1)
+            for place, variable in enumerate(root.iter("ScalarVariable"))
+            if variable.get("causality") == "parameter"
+        )
         for output in structure.find("Outputs"):
             SubElement(unknowns, "Unknown", index=output.get("index"), dependencies=given)
             output.set("dependencies", "")
@@ -219,8 +270,10 @@ class Wheelset(Fmi2Slave):
         curvature is ``bend`` and grows by ``grows``."""
         p, (y, z, roll, yaw) = self.parameters, self.place
         ahead = p["half_wheelbase"]
-        return ([y, z - p["start_vertical_shift"], roll, yaw + ahead * bend],
-                [0.0, 0.0, 0.0, -ahead * grows * p["frame_speed"]])
+        return (
+            [y, z - p["start_vertical_shift"], roll, yaw + ahead * bend],
+            [0.0, 0.0, 0.0, -ahead * grows * p["frame_speed"]],
+        )
 
     def accelerations(self, distance):
         """Accelerations (5,) in the present state, with the contact's forces as they are."""
@@ -228,14 +281,20 @@ class Wheelset(Fmi2Slave):
         turn = self.place[3]
         bend, grows = self.curvature(distance)
         stretched, moving = self.suspension(bend, grows)
-        force = [f["force.y"] - self.thrown * bend,
-                 f["force.z"] + self.parameters["load"],
-                 f["moment.x"] * math.cos(turn) + f["moment.y"] * math.sin(turn)
-                 - self.gyroscopic * (rate[3] + v * bend),
-                 f["moment.z"] + self.gyroscopic * rate[2] - self.inertia[3] * v * v * grows]
-        springs = [push - stiffness * way - damping * (speed - end)
-                   for push, stiffness, way, damping, speed, end
-                   in zip(force, self.stiffness, stretched, self.damping, rate, moving)]
+        force = [
+            f["force.y"] - self.thrown * bend,
+            f["force.z"] + self.parameters["load"],
+            f["moment.x"] * math.cos(turn)
+            + f["moment.y"] * math.sin(turn)
+            - self.gyroscopic * (rate[3] + v * bend),
+            f["moment.z"] + self.gyroscopic * rate[2] - self.inertia[3] * v * v * grows,
+        ]
+        springs = [
+            push - stiffness * way - damping * (speed - end)
+            for push, stiffness, way, damping, speed, end in zip(
+                force, self.stiffness, stretched, self.damping, rate, moving
+            )
+        ]
         return [push / inertia for push, inertia in zip([*springs, f["driving_torque"]], self.inertia)]
 
     def jacobian(self):
@@ -262,8 +321,9 @@ class Wheelset(Fmi2Slave):
             self.place = [value + more for value, more in zip(self.place, change)]
             self.rate = [value + more for value, more in zip(self.rate, change[4:])]
         else:
-            self.rate = [value + step_size * more
-                         for value, more in zip(self.rate, self.accelerations(self.distance))]
+            self.rate = [
+                value + step_size * more for value, more in zip(self.rate, self.accelerations(self.distance))
+            ]
             self.place = [value + step_size * more for value, more in zip(self.place, self.rate)]
         self.distance += way
         return all(map(math.isfinite, self.rate))
@@ -271,8 +331,10 @@ class Wheelset(Fmi2Slave):
     def energy(self):
         """Kinetic energy and that of the springs [J]."""
         stretched, _ = self.suspension(*self.curvature(self.distance))
-        return 0.5 * (sum(inertia * value**2 for inertia, value in zip(self.inertia, self.rate))
-                      + sum(stiffness * way**2 for stiffness, way in zip(self.stiffness, stretched)))
+        return 0.5 * (
+            sum(inertia * value**2 for inertia, value in zip(self.inertia, self.rate))
+            + sum(stiffness * way**2 for stiffness, way in zip(self.stiffness, stretched))
+        )
 
     def supply(self):
         """Power of all that is neither the contact's nor stored: load, dampers, and the frame that turns in a
@@ -280,8 +342,16 @@ class Wheelset(Fmi2Slave):
         rate, v = self.rate, self.parameters["frame_speed"]
         bend, grows = self.curvature(self.distance)
         stretched, moving = self.suspension(bend, grows)
-        frame = sum(damping * (speed - end) * speed + stiffness * way * end
-                    for damping, speed, end, stiffness, way
-                    in zip(self.damping, rate, moving, self.stiffness, stretched))
-        return (self.parameters["load"] * rate[1] - frame - self.thrown * bend * rate[0]
-                - self.gyroscopic * v * bend * rate[2] - self.inertia[3] * v * v * grows * rate[3])
+        frame = sum(
+            damping * (speed - end) * speed + stiffness * way * end
+            for damping, speed, end, stiffness, way in zip(
+                self.damping, rate, moving, self.stiffness, stretched
+            )
+        )
+        return (
+            self.parameters["load"] * rate[1]
+            - frame
+            - self.thrown * bend * rate[0]
+            - self.gyroscopic * v * bend * rate[2]
+            - self.inertia[3] * v * v * grows * rate[3]
+        )

@@ -7,16 +7,29 @@ import wrcontact
 
 #: Motions that forces follow, and how far off a motion is still answered by derivatives: forces are straight
 #: there, and solvers take their differences within it.
-NEAR = {"lateral_shift": 1e-7, "vertical_shift_input": 1e-7, "roll_input": 1e-7, "yaw": 1e-7,
-        "speed": 1e-4, "lateral_velocity": 1e-5, "vertical_velocity": 1e-5, "roll_rate": 1e-5,
-        "yaw_rate": 1e-5, "wheel_rate": 1e-4}
+NEAR = {
+    "lateral_shift": 1e-7,
+    "vertical_shift_input": 1e-7,
+    "roll_input": 1e-7,
+    "yaw": 1e-7,
+    "speed": 1e-4,
+    "lateral_velocity": 1e-5,
+    "vertical_velocity": 1e-5,
+    "roll_rate": 1e-5,
+    "yaw_rate": 1e-5,
+    "wheel_rate": 1e-4,
+}
 FORCES = ("force.x", "force.y", "force.z", "moment.x", "moment.y", "moment.z")
 #: The contact where a run says nothing else.
 CONTACT = {"contact_mode": "compliant", "contact_damping": 1.0, "tangential_model": "strips"}
 #: What linear theory has in closed form: cones of 1:20 on rails that are inclined alike, Hertz's patches, and
 #: friction far from its limit.
-CONES = CONTACT | {"wheel": "cone20", "rail_inclination": 0.05, "normal_model": "hertz",
-                   "contact_damping": 0.0}
+CONES = CONTACT | {
+    "wheel": "cone20",
+    "rail_inclination": 0.05,
+    "normal_model": "hertz",
+    "contact_damping": 0.0,
+}
 
 
 class Contact:
@@ -61,7 +74,7 @@ class Nearby(Contact):
             return self.found
         if not away.any():
             return self.found
-        if self.slopes is None:         # the stepper still stands at the last motion
+        if self.slopes is None:  # the stepper still stands at the last motion
             self.derivatives += 1
             self.slopes = self.stepper.derivatives(FORCES, list(NEAR))
         return self.found + self.slopes @ away

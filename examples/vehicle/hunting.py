@@ -23,6 +23,7 @@ def swing(time, shifts, rate):
 
     ``rate`` is near the frequency.
     """
+
     def basis(found):
         growth, rate = found
         waves = np.exp(growth * time)[:, None] * np.column_stack([np.cos(rate * time), np.sin(rate * time)])

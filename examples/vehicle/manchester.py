@@ -9,8 +9,8 @@ of the air springs.
 
 from dataclasses import dataclass
 
-GRAVITY = 9.81              # [m/s2]
-WHEEL_RADIUS = 0.46         # [m]
+GRAVITY = 9.81  # [m/s2]
+WHEEL_RADIUS = 0.46  # [m]
 
 
 @dataclass(frozen=True)

@@ -49,8 +49,17 @@ class Vehicle:
     contact : parameters of the ContactSystem.
     """
 
-    def __init__(self, speed, bogies=2, track=None, start=0.0, primary=data.PRIMARY, friction=0.3,
-                 answer=Contact, **contact):
+    def __init__(
+        self,
+        speed,
+        bogies=2,
+        track=None,
+        start=0.0,
+        primary=data.PRIMARY,
+        friction=0.3,
+        answer=Contact,
+        **contact,
+    ):
         self.speed, self.track, self.start = speed, track or Track(), start
         system = contact_system(**contact)
         stand = system.evaluate(start, normal_force=data.LOAD / 2).equilibrium
@@ -74,28 +83,36 @@ class Vehicle:
     def body(self, given, way, falls=True):
         """A body that does not spin, at ``way`` along the track."""
         return self.mbs.CreateRigidBody(
-            referencePosition=[way, self.start, -given.height], initialVelocity=[self.speed, 0, 0],
+            referencePosition=[way, self.start, -given.height],
+            initialVelocity=[self.speed, 0, 0],
             inertia=RigidBodyInertia(given.mass, np.diag(given.inertia)),
-            nodeType=exudyn.NodeType.RotationRxyz, gravity=[0, 0, data.GRAVITY if falls else 0.0])
+            nodeType=exudyn.NodeType.RotationRxyz,
+            gravity=[0, 0, data.GRAVITY if falls else 0.0],
+        )
 
     def axle(self, number, way):
         """A wheelset that rolls, at rest on the rails, and the connector that is its contact."""
         cosine, sine = np.cos(self.roll), np.sin(self.roll)
         lean = np.array([[1, 0, 0], [0, cosine, -sine], [0, sine, cosine]])
         rolling, pitching, yawing = data.WHEELSET.inertia
-        rate = -self.speed / data.WHEEL_RADIUS * lean[:, 1]         # forward is minus the axle
+        rate = -self.speed / data.WHEEL_RADIUS * lean[:, 1]  # forward is minus the axle
         body = self.mbs.CreateRigidBody(
-            referencePosition=[way, self.start, -self.height], referenceRotationMatrix=lean @ AXES,
-            initialVelocity=[self.speed, 0, 0], initialAngularVelocity=rate,
+            referencePosition=[way, self.start, -self.height],
+            referenceRotationMatrix=lean @ AXES,
+            initialVelocity=[self.speed, 0, 0],
+            initialAngularVelocity=rate,
             inertia=RigidBodyInertia(data.WHEELSET.mass, np.diag([rolling, yawing, pitching])),
-            nodeType=exudyn.NodeType.RotationRxyz, gravity=[0, 0, data.GRAVITY])
+            nodeType=exudyn.NodeType.RotationRxyz,
+            gravity=[0, 0, data.GRAVITY],
+        )
 
         def pushed(mbs, now, item, shift, turn, velocity, angular_velocity, *_):
             return -self.push(number, velocity, angular_velocity)
 
         ends = [self.marker(self.ground, [way, self.start, -self.height]), self.marker(body)]
-        self.mbs.AddObject(ObjectConnectorRigidBodySpringDamper(
-            markerNumbers=ends, springForceTorqueUserFunction=pushed))
+        self.mbs.AddObject(
+            ObjectConnectorRigidBodySpringDamper(markerNumbers=ends, springForceTorqueUserFunction=pushed)
+        )
         return body
 
     def marker(self, body, place=(0, 0, 0)):
@@ -107,8 +124,11 @@ class Vehicle:
         This is a vertical force.  As an offset of the spring it would turn with the first body, and exudyn
         gives no moment for that.
         """
-        self.mbs.AddObject(ObjectConnectorRigidBodySpringDamper(
-            markerNumbers=ends, stiffness=np.diag(stiffness), damping=np.diag(damping)))
+        self.mbs.AddObject(
+            ObjectConnectorRigidBodySpringDamper(
+                markerNumbers=ends, stiffness=np.diag(stiffness), damping=np.diag(damping)
+            )
+        )
         for end, down in zip(ends, (-load, load)):
             self.mbs.AddLoad(Force(markerNumber=end, loadVector=[0, 0, down]))
 
@@ -116,19 +136,29 @@ class Vehicle:
         """The axle boxes of a wheelset in the frame."""
         load = (data.LOAD - data.WHEELSET.mass * data.GRAVITY) / 2
         for side in (-data.HALF_BOXES, data.HALF_BOXES):
-            ends = [self.marker(frame, [way, side, data.FRAME.height - self.height]),
-                    self.marker(axle, [0, 0, side])]
+            ends = [
+                self.marker(frame, [way, side, data.FRAME.height - self.height]),
+                self.marker(axle, [0, 0, side]),
+            ]
             self.spring(ends, [*primary.stiffness, 0, 0, 0], [*primary.damping, 0, 0, 0], load)
 
     def support(self, frame, pivot):
         """The car body on a frame: two springs, roll bar, traction rod."""
         (k_x, k_y, k_z), (_, d_y, d_z) = data.SECONDARY.stiffness, data.SECONDARY.damping
         arm = data.HALF_SPRINGS**2
-        stiffness = [2 * k_x + data.ROD[0], 2 * k_y, 2 * k_z, 2 * k_z * arm + data.ROLL_BAR, data.PITCH,
-                     2 * k_x * arm]
+        stiffness = [
+            2 * k_x + data.ROD[0],
+            2 * k_y,
+            2 * k_z,
+            2 * k_z * arm + data.ROLL_BAR,
+            data.PITCH,
+            2 * k_x * arm,
+        ]
         damping = [data.ROD[1], 2 * d_y, 2 * d_z, 2 * d_z * arm, 0, 0]
-        ends = [self.marker(self.car, [pivot, 0, data.CAR.height - data.SECONDARY_HEIGHT]),
-                self.marker(frame, [0, 0, data.FRAME.height - data.SECONDARY_HEIGHT])]
+        ends = [
+            self.marker(self.car, [pivot, 0, data.CAR.height - data.SECONDARY_HEIGHT]),
+            self.marker(frame, [0, 0, data.FRAME.height - data.SECONDARY_HEIGHT]),
+        ]
         self.spring(ends, stiffness, damping, data.CAR.mass / 2 * data.GRAVITY)
 
     def motion(self, number, velocity, angular_velocity):
@@ -140,7 +170,7 @@ class Vehicle:
         cosine, sine = np.cos(heading), np.sin(heading)
         into = np.array([[cosine, sine, 0], [-sine, cosine, 0], [0, 0, 1.0]])
         ahead, right, down = into @ velocity
-        speed = ahead / (1 - curvature * shift)         # along the middle of the track
+        speed = ahead / (1 - curvature * shift)  # along the middle of the track
         turning = into @ angular_velocity - [0, 0, curvature * speed]
         motion = wrcontact.motion_of([0, shift, z], into @ turned, [speed, right, down], turning)
         return motion | {"track_curvature": curvature}, into
@@ -173,7 +203,7 @@ class Vehicle:
         newton.useModifiedNewton = not full_newton
         # rounding of a place of 30 m, times mass by step squared, is 1e-4 N
         newton.relativeTolerance, newton.absoluteTolerance = 1e-6, 1e-4
-        newton.numericalDifferentiation.relativeEpsilon = 1e-9      # of places of 100 m: within NEAR
+        newton.numericalDifferentiation.relativeEpsilon = 1e-9  # of places of 100 m: within NEAR
         newton.numericalDifferentiation.minimumCoordinateSize = 10.0
         settings.solution.file.write = False
 
@@ -188,5 +218,13 @@ class Vehicle:
         used = time.process_time() - began
         now, wheelsets, places = (np.array(column) for column in zip(*seen))
         recorded = len(now) * len(self.axles)
-        return Run(now, wheelsets, places, next(count), sum(c.steps for c in self.contacts) - recorded,
-                   sum(c.derivatives for c in self.contacts), sum(c.failed for c in self.contacts), used)
+        return Run(
+            now,
+            wheelsets,
+            places,
+            next(count),
+            sum(c.steps for c in self.contacts) - recorded,
+            sum(c.derivatives for c in self.contacts),
+            sum(c.failed for c in self.contacts),
+            used,
+        )

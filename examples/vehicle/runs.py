@@ -92,8 +92,11 @@ def draw(growths, bulged, curved, shaken):
     for side, colour in SIDE_COLOUR.items():
         axes[2].plot(curved.time, curved[f"{side}_load"][:, 0] / 1e3, color=colour, label=f"{side} wheel")
     axes[2].plot(curved.time, curved["force_y"].sum(axis=1) / 1e3, color=INK, label="lateral, all wheelsets")
-    axes[2].set(xlabel="time [s]", ylabel="force [kN]",
-                title=f"Into a curve to the right of {CURVE:g} m at {CURVE_SPEED:g} m/s: first wheelset")
+    axes[2].set(
+        xlabel="time [s]",
+        ylabel="force [kN]",
+        title=f"Into a curve to the right of {CURVE:g} m at {CURVE_SPEED:g} m/s: first wheelset",
+    )
     axes[2].legend(loc=(0.02, 0.28))
     rough = irregular()
     first = shaken.places[:, 0, 0]
@@ -108,5 +111,9 @@ def draw(growths, bulged, curved, shaken):
 def wheelset_paths(axis, run, numbers):
     """Lines of wheelsets over their distance."""
     for number, colour in zip(numbers, (INK, "#D55E00")):
-        axis.plot(run.places[:, number, 0], run.places[:, number, 1] / MM, color=colour,
-                  label=f"wheelset {number + 1}")
+        axis.plot(
+            run.places[:, number, 0],
+            run.places[:, number, 1] / MM,
+            color=colour,
+            label=f"wheelset {number + 1}",
+        )

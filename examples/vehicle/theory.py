@@ -28,7 +28,7 @@ def ellipse(load):
         return (ellipe(m) / (1 - m) - ellipk(m)) / (ellipk(m) - ellipe(m)) - across / along
 
     m = brentq(missing, 1e-9, 1 - 1e-9)
-    modulus = SHEAR / (1 - POISSON)                 # E / (2 (1 - nu^2)), of two bodies alike
+    modulus = SHEAR / (1 - POISSON)  # E / (2 (1 - nu^2)), of two bodies alike
     a = (3 * load / (2 * np.pi * modulus) * ellipe(m) / (1 - m) / (along + across)) ** (1 / 3)
     return a, a * np.sqrt(1 - m)
 
@@ -73,16 +73,21 @@ def wheelset(speed, load, half):
     """
     f11, f22, f23 = slopes(load)
     radius, (roll, push) = data.WHEEL_RADIUS, lean(load, half)
-    moved = 1 + radius * roll       # how far a contact goes across for each metre of y
-    pushed = 1 + radius * push      # what its creep force is in y
-    conicity = CONE * (1 + (radius + HEAD) * roll)      # the roll moves the contact along wheel and rail
+    moved = 1 + radius * roll  # how far a contact goes across for each metre of y
+    pushed = 1 + radius * push  # what its creep force is in y
+    conicity = CONE * (1 + (radius + HEAD) * roll)  # the roll moves the contact along wheel and rail
     gyro = data.WHEELSET.inertia[1] * speed / radius
-    damping = np.array([[2 * f22 * moved * pushed / speed, 2 * f23 * pushed / speed - gyro * push],
-                        [gyro * roll - 2 * f23 * moved / speed, 2 * f11 * half**2 / speed]])
+    damping = np.array(
+        [
+            [2 * f22 * moved * pushed / speed, 2 * f23 * pushed / speed - gyro * push],
+            [gyro * roll - 2 * f23 * moved / speed, 2 * f11 * half**2 / speed],
+        ]
+    )
     spread = 2 * (load * CONE - f23 * CONE / radius) * half
     gravity = 2 * (load - f23 / radius) * roll * pushed + 2 * load * (1 + HEAD * roll) * push
-    stiffness = np.array([[gravity, -2 * f22 * pushed],
-                          [2 * f11 * half * conicity / radius, 2 * f23 - spread]])
+    stiffness = np.array(
+        [[gravity, -2 * f22 * pushed], [2 * f11 * half * conicity / radius, 2 * f23 - spread]]
+    )
     return damping, stiffness
 
 
@@ -121,8 +126,9 @@ def matrices(speed, half, primary=data.SOFT):
 def root(speed, half, primary=data.SOFT):
     """Growth [1/s] and circular frequency [rad/s] of hunting."""
     mass, damping, stiffness = matrices(speed, half, primary)
-    state = np.block([[np.zeros((7, 7)), np.eye(7)],
-                      [-np.linalg.solve(mass, stiffness), -np.linalg.solve(mass, damping)]])
+    state = np.block(
+        [[np.zeros((7, 7)), np.eye(7)], [-np.linalg.solve(mass, stiffness), -np.linalg.solve(mass, damping)]]
+    )
     found = [root for root in np.linalg.eigvals(state) if 1 < root.imag < 60]
     return max(found, key=lambda root: root.real)
 

@@ -19,8 +19,9 @@ class Track:
     length : of the track [m], behind which nothing runs.
     """
 
-    def __init__(self, displacement=lambda distance: 0.0, radius=math.inf, begin=0.0, transition=30.0,
-                 length=400.0):
+    def __init__(
+        self, displacement=lambda distance: 0.0, radius=math.inf, begin=0.0, transition=30.0, length=400.0
+    ):
         self.displacement, self.straight = displacement, math.isinf(radius)
         self.curvature = lambda s: min(max((s - begin) / transition, 0.0), 1.0) / radius
         if not self.straight:
@@ -64,7 +65,7 @@ def irregular(seed=1, waves=40):
     phases = np.random.default_rng(seed).uniform(0, 2 * np.pi, waves)
 
     def displacement(distance):
-        fade = min(max((distance - 15.0) / 20.0, 0.0), 1.0)        # the vehicle begins on straight track
+        fade = min(max((distance - 15.0) / 20.0, 0.0), 1.0)  # the vehicle begins on straight track
         return fade * float(sizes @ np.cos(middle * distance + phases))
 
     return displacement

@@ -77,7 +77,7 @@ def test_the_table_of_models_has_every_row():
 def test_the_readme_has_seven_rows_of_the_long_tables():
     """Time, and mean and worst error on the positions, are those of benchmarks.md."""
     table = pages.TABLES["short"]
-    assert 0.01 in rows.QUICK.halfspace     # the row of the half-space, also in a quick run
+    assert 0.01 in rows.QUICK.halfspace  # the row of the half-space, also in a quick run
     kept = {name: record.load(name) for name in table.parts}
     lines, long = table.text(kept).splitlines()[2:], tables.models(kept)
     assert len(lines) == 7 and "quoted" in lines[-1]
@@ -121,8 +121,9 @@ def test_grids():
 
 def test_parts_by_kind_and_by_name():
     assert parts.named([]) == list(parts.PARTS)
-    assert parts.named(["errors", "growth"]) == [name for name, part in parts.PARTS.items()
-                                                 if part.kind == "errors" or name == "growth"]
+    assert parts.named(["errors", "growth"]) == [
+        name for name, part in parts.PARTS.items() if part.kind == "errors" or name == "growth"
+    ]
     with pytest.raises(ValueError, match="'error' is not known; known are errors, times, studies, model_err"):
         parts.named(["error"])
 
@@ -184,11 +185,13 @@ def test_a_part_is_printed(capsys):
 def test_each_model_is_nearer_to_the_complete_theory(measured):
     """Hertz, ANALYN, strips, half-space: mean errors on the positions [1]; hardly less with strips, as long
     as a rigid wheel does not sink straight down like the reference's."""
-    best = [min(np.mean(found["positions mean"]) for _, found in of_kind(measured, kind))
-            for kind in ("Hertz", "analyn", "analyn_strip")]
+    best = [
+        min(np.mean(found["positions mean"]) for _, found in of_kind(measured, kind))
+        for kind in ("Hertz", "analyn", "analyn_strip")
+    ]
     best.append(min(np.mean(found["positions mean"]) for found in record.load("halfspace")["rows"].values()))
     assert all(before > 1.15 * after for before, after in pairwise(best))
-    assert best[-1] < 0.12                                                                # [%] measured 0.094
+    assert best[-1] < 0.12  # [%] measured 0.094
 
 
 @pytest.mark.machine
@@ -199,7 +202,7 @@ def test_the_half_space_is_what_is_kept_of_it():
     kept = record.load("halfspace")["rows"]["halfspace, tolerance 0.1"]
     np.testing.assert_allclose(100 * found.mean, kept["positions mean"], rtol=1e-3)
     np.testing.assert_allclose(100 * found.worst, kept["positions worst"], rtol=1e-3)
-    assert 100 * found.mean.mean() < 0.29                                                 # [%] measured 0.226
+    assert 100 * found.mean.mean() < 0.29  # [%] measured 0.226
 
 
 @pytest.mark.machine
@@ -207,10 +210,10 @@ def test_errors_are_those_of_the_stored_poses():
     system = rows.system()
     found = errors.positions(system)
     assert found.count == 20 and errors.hunting(system).count == 2 * 160
-    assert np.all(found.mean < (0.0157, 0.0394, 0.0316))             # measured 0.0121, 0.0304, 0.0243
-    assert np.all(found.worst < (0.077, 0.327, 0.190))               # measured 0.0515, 0.2181, 0.1267
+    assert np.all(found.mean < (0.0157, 0.0394, 0.0316))  # measured 0.0121, 0.0304, 0.0243
+    assert np.all(found.worst < (0.077, 0.327, 0.190))  # measured 0.0515, 0.2181, 0.1267
     state = system.evaluate(6.5e-3)
-    last = abs(state.right.penetration / 1.05882809e-4 - 1)          # last line of positions.csv
+    last = abs(state.right.penetration / 1.05882809e-4 - 1)  # last line of positions.csv
     assert last <= found.worst[0]
 
 
@@ -286,7 +289,7 @@ def test_comparison_tells_errors_and_failures():
 def test_the_searches_fill_their_tables():
     found = {"source_searches": {"rows": parts.source_searches(rows.QUICK)}}
     text = tables.source_tables(found)
-    assert text.count("\n| --- | --- |") == 6    # one under the head of each table
+    assert text.count("\n| --- | --- |") == 6  # one under the head of each table
     assert "| denser nodes, dx and dy to 0.01 mm | 1 ... 3 deg | 0 of 4 |" in text
 
 
@@ -298,8 +301,9 @@ def test_a_random_pose_is_the_same_again():
     assert poses[7] == random_poses.pose(7) and len(set(poses)) == 200
     assert all(abs(pose.lateral_shift) <= 6.6e-3 and 3e3 <= pose.normal_force <= 200e3 for pose in poses)
     assert sum(pose.yaw != 0.0 for pose in poses) == 100
-    assert {(pose.rail, pose.inclination) for pose in poses} == {(rail, slope) for rail in random_poses.RAILS
-                                                                for slope in random_poses.INCLINATIONS}
+    assert {(pose.rail, pose.inclination) for pose in poses} == {
+        (rail, slope) for rail in random_poses.RAILS for slope in random_poses.INCLINATIONS
+    }
 
 
 @pytest.mark.full
@@ -307,10 +311,10 @@ def test_an_ended_run_goes_on(tmp_path, monkeypatch):
     store = tmp_path / "poses.csv"
     whole = random_poses.references(2, store, processes=1)
     first, second = store.read_text().splitlines()
-    other = first.replace("0,", "7,", 1)                             # a line that is not of pose 7
-    store.write_text(f"{first}\n{other}\n{second[:-3]}")             # and one within which a run ended
+    other = first.replace("0,", "7,", 1)  # a line that is not of pose 7
+    store.write_text(f"{first}\n{other}\n{second[:-3]}")  # and one within which a run ended
     np.testing.assert_array_equal(random_poses.references(2, store, processes=1), whole)
-    monkeypatch.setattr(random_poses, "solve", None)                # all is there: nothing is solved
+    monkeypatch.setattr(random_poses, "solve", None)  # all is there: nothing is solved
     found = random_poses.compared(random_poses.references(2, store))
     assert found["poses"] == {"count": 2, "lost": 0}
     assert all(len(found[model]["wheels"]) == 4 for model in ("analyn", "analyn_strip"))
@@ -319,8 +323,9 @@ def test_an_ended_run_goes_on(tmp_path, monkeypatch):
 def test_what_does_not_converge_is_left_out(tmp_path):
     store = tmp_path / "poses.csv"
     values = (["nan"] * 6, ["1e-4", "1e-4", "1e9"] * 2)
-    store.write_text("".join(random_poses.line(random_poses.heading(index) + row)
-                             for index, row in enumerate(values)))
+    store.write_text(
+        "".join(random_poses.line(random_poses.heading(index) + row) for index, row in enumerate(values))
+    )
     found = random_poses.compared(random_poses.references(2, store))
     assert found["poses"] == {"count": 2, "lost": 1}
     assert not any("pose 0:" in each["wheel"] for each in found["analyn"]["wheels"])
@@ -344,13 +349,16 @@ def test_stored_answers_are_the_half_spaces():
 
 def test_answers_are_those_of_the_named_track():
     pose = random_poses.pose(3)
-    found, status = random_poses.answers([random_poses.pose(index) for index in range(6)],
-                                         normal_model="hertz")
-    alone = wrcontact.ContactSystem(rail=pose.rail, rail_inclination=pose.inclination,
-                                    normal_model="hertz").evaluate(*pose[2:])
+    found, status = random_poses.answers(
+        [random_poses.pose(index) for index in range(6)], normal_model="hertz"
+    )
+    alone = wrcontact.ContactSystem(
+        rail=pose.rail, rail_inclination=pose.inclination, normal_model="hertz"
+    ).evaluate(*pose[2:])
     assert not status.any()
-    assert found[3] == pytest.approx([getattr(side, name) for side in (alone.left, alone.right)
-                                      for name in random_poses.PATCH], rel=1e-9)
+    assert found[3] == pytest.approx(
+        [getattr(side, name) for side in (alone.left, alone.right) for name in random_poses.PATCH], rel=1e-9
+    )
 
 
 def test_tolerances_are_kept():
@@ -390,6 +398,7 @@ def test_the_picture_shows_every_point(tmp_path):
     ladders = len(Analyn.ladder) + len(Strip.ladder)
     # Hertz, ladders, half-space, strips, FMU, peers
     assert len(points) == 1 + ladders + len(rows.HALFSPACE) + 15 + 1 + 2 * 2 + 1
-    assert np.all((left <= points[:, 0]) & (points[:, 0] <= right) & (low <= points[:, 1])
-                  & (points[:, 1] <= high))
+    assert np.all(
+        (left <= points[:, 0]) & (points[:, 0] <= right) & (low <= points[:, 1]) & (points[:, 1] <= high)
+    )
     assert style.save(drawn, tmp_path / "benchmark.png").stat().st_size > 20_000

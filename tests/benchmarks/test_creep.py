@@ -33,11 +33,18 @@ def test_a_patch_has_its_stored_forces(number):
     """Solved again from the stored outline, which has seven digits."""
     row = creep.stored()["patches"][number]
     station = 1e-3 * np.array(row["y"])
-    outline = Outline.of_stations(station, 1e-3 * np.array(row["half_length"]),
-                                  1e6 * np.array(row["pressure"]), row["slant"] * station)
-    found = roll_outline(outline, creepage_x=row["xi"], creepage_y=row["eta"], spin=1e3 * row["phi"],
-                         friction=row["mu"], shear_modulus=creep.MODULUS / (2.0 * (1.0 + row["nu"])),
-                         poisson_ratio=row["nu"])
+    outline = Outline.of_stations(
+        station, 1e-3 * np.array(row["half_length"]), 1e6 * np.array(row["pressure"]), row["slant"] * station
+    )
+    found = roll_outline(
+        outline,
+        creepage_x=row["xi"],
+        creepage_y=row["eta"],
+        spin=1e3 * row["phi"],
+        friction=row["mu"],
+        shear_modulus=creep.MODULUS / (2.0 * (1.0 + row["nu"])),
+        poisson_ratio=row["nu"],
+    )
     limit = row["mu"] * row["N"]
     assert creep.forces(found)[:2] == pytest.approx(row["force"][:2], abs=1e-4 * limit), row["name"]
 
@@ -73,8 +80,14 @@ def test_errors_are_lengths_over_the_limit():
     """Forces and moments that are displaced by known shares."""
     chosen = cases("hertz")[:4]
     shares = np.array([0.01, 0.02, 0.03, 0.05])
-    found = [(case.force[0] + 0.6 * share * case.bound, case.force[1] - 0.8 * share * case.bound,
-              case.moment + 2.0 * share * case.bound * case.size) for case, share in zip(chosen, shares)]
+    found = [
+        (
+            case.force[0] + 0.6 * share * case.bound,
+            case.force[1] - 0.8 * share * case.bound,
+            case.moment + 2.0 * share * case.bound * case.size,
+        )
+        for case, share in zip(chosen, shares)
+    ]
     errors = creep.compared(found, chosen)
     assert errors["force"] == pytest.approx((2.75, np.percentile(100 * shares, 95), 5.0))
     assert errors["moment"] == pytest.approx((5.5, 2 * np.percentile(100 * shares, 95), 10.0))
@@ -87,7 +100,8 @@ def test_quoted_methods_are_compared_with_the_same_forces():
         for row, case in zip(patch["cases"], truth["cases"], strict=True):
             limit = 0.3 * case["contact"]["FN"]
             assert np.multiply(row["contact"], limit) == pytest.approx(
-                (case["contact"]["Fx"], case["contact"]["Fy"]), abs=1e-4 * limit)
+                (case["contact"]["Fx"], case["contact"]["Fy"]), abs=1e-4 * limit
+            )
 
 
 def test_every_model_and_set_is_kept():
@@ -119,8 +133,9 @@ def test_what_the_page_says_of_the_strips():
     others = [name for name in creep.MODELS if name != "strips"]
     assert max(share(name, creep.NEW_PATCHES) for name in others) == pytest.approx(0.25, abs=0.05)
     assert max(share(name, creep.NEW_ELLIPSES) for name in others) == pytest.approx(0.125, abs=0.03)
-    assert [share("CONTACT's FaStrip", label) for label in (creep.HERTZ, creep.GRIDS)
-            ] == pytest.approx([1 / 3, 1 / 3], abs=0.05)
+    assert [share("CONTACT's FaStrip", label) for label in (creep.HERTZ, creep.GRIDS)] == pytest.approx(
+        [1 / 3, 1 / 3], abs=0.05
+    )
     assert share(creep.EQUIVALENT, creep.NEW_PATCHES) < 1.0
 
 
@@ -130,8 +145,10 @@ def test_what_the_page_says_of_the_strips():
 def test_the_wheelset_moves_as_it_stands():
     """Velocities are the slopes of lateral shift and yaw."""
     inputs = creep.moving(900)
-    for rate, of in ((layout.IN_LATERAL_VELOCITY, layout.IN_LATERAL_SHIFT),
-                     (layout.IN_YAW_RATE, layout.IN_YAW)):
+    for rate, of in (
+        (layout.IN_LATERAL_VELOCITY, layout.IN_LATERAL_SHIFT),
+        (layout.IN_YAW_RATE, layout.IN_YAW),
+    ):
         way = np.concatenate([[0.0], np.cumsum(0.5 * (inputs[1:, rate] + inputs[:-1, rate])) * 1e-3])
         assert inputs[:, of] - inputs[0, of] == pytest.approx(way, abs=2e-3 * np.ptp(inputs[:, of]))
     assert set(inputs[:, layout.IN_SPEED]) == {creep.SPEED}
@@ -141,8 +158,7 @@ def test_times_are_measured_and_kept():
     """Every model alone and in every element, of few steps, and the same rows are kept."""
     found = creep.tangential_times(LITTLE)
     stored = record.load("tangential_times")["rows"]
-    assert list(found) == list(stored) == [*creep.TIMED, *creep.ELEMENTS,
-                                           creep.FMU, "by itself", "whole"]
+    assert list(found) == list(stored) == [*creep.TIMED, *creep.ELEMENTS, creep.FMU, "by itself", "whole"]
     for element in (*creep.ELEMENTS, creep.FMU):
         assert list(found[element]) == list(stored[element]) == ["none", *creep.TIMED]
         assert min(found[element].values()) > 0.0
@@ -152,9 +168,12 @@ def test_times_are_measured_and_kept():
 def test_tables_have_every_row():
     parts = {name: record.load(name) for name in ("tangential_errors", "tangential_times")}
     count = len(creep.MODELS)
-    for text, lines in ((tables.creep_force_table, count + 1 + len(creep.QUOTED)),
-                        (tables.creep_moment_table, count),
-                        (tables.creep_short_table, count), (tables.creep_model_table, 6)):
+    for text, lines in (
+        (tables.creep_force_table, count + 1 + len(creep.QUOTED)),
+        (tables.creep_moment_table, count),
+        (tables.creep_short_table, count),
+        (tables.creep_model_table, 6),
+    ):
         table = text(parts).splitlines()
         assert len(table) == 2 + lines and len({line.count("|") for line in table}) == 1
     assert "bytes" in pages.TABLES["creep_times"].text(parts)
@@ -168,6 +187,7 @@ def test_the_picture_shows_every_point(tmp_path):
         points = pages.marks(axes)
         quoted = sum(theirs in kept()[name] for name in creep.QUOTED)
         assert len(points) == len(creep.MODELS) + quoted
-        assert np.all((left <= points[:, 0]) & (points[:, 0] <= right) & (low <= points[:, 1])
-                      & (points[:, 1] <= high))
+        assert np.all(
+            (left <= points[:, 0]) & (points[:, 0] <= right) & (low <= points[:, 1]) & (points[:, 1] <= high)
+        )
     assert style.save(drawn, tmp_path / "creep_forces.png").stat().st_size > 20_000

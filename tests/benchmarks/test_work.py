@@ -9,7 +9,7 @@ import pytest
 from benchmarks import tables, times
 from wrcontact.kernel.binding.library import default_kernel
 
-STEPS, EVERY = 400, 50       # the 20 s of the trajectory, each 50th step
+STEPS, EVERY = 400, 50  # the 20 s of the trajectory, each 50th step
 #: Gap evaluations, scans, roll iterations, nodes, force solves and strip systems of a step (times.COUNTS).
 #:
 #: A wheel that strips find more than 1.15 times as deep as estimated is sunk anew

@@ -45,28 +45,34 @@ def checked_package(tmp_path_factory):
 
 
 STRIPS_OF_PAIRS = [
-    {"normal_model": "analyn_strip", "strips": strips, **pair} for strips in (6, 16)
-    for pair in ({}, {"rail": "54E1", "rail_inclination": 0.05}, {"rail": "60E1", "gauge": 1.425})]
+    {"normal_model": "analyn_strip", "strips": strips, **pair}
+    for strips in (6, 16)
+    for pair in ({}, {"rail": "54E1", "rail_inclination": 0.05}, {"rail": "60E1", "gauge": 1.425})
+]
 
 
 @needs_library
 @needs_compiler
 @pytest.mark.full
-@pytest.mark.parametrize("parameters", [
-    {},
-    {"nodes": 4},
-    {"nodes": 38},
-    {"normal_model": "analyn_strip", "nodes": 4, "strips": 6, "sweeps": 1},
-    {"normal_model": "analyn_strip"},
-    {"normal_model": "analyn_strip", "nodes": 38, "strips": 16, "sweeps": 20},
-    {"separation": "vertical", "lateral_curvature": "smooth", "nodes": 38},
-    {"separation": "equidistant", "lateral_curvature": "rough", "normal_model": "analyn_strip"},
-    {"separation": "equidistant_chord", "nodes": 4},
-    *FORMS,
-    *STRIPS_OF_PAIRS,
-    {"contact_mode": "elastic", "nodes": 38, "normal_model": "analyn_strip", "strips": 16, "sweeps": 20},
-    {"contact_mode": "compliant", "nodes": 4, "separation": "vertical", "lateral_curvature": "rough"},
-], ids=kernel_runs.id_of)
+@pytest.mark.parametrize(
+    "parameters",
+    [
+        {},
+        {"nodes": 4},
+        {"nodes": 38},
+        {"normal_model": "analyn_strip", "nodes": 4, "strips": 6, "sweeps": 1},
+        {"normal_model": "analyn_strip"},
+        {"normal_model": "analyn_strip", "nodes": 38, "strips": 16, "sweeps": 20},
+        {"separation": "vertical", "lateral_curvature": "smooth", "nodes": 38},
+        {"separation": "equidistant", "lateral_curvature": "rough", "normal_model": "analyn_strip"},
+        {"separation": "equidistant_chord", "nodes": 4},
+        *FORMS,
+        *STRIPS_OF_PAIRS,
+        {"contact_mode": "elastic", "nodes": 38, "normal_model": "analyn_strip", "strips": 16, "sweeps": 20},
+        {"contact_mode": "compliant", "nodes": 4, "separation": "vertical", "lateral_curvature": "rough"},
+    ],
+    ids=kernel_runs.id_of,
+)
 @pytest.mark.turns(3)
 def test_no_index_leaves_its_array(tmp_path, checked_package, parameters):
     """The library with checked indices takes the same steps: 1200 over tread and flange, 6000 of strips in
@@ -93,13 +99,16 @@ def test_many_steps_are_single_steps(mode):
 
 def test_generated_c_is_of_this_source():
     assert f"INT64_C(0x{fingerprint():015x})" in (KERNEL / "generated" / "unit.c").read_text(), (
-        "run tools/transpile_kernel.py")
+        "run tools/transpile_kernel.py"
+    )
 
 
 def test_missing_library_warns_once(tmp_path):
     package = copy_package(tmp_path, "renamed_wheelset", with_library=False)
-    code = ("from renamed_wheelset.kernel.binding.library import default_kernel as k; "
-            "print(k().compiled, k().compiled)")
+    code = (
+        "from renamed_wheelset.kernel.binding.library import default_kernel as k; "
+        "print(k().compiled, k().compiled)"
+    )
     child = kernel_runs.run_python(code, tmp_path, "auto")
     assert child.stdout.split() == ["False", "False"], child.stderr
     assert child.stderr.count("RuntimeWarning: The contact kernel runs uncompiled") == 1
@@ -136,9 +145,14 @@ def test_failing_compiler_leaves_no_library(tmp_path):
 
 def arrays(**changed):
     """Arrays that can be bound."""
-    return {"tables": np.zeros(SETTING_COUNT), "state": np.zeros(STATE_SIZE),
-            "workspace": np.zeros(WORK_SIZE), "inputs": np.zeros(INPUT_COUNT),
-            "outputs": np.zeros(OUTPUT_COUNT), **changed}
+    return {
+        "tables": np.zeros(SETTING_COUNT),
+        "state": np.zeros(STATE_SIZE),
+        "workspace": np.zeros(WORK_SIZE),
+        "inputs": np.zeros(INPUT_COUNT),
+        "outputs": np.zeros(OUTPUT_COUNT),
+        **changed,
+    }
 
 
 def read_only(size):
@@ -147,14 +161,23 @@ def read_only(size):
     return array
 
 
-@pytest.mark.parametrize("changed, sentence", [
-    ({"tables": [0.0]}, "tables must be a numpy array of float64, not list"),
-    ({"state": np.zeros(STATE_SIZE, np.float32)}, "state must be a numpy array of float64, not float32"),
-    ({"workspace": np.zeros(2 * WORK_SIZE)[::2]}, "workspace must be C-contiguous"),
-    ({"inputs": np.zeros(INPUT_COUNT - 1)}, f"inputs has {INPUT_COUNT - 1} values and needs {INPUT_COUNT}"),
-    ({"workspace": np.zeros(WORK_SIZE - 1)}, f"workspace has {WORK_SIZE - 1} values and needs {WORK_SIZE}"),
-    ({"outputs": read_only(OUTPUT_COUNT)}, "outputs is read-only"),
-])
+@pytest.mark.parametrize(
+    "changed, sentence",
+    [
+        ({"tables": [0.0]}, "tables must be a numpy array of float64, not list"),
+        ({"state": np.zeros(STATE_SIZE, np.float32)}, "state must be a numpy array of float64, not float32"),
+        ({"workspace": np.zeros(2 * WORK_SIZE)[::2]}, "workspace must be C-contiguous"),
+        (
+            {"inputs": np.zeros(INPUT_COUNT - 1)},
+            f"inputs has {INPUT_COUNT - 1} values and needs {INPUT_COUNT}",
+        ),
+        (
+            {"workspace": np.zeros(WORK_SIZE - 1)},
+            f"workspace has {WORK_SIZE - 1} values and needs {WORK_SIZE}",
+        ),
+        ({"outputs": read_only(OUTPUT_COUNT)}, "outputs is read-only"),
+    ],
+)
 def test_unusable_arrays_are_refused(changed, sentence):
     with pytest.raises((TypeError, ValueError), match=sentence):
         library.Kernel().bind(**arrays(**changed))
@@ -177,13 +200,16 @@ def test_bound_arrays_stay_alive(make):
     assert not any(reference() is not None for reference in alive.values())
 
 
-@pytest.mark.parametrize("body, why", [
-    ("for i in range(3):\n        x += 1.0\n    else:\n        x = 0.0", "drops the else"),
-    ("for i in range(3):\n        i += 1", "changes its own variable"),
-    ("for i in range(3):\n        x += 1.0\n    x += i", "one turn further"),
-    ("x = x ** 2", "power differs from machine to machine"),
-    ("x = x ** 0.3", "power differs from machine to machine"),
-])
+@pytest.mark.parametrize(
+    "body, why",
+    [
+        ("for i in range(3):\n        x += 1.0\n    else:\n        x = 0.0", "drops the else"),
+        ("for i in range(3):\n        i += 1", "changes its own variable"),
+        ("for i in range(3):\n        x += 1.0\n    x += i", "one turn further"),
+        ("x = x ** 2", "power differs from machine to machine"),
+        ("x = x ** 0.3", "power differs from machine to machine"),
+    ],
+)
 def test_python_that_means_something_else_in_c_is_refused(tmp_path, body, why):
     path = tmp_path / "trap.py"
     path.write_text(f"def trap(x: float) -> float:\n    {body}\n    return x\n")

@@ -53,9 +53,10 @@ def test_demo_table_is_what_the_kernel_returns(demo):
     """Another warm start, so other iterations, but the same answers."""
     written, stored = read_csv(demo[1] / "demo.csv"), stored_run()
     assert np.array_equal(written["time"], stored["time"])
-    expected = columns_of(ContactSystem().evaluate_many(**{name: stored[name]
-                                                           for name in stored_inputs(stored)}))
-    equilibrium = {"equilibrium.vertical_shift", "equilibrium.roll"}        # of FMUs, not of tables
+    expected = columns_of(
+        ContactSystem().evaluate_many(**{name: stored[name] for name in stored_inputs(stored)})
+    )
+    equilibrium = {"equilibrium.vertical_shift", "equilibrium.roll"}  # of FMUs, not of tables
     assert set(written) == {"time", *expected, *equilibrium} and set(INPUT_NAMES) <= set(written)
     for name, column in expected.items():
         nominal = VARIABLES[PLACE[name]].nominal or 1.0
@@ -97,16 +98,19 @@ def test_stored_values_pass(answers):
     assert failed(answers) == []
 
 
-@pytest.mark.parametrize("name, change, quantity", [
-    ("roll", lambda v: v + 1.1e-9, "roll"),  # [rad]
-    ("left.contact.x_track", lambda v: v - 1.1e-6, "contact positions"),  # [m]
-    ("right.contact.y_wheel", lambda v: v + 1.1e-6, "contact positions"),
-    ("right.penetration", lambda v: 1.161 * v, "penetration"),
-    ("left.area", lambda v: 0.819 * v, "area"),
-    ("right.max_pressure", lambda v: 1.301 * v, "largest pressure"),
-    ("left.max_pressure", lambda v: v * np.nan, "largest pressure"),
-    ("status", lambda v: v + 2, "steps not valid"),
-])
+@pytest.mark.parametrize(
+    "name, change, quantity",
+    [
+        ("roll", lambda v: v + 1.1e-9, "roll"),  # [rad]
+        ("left.contact.x_track", lambda v: v - 1.1e-6, "contact positions"),  # [m]
+        ("right.contact.y_wheel", lambda v: v + 1.1e-6, "contact positions"),
+        ("right.penetration", lambda v: 1.161 * v, "penetration"),
+        ("left.area", lambda v: 0.819 * v, "area"),
+        ("right.max_pressure", lambda v: 1.301 * v, "largest pressure"),
+        ("left.max_pressure", lambda v: v * np.nan, "largest pressure"),
+        ("status", lambda v: v + 2, "steps not valid"),
+    ],
+)
 def test_one_wrong_value_fails_its_check(answers, name, change, quantity):
     answers[name][40] = change(answers[name][40])
     assert failed(answers) == [quantity]
@@ -115,11 +119,14 @@ def test_one_wrong_value_fails_its_check(answers, name, change, quantity):
     assert check.place.startswith(f"{stored_run()['lateral_shift'][40] * 1e3:.2f}")
 
 
-@pytest.mark.parametrize("name, tolerance, quantity", [
-    ("right.penetration", 0.05, "penetration"),
-    ("left.area", 0.10, "area"),
-    ("right.max_pressure", 0.15, "largest pressure"),
-])
+@pytest.mark.parametrize(
+    "name, tolerance, quantity",
+    [
+        ("right.penetration", 0.05, "penetration"),
+        ("left.area", 0.10, "area"),
+        ("right.max_pressure", 0.15, "largest pressure"),
+    ],
+)
 def test_every_patch_keeps_its_tolerance(answers, name, tolerance, quantity):
     answers[name][40] = stored_run()[name][40] * (1.0 + 0.999 * tolerance)
     assert failed(answers) == []

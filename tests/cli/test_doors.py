@@ -14,7 +14,7 @@ from wrcontact.cli.typed import of_file, typed
 from wrcontact.methods import CHOICES
 
 COMMANDS = ("demo", "build", "solve", "sweep", "plot", "check", "figures")
-MOST_LINES = 90         # of a help text: two screens
+MOST_LINES = 90  # of a help text: two screens
 
 
 # --- help -------------------------------------------------------------------------------------------------
@@ -32,7 +32,7 @@ def test_help_is_short_and_no_name_is_cut(run, narrow, command):
         texts["--help-all"] = run(command, "--help-all")[1]
     for text in texts.values():
         assert max(map(len, text.splitlines())) <= 80
-        assert not re.search(r"--[a-z-]+-\n|\u2026", text)           # an option that is cut or divided
+        assert not re.search(r"--[a-z-]+-\n|\u2026", text)  # an option that is cut or divided
     assert len(texts["--help"].splitlines()) <= MOST_LINES
     names = {word: re.findall(r"^  (--[a-z-]+)", text, re.MULTILINE) for word, text in texts.items()}
     assert set(names["--help"]) <= set(names.get("--help-all", names["--help"]))
@@ -51,36 +51,57 @@ def test_help_has_choices_and_units(run, narrow):
     text = " ".join(run("solve", "--help-all")[1].split())
     for name in ("contact_mode", "normal_model", "tangential_model", "separation", "load"):
         assert f"--{name.replace('_', '-')} {'|'.join(CHOICES[name])}" in text
-    units = {"--speed": "m/s", "--lateral-velocity": "m/s", "--vertical-velocity": "m/s",
-             "--yaw-rate": "rad/s", "--roll-rate": "rad/s", "--wheel-rate": "rad/s",
-             "--track-curvature": "1/m",
-             "--left-rail-roll-velocity": "rad/s", "--right-rail-lateral-velocity": "m/s",
-             "--friction-fall-rate": "s/m", "--contact-damping": "s/m", "--yaw-deg": "deg"}
+    units = {
+        "--speed": "m/s",
+        "--lateral-velocity": "m/s",
+        "--vertical-velocity": "m/s",
+        "--yaw-rate": "rad/s",
+        "--roll-rate": "rad/s",
+        "--wheel-rate": "rad/s",
+        "--track-curvature": "1/m",
+        "--left-rail-roll-velocity": "rad/s",
+        "--right-rail-lateral-velocity": "m/s",
+        "--friction-fall-rate": "s/m",
+        "--contact-damping": "s/m",
+        "--yaw-deg": "deg",
+    }
     for option, unit in units.items():
         entry = re.search(rf" {option} NUMBER (.*?)\(default", text)[1]
         assert entry.endswith(f"[{unit}] "), entry
     keywords = set(re.findall(r"\b[a-z]+(?:_[a-z]+)+\b", text))
-    assert keywords <= {"analyn_strip", "equidistant_chord"}           # options instead of Python's names
+    assert keywords <= {"analyn_strip", "equidistant_chord"}  # options instead of Python's names
 
 
 def test_commands_stand_in_groups(run, narrow):
     text = run("--help")[1]
     assert re.findall(r"^(\w.*):$", text, re.MULTILINE) == [
-        "Options", "Contacts", "FMUs", "The study that wrcontact started from"]
+        "Options",
+        "Contacts",
+        "FMUs",
+        "The study that wrcontact started from",
+    ]
     assert len(text.splitlines()) < 40
 
 
 # --- proposals --------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("words, proposal", [
-    ("solve --velocity 3", "no option --velocity; did you mean --lateral-velocity or --vertical-velocity"),
-    ("solve --normal-force 78", "did you mean --normal-force-kn?"),
-    ("solve --lateral_shift_mm 1", "did you mean --lateral-shift-mm?"),
-    ("solve --gage-mm 1435", "did you mean --gauge-mm?"),
-    ("solve --xyzzy 1", "no option --xyzzy; --help-all lists its options"),
-    ("solve --normal-model analin", "did you mean analyn?"), ("solve --wheel S1003", "did you mean S1002?"),
-    ("build --native --platforms x86_64-linx", "did you mean x86_64-linux?")])
+@pytest.mark.parametrize(
+    "words, proposal",
+    [
+        (
+            "solve --velocity 3",
+            "no option --velocity; did you mean --lateral-velocity or --vertical-velocity",
+        ),
+        ("solve --normal-force 78", "did you mean --normal-force-kn?"),
+        ("solve --lateral_shift_mm 1", "did you mean --lateral-shift-mm?"),
+        ("solve --gage-mm 1435", "did you mean --gauge-mm?"),
+        ("solve --xyzzy 1", "no option --xyzzy; --help-all lists its options"),
+        ("solve --normal-model analin", "did you mean analyn?"),
+        ("solve --wheel S1003", "did you mean S1002?"),
+        ("build --native --platforms x86_64-linx", "did you mean x86_64-linux?"),
+    ],
+)
 def test_an_unknown_word_comes_with_a_proposal(run, words, proposal):
     code, out, err = run(*words.split())
     assert (code, out) == (2, "") and proposal in err and err.count("\n") == 1
@@ -101,10 +122,16 @@ def test_a_remark_has_a_line_and_the_gravest_is_first(run, tmp_path):
     (tmp_path / "own.prr").write_text(simpack(y, -z, "rail"))
     code, _, err = run("solve", "--rail", tmp_path / "own.prr")
     lines = err.splitlines()
-    assert code == 0 and len(lines) == 2 and lines[0] == (
-        "wrcontact: rail profile own.prr: its head is inclined by 1:40 towards the track centre in the file, "
-        "and a --rail-inclination that is not 0 inclines it again; --rail-file-inclination 0.025 turns it "
-        "upright, --rail-file-inclination 0 confirms that it is upright")
+    assert (
+        code == 0
+        and len(lines) == 2
+        and lines[0]
+        == (
+            "wrcontact: rail profile own.prr: its head is inclined by 1:40 towards the track centre in the file, "
+            "and a --rail-inclination that is not 0 inclines it again; --rail-file-inclination 0.025 turns it "
+            "upright, --rail-file-inclination 0 confirms that it is upright"
+        )
+    )
     assert "z was positive upwards" in lines[1]
     _, out, _ = run("check", "--rail", tmp_path / "own.prr", "--output", tmp_path / "check.png")
     assert "its head is inclined by 1:40" in out.partition("Remarks\n")[2].splitlines()[0]
@@ -116,13 +143,23 @@ def test_a_wheel_with_a_wrong_origin_is_remarked(run, tmp_path):
     assert code == 0 and out and "the back-to-back distance is 1336 mm; usual is 1350 ... 1368 mm" in err
 
 
-@pytest.mark.parametrize("said, kind, wanted", [
-    ("mirror_y = True mirrors it, mirror_y = False confirms", "rail",
-     "--rail-mirror-y mirrors it, --no-rail-mirror-y confirms"),
-    ("contains 2 profiles; select is None; permitted", "wheel",
-     "contains 2 profiles; --wheel-select is not given; permitted"),
-    ("select is 3; permitted", "rail", "--rail-select is 3; permitted"),
-    ("3 outliers kept, since smoothing is 0", "wheel", "3 outliers kept, since --smoothing-um is 0")])
+@pytest.mark.parametrize(
+    "said, kind, wanted",
+    [
+        (
+            "mirror_y = True mirrors it, mirror_y = False confirms",
+            "rail",
+            "--rail-mirror-y mirrors it, --no-rail-mirror-y confirms",
+        ),
+        (
+            "contains 2 profiles; select is None; permitted",
+            "wheel",
+            "contains 2 profiles; --wheel-select is not given; permitted",
+        ),
+        ("select is 3; permitted", "rail", "--rail-select is 3; permitted"),
+        ("3 outliers kept, since smoothing is 0", "wheel", "3 outliers kept, since --smoothing-um is 0"),
+    ],
+)
 def test_sentences_on_files_have_options(said, kind, wanted):
     assert of_file(said, kind) == wanted
     assert typed(f"{kind} profile a.csv {said}") == f"{kind} profile a.csv {wanted}"
@@ -143,11 +180,19 @@ def no_work(monkeypatch):
     monkeypatch.setattr("wrcontact.study.figures.write_figures", work)
 
 
-@pytest.mark.parametrize("words", ["build --output {0}/file/out", "build --native --output {0}/file",
-                                   "plot --output {0}/no/a.png", "check --output {0}/no/a.png",
-                                   "check --output {0}/a.png --json {0}/no/a.json",
-                                   "sweep --output {0}/no/a.csv", "figures --output {0}/file",
-                                   "plot --output {0}/folder.png"])
+@pytest.mark.parametrize(
+    "words",
+    [
+        "build --output {0}/file/out",
+        "build --native --output {0}/file",
+        "plot --output {0}/no/a.png",
+        "check --output {0}/no/a.png",
+        "check --output {0}/a.png --json {0}/no/a.json",
+        "sweep --output {0}/no/a.csv",
+        "figures --output {0}/file",
+        "plot --output {0}/folder.png",
+    ],
+)
 def test_folders_are_checked_before_the_work(run, tmp_path, no_work, words):
     (tmp_path / "file").write_text("not a folder")
     (tmp_path / "folder.png").mkdir()
@@ -157,16 +202,21 @@ def test_folders_are_checked_before_the_work(run, tmp_path, no_work, words):
 
 
 def test_a_folder_without_permission_is_refused(run, tmp_path, no_work, monkeypatch):
-    monkeypatch.setattr(os, "access", lambda path, mode: False)     # an administrator may write anywhere
+    monkeypatch.setattr(os, "access", lambda path, mode: False)  # an administrator may write anywhere
     for words, target in (("build --output", tmp_path / "out"), ("plot --output", tmp_path / "a.png")):
         assert run(*words.split(), target) == (2, "", f"wrcontact: {target}: Permission denied\n")
 
 
-@pytest.mark.parametrize("name, count, words", [
-    ("a.csv", 50_000, ""),
-    ("a.csv", 80_001, "a.csv will have about 0.68 GB, for 80001 rows; a .parquet file has"),
-    ("a.parquet", 1_000_000, "a.parquet will have about 3.7 GB, for 1000000 rows"),
-    ("a.json", 50_000, "about 1.1 GB"), ("a.nc", 50_000, "")])
+@pytest.mark.parametrize(
+    "name, count, words",
+    [
+        ("a.csv", 50_000, ""),
+        ("a.csv", 80_001, "a.csv will have about 0.68 GB, for 80001 rows; a .parquet file has"),
+        ("a.parquet", 1_000_000, "a.parquet will have about 3.7 GB, for 1000000 rows"),
+        ("a.json", 50_000, "about 1.1 GB"),
+        ("a.nc", 50_000, ""),
+    ],
+)
 def test_a_large_file_is_announced(name, count, words):
     file = tables.TableFile(name, tables.ENDINGS[name[1:]])
     said = file.size_words(count)

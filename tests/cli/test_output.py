@@ -17,7 +17,7 @@ from wrcontact.fmu import build, native
 from wrcontact.results.convert import columns_of
 
 MAIN = "from wrcontact.cli import main; main(prog_name='wrcontact')"
-SWEEP = ("sweep", "--from-mm", 13, "--to-mm", 16, "--step-mm", 0.25)      # the last rows are off the profile
+SWEEP = ("sweep", "--from-mm", 13, "--to-mm", 16, "--step-mm", 0.25)  # the last rows are off the profile
 
 
 @pytest.fixture(scope="module")
@@ -51,7 +51,7 @@ def test_json(run, tmp_path, table):
 @pytest.mark.full
 def test_parquet(run, tmp_path, table, monkeypatch):
     parquet = pytest.importorskip("pyarrow.parquet")
-    monkeypatch.setattr(tables, "GROUP", 5)     # several groups
+    monkeypatch.setattr(tables, "GROUP", 5)  # several groups
     assert run(*SWEEP, "--parquet", tmp_path / "a.parquet")[0] == 0
     read = parquet.read_table(tmp_path / "a.parquet")
     assert str(read.schema.field("status").type) == "int64"
@@ -119,8 +119,14 @@ def test_a_shift_is_printed_with_the_digits_of_its_step(run):
 @pytest.mark.parametrize("words", [("solve",), ("--help",), ("sweep", "--step-mm", "4")], ids=" ".join)
 def test_a_full_disk_is_one_sentence(tmp_path, words):
     with open("/dev/full", "w") as full:
-        done = subprocess.run([sys.executable, "-c", MAIN, *words], env=OUTSIDE, stdout=full,
-                              stderr=subprocess.PIPE, text=True, cwd=tmp_path)
+        done = subprocess.run(
+            [sys.executable, "-c", MAIN, *words],
+            env=OUTSIDE,
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            cwd=tmp_path,
+        )
     assert done.returncode == 1
     assert done.stderr == "wrcontact: the output cannot be written: No space left on device\n"
 
@@ -134,14 +140,20 @@ def test_a_reader_that_leaves_is_no_error(tmp_path):
 
 def test_an_ascii_terminal_gets_question_marks(tmp_path):
     """A profile's name has a letter that the terminal does not."""
-    script = ("import wrcontact, sys; from wrcontact.cli import report, main\n"
-              "from wrcontact.profiles import Profile, standard_profile\n"
-              "import wrcontact.cli.commands as c\n"
-              "wheel = Profile('Ü', 'wheel', standard_profile('S1002').zones)\n"
-              "c._system = lambda *a: wrcontact.ContactSystem(wheel=wheel)\n"
-              "main(['solve'])")
-    done = subprocess.run([sys.executable, "-c", script], env={**OUTSIDE, "PYTHONIOENCODING": "ascii"},
-                          capture_output=True, cwd=tmp_path)
+    script = (
+        "import wrcontact, sys; from wrcontact.cli import report, main\n"
+        "from wrcontact.profiles import Profile, standard_profile\n"
+        "import wrcontact.cli.commands as c\n"
+        "wheel = Profile('Ü', 'wheel', standard_profile('S1002').zones)\n"
+        "c._system = lambda *a: wrcontact.ContactSystem(wheel=wheel)\n"
+        "main(['solve'])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script],
+        env={**OUTSIDE, "PYTHONIOENCODING": "ascii"},
+        capture_output=True,
+        cwd=tmp_path,
+    )
     assert done.returncode == 0 and done.stdout.startswith(b"? on UIC60") and done.stderr == b""
 
 
@@ -167,13 +179,33 @@ def asked(monkeypatch):
 
 def test_build_passes_its_options_on(run, asked):
     assert run("build") == (0, "python\n", "")
-    assert run("build", "--native", "--platforms", "x86_64-linux,x86_64-windows", "--wheel", "w.csv",
-               "--rail", "54E1", "--output", "here", "--smoothing-um", 10) == (0, "fmi2\nfmi3\n", "")
+    assert run(
+        "build",
+        "--native",
+        "--platforms",
+        "x86_64-linux,x86_64-windows",
+        "--wheel",
+        "w.csv",
+        "--rail",
+        "54E1",
+        "--output",
+        "here",
+        "--smoothing-um",
+        10,
+    ) == (0, "fmi2\nfmi3\n", "")
     nothing = {"wheel": (None, None), "rail": (None, None), "smoothing": None, "settings": {}}
     assert asked[0] == ("python", {"output": Path("dist"), **nothing})
-    assert asked[1] == ("native", {"output": Path("here"), "wheel": (None, "w.csv"), "rail": (None, "54E1"),
-                                   "smoothing": 1e-5, "settings": {},
-                                   "platforms": ["x86_64-linux", "x86_64-windows"]})
+    assert asked[1] == (
+        "native",
+        {
+            "output": Path("here"),
+            "wheel": (None, "w.csv"),
+            "rail": (None, "54E1"),
+            "smoothing": 1e-5,
+            "settings": {},
+            "platforms": ["x86_64-linux", "x86_64-windows"],
+        },
+    )
 
 
 def test_build_of_all_platforms(run, asked):

@@ -46,8 +46,9 @@ def test_two_places_touch_at_a_jump(uic60):
     """Both have the same gap, straight from the printed profiles, at the jump's own shift and roll."""
     track = brute_force.track("UIC60", 1 / 40)
     for jump in uic60.jumps:
-        pose = brute_force.Pose(jump.lateral_shift, 0.0,
-                                ContactSystem().evaluate(lateral_shift=jump.lateral_shift).roll)
+        pose = brute_force.Pose(
+            jump.lateral_shift, 0.0, ContactSystem().evaluate(lateral_shift=jump.lateral_shift).roll
+        )
         pose = pose if jump.side == "right" else pose.mirrored()
         places = np.array([jump.before, jump.after])
         gaps = brute_force.vertical_gap(track, pose, np.zeros(2), places)[0]
@@ -60,12 +61,18 @@ def test_two_places_touch_at_a_jump(uic60):
 def test_moves_add_up_to_the_reference_positions(uic60):
     """Between 1 and 3 mm the contacts do not jump: the integrals of the rates are the
     published differences."""
-    rows = {row["lateral_shift_mm"]: row for row in data.rows_of(data.FOLDER / "rigid_positions.csv")
-            if row["yaw_deg"] == 0.0}
+    rows = {
+        row["lateral_shift_mm"]: row
+        for row in data.rows_of(data.FOLDER / "rigid_positions.csv")
+        if row["yaw_deg"] == 0.0
+    }
     curves = uic60.curves
     between = (curves.lateral_shift > 0.999 * MM) & (curves.lateral_shift < 3.001 * MM)
-    rates = {"roll_rad": (curves.roll_rate, 1.0), "R_y_wheel_mm": (curves.right.wheel_rate, MM),
-             "L_y_wheel_mm": (curves.left.wheel_rate, MM)}
+    rates = {
+        "roll_rad": (curves.roll_rate, 1.0),
+        "R_y_wheel_mm": (curves.right.wheel_rate, MM),
+        "L_y_wheel_mm": (curves.left.wheel_rate, MM),
+    }
     for name, (rate, unit) in rates.items():
         mean = 0.5 * (rate[between][1:] + rate[between][:-1])
         total = np.sum(mean * np.diff(curves.lateral_shift[between]))
@@ -116,20 +123,22 @@ def test_points_are_told(tmp_path):
     remarks = [remark for remark in report.remarks if remark.startswith("wheel profile own")]
     assert any("1 outlier" in remark for remark in remarks)
     assert any("noise of" in remark for remark in remarks)
-    assert report.rail.reading is None and report.wheel.roughness < 1.0     # [1/m]
-    assert report.conicity.level[2] == pytest.approx(0.174, abs=0.02)       # noise of 10 um moves it by 5 %
+    assert report.rail.reading is None and report.wheel.roughness < 1.0  # [1/m]
+    assert report.conicity.level[2] == pytest.approx(0.174, abs=0.02)  # noise of 10 um moves it by 5 %
 
 
 @pytest.mark.full
 def test_noise_that_is_not_smoothed_is_told(tmp_path):
     """10 um every 0.2 mm are curvatures of 10 um / (0.2 mm)^2 = 250 1/m and more; the
     conicity averages them away."""
-    wheel = Profile.from_file(wheel_file(tmp_path, *noisy_points("wheel", 0.2, 10e-3, 1)), "wheel",
-                              smoothing=0.0)
-    rail = Profile.from_file(wheel_file(tmp_path, *noisy_points("rail", 0.2, 10e-3, 2)), "rail",
-                             smoothing=0.0)
+    wheel = Profile.from_file(
+        wheel_file(tmp_path, *noisy_points("wheel", 0.2, 10e-3, 1)), "wheel", smoothing=0.0
+    )
+    rail = Profile.from_file(
+        wheel_file(tmp_path, *noisy_points("rail", 0.2, 10e-3, 2)), "rail", smoothing=0.0
+    )
     report = wrcontact.check(ContactSystem(wheel, rail))
-    assert report.wheel.roughness > 100 and report.rail.roughness > 100     # [1/m]
+    assert report.wheel.roughness > 100 and report.rail.roughness > 100  # [1/m]
     assert any("follows noise" in remark for remark in report.remarks)
     assert any(remark.startswith("the right contact jumps") for remark in report.remarks)
     assert report.conicity.level[2] == pytest.approx(0.180, abs=0.01)
@@ -151,7 +160,7 @@ def test_kink_is_told():
     halves = Polynomial(-70, -9, (-0.045, -0.055), -9.0), Polynomial(-9, 60, (-0.045, -0.05), -9.0)
     wheel = Profile("bent", "wheel", halves, smooth=False)
     report = wrcontact.check(ContactSystem(wheel))
-    (y, turn), = report.wheel.kinks
+    ((y, turn),) = report.wheel.kinks
     assert y == pytest.approx(-9 * MM) and turn == pytest.approx(5e-3, rel=0.01)
     assert any("kink of 5.0 mrad at y = -9.0 mm" in remark for remark in report.remarks)
 
@@ -175,7 +184,7 @@ def test_a_contact_beyond_the_end_of_a_wheel_is_none():
     S1002 that ends at 8 mm on 60E1, lateral shift 5 mm, touched with y_wheel = 13.3 mm on the left."""
     system = ContactSystem(short_wheel(8.0), "60E1")
     shifts = np.linspace(-8, 8, 161) * MM
-    for order in (shifts, shifts[::-1]):        # the search starts where the last one ended
+    for order in (shifts, shifts[::-1]):  # the search starts where the last one ended
         table = system.evaluate_many(lateral_shift=order, outputs="geometry")
         valid = np.asarray(table.status) <= 1
         for side in (table.left, table.right):
@@ -226,9 +235,14 @@ def test_command(run, tmp_path, standard):
     picture, content = tmp_path / "pair.png", tmp_path / "pair.json"
     code, out, err = run("check", "--rail", "60E1", "--output", picture, "--json", content)
     assert code == 0 and err == ""
-    for text in ("S1002 on 60E1: gauge 1435 mm, inclination 1:40",
-                 "contact at lateral shifts from -15.00 to 15.00 mm", "0.174", "0.2259",
-                 "contact jumps 0.23 mm from the centred position", f"picture written to {picture}"):
+    for text in (
+        "S1002 on 60E1: gauge 1435 mm, inclination 1:40",
+        "contact at lateral shifts from -15.00 to 15.00 mm",
+        "0.174",
+        "0.2259",
+        "contact jumps 0.23 mm from the centred position",
+        f"picture written to {picture}",
+    ):
         assert text in out
     assert picture.stat().st_size > 50_000
     read = json.loads(content.read_text(encoding="utf-8"))
@@ -238,8 +252,12 @@ def test_command(run, tmp_path, standard):
 
 
 def test_command_refuses_in_a_sentence(run, tmp_path):
-    for words, told in ((("--output", tmp_path / "pair.doc"), ".png"), (("--wheel", "S1003"), "S1003"),
-                        (("--gauge-mm", "3000"), "gauge"), (("--load", "normal"), "--load")):
+    for words, told in (
+        (("--output", tmp_path / "pair.doc"), ".png"),
+        (("--wheel", "S1003"), "S1003"),
+        (("--gauge-mm", "3000"), "gauge"),
+        (("--load", "normal"), "--load"),
+    ):
         code, _, err = run("check", *words)
         assert code == 2 and err.startswith("wrcontact: ") and err.count("\n") == 1 and told in err
 

@@ -15,7 +15,7 @@ from wrcontact.conditioning.conformal import NEAR
 from wrcontact.conditioning.conicity import NO_RETURN, OFF_PROFILE, Swing
 from wrcontact.profiles.zones import Arc, Polynomial
 
-AMPLITUDES = np.arange(1, 9) * 1e-3     # [m]
+AMPLITUDES = np.arange(1, 9) * 1e-3  # [m]
 
 
 # --- equivalent conicity of given rolling radius differences --------------------------------------
@@ -29,13 +29,19 @@ def half_wave_in_time(shift, difference, start):
         return state[1]
 
     turns.terminal, turns.direction = True, -1.0 if start < 0.0 else 1.0
-    nudge = 1e-9 * abs(start)       # off the turning point at which the integration starts
+    nudge = 1e-9 * abs(start)  # off the turning point at which the integration starts
     rate = -np.interp(start, shift, difference)
     first = math.sqrt(2 * nudge / abs(rate))
     # steps short enough to see a jump, which spans 2e-9 m in the curves
-    found = solve_ivp(lambda _, state: [state[1], -np.interp(state[0], shift, difference)], (first, 1e6),
-                      [start + math.copysign(nudge, rate), rate * first], events=turns, rtol=1e-9, atol=1e-13,
-                      max_step=0.05)
+    found = solve_ivp(
+        lambda _, state: [state[1], -np.interp(state[0], shift, difference)],
+        (first, 1e6),
+        [start + math.copysign(nudge, rate), rate * first],
+        events=turns,
+        rtol=1e-9,
+        atol=1e-13,
+        max_step=0.05,
+    )
     return found.t_events[0][0]
 
 
@@ -60,17 +66,21 @@ def test_cones_with_a_clearance_between_them():
     amplitude = AMPLITUDES[3:]
     rate = math.sqrt(2 * cone)
     half = np.pi / rate + 2 * free / (rate * (amplitude - free))
-    np.testing.assert_allclose(equivalent_conicity(shift, difference, amplitude), 0.5 * (np.pi / half) ** 2,
-                               rtol=1e-5)
+    np.testing.assert_allclose(
+        equivalent_conicity(shift, difference, amplitude), 0.5 * (np.pi / half) ** 2, rtol=1e-5
+    )
     value, middle, reason = Swing(shift, difference).conicity(1 * MM)
-    assert (value, middle, reason) == (0.0, 0.0, "")       # no wave, as on a cylinder
+    assert (value, middle, reason) == (0.0, 0.0, "")  # no wave, as on a cylinder
 
 
 def test_another_left_and_right_wheel_and_a_jump():
     """Against the motion itself, step by step; the turning points are no more the same left and right."""
     shift = np.concatenate([np.linspace(-12, 3, 301), [3 + 1e-6], np.linspace(3.05, 12, 180)]) * MM
-    difference = (0.2 * (shift - 0.7 * MM) + 40 * (shift - 0.7 * MM) ** 2 * np.sign(shift)
-                  + np.where(shift > 3.0000005 * MM, 1.5 * MM, 0.0))
+    difference = (
+        0.2 * (shift - 0.7 * MM)
+        + 40 * (shift - 0.7 * MM) ** 2 * np.sign(shift)
+        + np.where(shift > 3.0000005 * MM, 1.5 * MM, 0.0)
+    )
     for amplitude in (1 * MM, 3 * MM, 6 * MM):
         value, middle, reason = Swing(shift, difference).conicity(amplitude)
         assert reason == "" and abs(middle) > 0.1 * MM, amplitude
@@ -93,12 +103,15 @@ def test_swing_beside_a_middle_that_drives_out():
     assert Swing(shift, k * shift).conicity(11 * MM)[2] == OFF_PROFILE
 
 
-@pytest.mark.parametrize("shift, difference, amplitude, told", [
-    ([0, 1, 2], [0, 1], 1, "lateral_shift has shape (3,) and radius_difference (2,)"),
-    ([0, 2, 1], [0, 1, 2], 1, "does not rise"),
-    ([0, 1, 2], [0, math.nan, 2], 1, "not finite"),
-    ([0, 1, 2], [0, 1, 2], 0.0, "amplitude is 0.0; permitted is amplitude > 0 m"),
-])
+@pytest.mark.parametrize(
+    "shift, difference, amplitude, told",
+    [
+        ([0, 1, 2], [0, 1], 1, "lateral_shift has shape (3,) and radius_difference (2,)"),
+        ([0, 2, 1], [0, 1, 2], 1, "does not rise"),
+        ([0, 1, 2], [0, math.nan, 2], 1, "not finite"),
+        ([0, 1, 2], [0, 1, 2], 0.0, "amplitude is 0.0; permitted is amplitude > 0 m"),
+    ],
+)
 def test_bad_curves_are_refused(shift, difference, amplitude, told):
     with pytest.raises(ValueError) as refusal:
         equivalent_conicity(shift, difference, amplitude)
@@ -122,8 +135,10 @@ def test_conicity_from_a_search_of_its_own(standard):
     shift = np.arange(-6, 6.01, 0.02) * MM
     ground = np.arange(-60, 60, 0.005) * MM
     head = track.rail(ground)[0]
-    at = [np.argmin(np.interp(track.half_distance + y + one - track.rail_origin, ground, head) - height)
-          for one in shift]
+    at = [
+        np.argmin(np.interp(track.half_distance + y + one - track.rail_origin, ground, head) - height)
+        for one in shift
+    ]
     difference = height[at] - height[at][::-1]
     # a contact is found to 5 um, on treads of slope 0.1: 0.5 um of 0.5 mm, averaged over a swing
     for amplitude in (2, 3, 5):
@@ -169,8 +184,11 @@ def arcs():
     """The check of arc on arc, for which a level wheelset has closed forms."""
     sine = SLOPE / math.hypot(1.0, SLOPE)
     y_centre = 1e3 * HOLLOW * sine
-    wheel = Profile("hollow", "wheel",
-                    (Arc(-45, 45, 1e3 * HOLLOW, y_centre, math.sqrt(1e6 * HOLLOW**2 - y_centre**2), -1),))
+    wheel = Profile(
+        "hollow",
+        "wheel",
+        (Arc(-45, 45, 1e3 * HOLLOW, y_centre, math.sqrt(1e6 * HOLLOW**2 - y_centre**2), -1),),
+    )
     rail = Profile("head", "rail", (Arc(-68, 68, 1e3 * HEAD, 0.0, 1e3 * HEAD, -1),))
     depth = 5e-3
     # the rail's place of that slope lies under the running circle

@@ -20,8 +20,17 @@ from wrcontact.profiles.zones import Arc
 # --- overlap, by dense search ---------------------------------------------------------------------
 
 
-OVERLAPS = [(0.0, 0.0), (2e-3, 0.01), (4.95e-3, 0.0), (5.2e-3, 0.0175), (6e-3, 0.0), (6.15e-3, 0.0175),
-            (7e-3, 0.02), (-6e-3, 0.03), (6.6e-3, -0.05)]
+OVERLAPS = [
+    (0.0, 0.0),
+    (2e-3, 0.01),
+    (4.95e-3, 0.0),
+    (5.2e-3, 0.0175),
+    (6e-3, 0.0),
+    (6.15e-3, 0.0175),
+    (7e-3, 0.02),
+    (-6e-3, 0.03),
+    (6.6e-3, -0.05),
+]
 
 
 @pytest.mark.parametrize("shift, yaw", OVERLAPS)
@@ -32,23 +41,24 @@ def test_overlap_is_that_of_the_surface_of_revolution(shift, yaw):
     stepper.inputs[:7] = shift, yaw, 0.0, 0.0, 0.0, stand.vertical_shift, stand.roll
     assert stepper.step() == 0
     overlap = work_of(stepper).contact.overlap
-    points = overlap.points[:overlap.count]
+    points = overlap.points[: overlap.count]
     pose = brute_force.Pose(shift, yaw, stand.roll, stand.vertical_shift)
-    for point in points:      # of the right wheel, which came last
+    for point in points:  # of the right wheel, which came last
         depth, _, abscissa = deepest(track, pose, point.rail)
-        assert point.depth == pytest.approx(depth, abs=1e-11)      # [m]; measured 5e-13
+        assert point.depth == pytest.approx(depth, abs=1e-11)  # [m]; measured 5e-13
         assert point.rail == pytest.approx(abscissa, abs=1e-7)
     state = compliant().evaluate(shift, yaw, vertical_shift_input=stand.vertical_shift, roll_input=stand.roll)
     assert state.right.penetration == max(point.depth for point in points)
-    assert deepest(track, pose.mirrored(),
-                   state.left.contact.y_rail)[0] == pytest.approx(state.left.penetration, abs=1e-11)
+    assert deepest(track, pose.mirrored(), state.left.contact.y_rail)[0] == pytest.approx(
+        state.left.penetration, abs=1e-11
+    )
     assert len(points) == (2 if shift in (4.95e-3, 5.2e-3, 6.15e-3) else 1)
 
 
 # --- Hertz, pressed down --------------------------------------------------------------------------
 
 
-BALL, CROWN = 0.2, 0.09   # radii of wheel and rail profile [m]
+BALL, CROWN = 0.2, 0.09  # radii of wheel and rail profile [m]
 
 
 @cache
@@ -56,8 +66,9 @@ def circles(**parameters):
     """A wheel and a rail of one circle each, that touch at 13 deg."""
     wheel = Profile("ball", "wheel", (Arc(-60.0, 60.0, 1e3 * BALL, 45.0, -199.0, +1),))
     rail = Profile("crown", "rail", (Arc(-36.0, 36.0, 1e3 * CROWN, 0.0, 1e3 * CROWN, -1),))
-    return wrcontact.ContactSystem(wheel, rail, rail_inclination=0.0, gauge=1.4, gauge_depth=6e-3,
-                                   **parameters)
+    return wrcontact.ContactSystem(
+        wheel, rail, rail_inclination=0.0, gauge=1.4, gauge_depth=6e-3, **parameters
+    )
 
 
 @pytest.mark.parametrize("sink", [1e-6, 1e-5, 1e-4])

@@ -16,8 +16,16 @@ from tests.helpers.overlap import deepest, overlap
 from wrcontact.kernel import layout
 
 #: yaw [deg], shift [mm], force [N]: flange root and flange carry load at once
-SPREAD = [(0.9, 6.15, 180e3), (0.9, 6.17, 15e3), (0.9, 6.17, 78.5e3), (1.2, 6.1, 78.5e3), (1.2, 6.1, 180e3),
-          (1.6, 6.0, 15e3), (1.6, 6.0, 78.5e3), (1.6, 6.0, 180e3)]
+SPREAD = [
+    (0.9, 6.15, 180e3),
+    (0.9, 6.17, 15e3),
+    (0.9, 6.17, 78.5e3),
+    (1.2, 6.1, 78.5e3),
+    (1.2, 6.1, 180e3),
+    (1.6, 6.0, 15e3),
+    (1.6, 6.0, 78.5e3),
+    (1.6, 6.0, 180e3),
+]
 
 
 def second_derivatives(track, pose, x, abscissa, along=1.5e-3, across=2.5e-4):
@@ -48,14 +56,16 @@ def two_hertz_loads(track, pose, state, force):
     angles = [-math.atan(track.rail(y)[1]) for _, _, y in found]
     places = np.array([(x, y, track.rail(y)[0]) for _, x, y in found])
     push = math.cos(angles[1] - angles[0]) / (math.pi * MODULUS * np.linalg.norm(places[1] - places[0]))
-    stiffness = [1e4 / hertz(*(second_derivatives(track, pose, x, y) / 2), 1e4)[0]**1.5 for _, x, y in found]
+    stiffness = [
+        1e4 / hertz(*(second_derivatives(track, pose, x, y) / 2), 1e4)[0] ** 1.5 for _, x, y in found
+    ]
 
     def loads(down):
         depths = [depth + (down - stood) * math.cos(angle) for (depth, _, _), angle in zip(found, angles)]
         one = other = 0.0
         for _ in range(60):
-            one = stiffness[0] * max(depths[0] - push * other, 0.0)**1.5
-            other = stiffness[1] * max(depths[1] - push * one, 0.0)**1.5
+            one = stiffness[0] * max(depths[0] - push * other, 0.0) ** 1.5
+            other = stiffness[1] * max(depths[1] - push * one, 0.0) ** 1.5
         return one, other
 
     down = brentq(lambda down: sum(loads(down)) - force, 1e-7, 1e-3, xtol=1e-12)
@@ -70,8 +80,9 @@ def test_root_and_flange_share_a_rigid_wheel(yaw, shift, force):
     root_patch, flange = sorted(side.patches, key=lambda patch: patch.contact_angle)
     assert flange.contact_angle - root_patch.contact_angle > math.radians(15)
     for patch in (root_patch, flange):
-        slopes = rail_slope_along(side.contact.y_rail,
-                                  patch.centroid + np.linspace(-0.5, 0.5, 9) * patch.width)
+        slopes = rail_slope_along(
+            side.contact.y_rail, patch.centroid + np.linspace(-0.5, 0.5, 9) * patch.width
+        )
         assert min(slopes) <= -math.tan(patch.contact_angle) <= max(slopes)
     assert side.normal_force == pytest.approx(force, rel=1e-9)
     assert root_patch.normal_force + flange.normal_force == pytest.approx(force, rel=1e-9)
@@ -80,14 +91,19 @@ def test_root_and_flange_share_a_rigid_wheel(yaw, shift, force):
     assert outline.station[-1] - outline.station[0] == pytest.approx(side.patch_width, rel=1e-12)
     # the flange lies to the inside, and the stations between them are empty
     assert flange.centroid + flange.width < root_patch.centroid - root_patch.width / 2
-    between = (outline.station > flange.centroid + flange.width) & (outline.station < root_patch.centroid
-                                                                    - root_patch.width)
+    between = (outline.station > flange.centroid + flange.width) & (
+        outline.station < root_patch.centroid - root_patch.width
+    )
     assert np.all(outline.half_length[between] == 0.0)
 
 
-@pytest.mark.parametrize("mode, shift, yaw, force", [
-    ("rigid", 5.5e-3, 0.049410464000100594, 66986.25868528389),
-    ("elastic", 5.800301577896962e-3, 0.04273883444233607, 325564.17596696055)])
+@pytest.mark.parametrize(
+    "mode, shift, yaw, force",
+    [
+        ("rigid", 5.5e-3, 0.049410464000100594, 66986.25868528389),
+        ("elastic", 5.800301577896962e-3, 0.04273883444233607, 325564.17596696055),
+    ],
+)
 def test_three_regions_share_a_wheel(mode, shift, yaw, force):
     """Tread, flange root and flange."""
     side = system(contact_mode=mode).evaluate(shift, yaw, force).right
@@ -113,9 +129,14 @@ def test_the_flange_carries_what_hertz_says_at_its_own_normal(yaw, shift, force)
     assert state.right.penetration == pytest.approx(down, rel=0.07)
 
 
-@pytest.mark.parametrize("rail, inclination, shift, yaw, force", [
-    ("UIC60", 1 / 40, 6.15e-3, 0.0175, 78.5e3), ("54E1", 1 / 20, 5.86e-3, -0.0312, 195e3),
-    ("UIC60", 1 / 40, 5.5e-3, 0.049410464000100594, 66986.25868528389)])
+@pytest.mark.parametrize(
+    "rail, inclination, shift, yaw, force",
+    [
+        ("UIC60", 1 / 40, 6.15e-3, 0.0175, 78.5e3),
+        ("54E1", 1 / 20, 5.86e-3, -0.0312, 195e3),
+        ("UIC60", 1 / 40, 5.5e-3, 0.049410464000100594, 66986.25868528389),
+    ],
+)
 def test_patches_press_on_each_other_over_their_distance(rail, inclination, shift, yaw, force):
     """Equations (E3) and (8.4) of docs/theory: 15 and more degrees apart the lead counts, 9
     degrees apart it does not."""
@@ -123,8 +144,8 @@ def test_patches_press_on_each_other_over_their_distance(rail, inclination, shif
     stepper.inputs[:7] = shift, yaw, 0.0, force, 0.0, 0.0, 0.0
     assert stepper.step() == 0
     side = layout.Outputs.at(stepper.outputs).left[1]
-    contact = work_of(stepper).contact                 # of the right wheel, which came last
-    regions = contact.regions[:int(side.patch_count)]
+    contact = work_of(stepper).contact  # of the right wheel, which came last
+    regions = contact.regions[: int(side.patch_count)]
     modulus = 210e9 / (2 * (1 - 0.28**2))
     angles = [-math.atan(region.inclination) for region in regions]
     pressed = 0

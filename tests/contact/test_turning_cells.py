@@ -17,8 +17,8 @@ from wrcontact.kernel.surface.locus import outline_point
 from wrcontact.kernel.surface.tables import height_slope, height_slope_bend
 from wrcontact.profiles import ProfileWarning
 
-YAWS = (0.0, 0.02, 0.0, 0.05)            # [rad]
-PARTS = 16                               # of a cell
+YAWS = (0.0, 0.02, 0.0, 0.05)  # [rad]
+PARTS = 16  # of a cell
 
 
 def slopes(pair, place, height, y):
@@ -50,16 +50,23 @@ def cells(system, count, seed):
         work.inputs.lateral_shift = rng.uniform(-0.0065, 0.0065)
         work.inputs.yaw = YAWS[trial % len(YAWS)]
         roll.place_both(tables, work.inputs, work.sides, rng.uniform(-0.002, 0.002))
-        gaps = np.array([gap.vertical_gap(pair, place, y)[0] if on_rail(pair, place, y) else 1.0
-                         for y in nodes])
-        overlap.height = gaps.min() + 10.0**rng.uniform(-5.0, -3.6)
+        gaps = np.array(
+            [gap.vertical_gap(pair, place, y)[0] if on_rail(pair, place, y) else 1.0 for y in nodes]
+        )
+        overlap.height = gaps.min() + 10.0 ** rng.uniform(-5.0, -3.6)
         near = np.flatnonzero(gaps < overlap.height + 3e-5)
         for node in near[:-1]:
             if node + 1 in near:
                 sample_overlap(pair, overlap.samples, place, int(node), overlap.height, 1)
                 sample_overlap(pair, overlap.samples, place, int(node) + 1, overlap.height, 2)
-                yield (pair, place, overlap, (nodes[node], nodes[node + 1]),
-                       count_turns(pair, overlap, place, 1), (work.inputs.lateral_shift, work.inputs.yaw))
+                yield (
+                    pair,
+                    place,
+                    overlap,
+                    (nodes[node], nodes[node + 1]),
+                    count_turns(pair, overlap, place, 1),
+                    (work.inputs.lateral_shift, work.inputs.yaw),
+                )
 
 
 def on_rail(pair, place, y):
@@ -85,8 +92,9 @@ def checked_cells(system, count, seed):
             continue
         assert rises == turns, where
         if overlap.cell.jump == 0.0:
-            line = np.interp(0.5 * (y[1:] + y[:-1]), (low, high),
-                             (overlap.cell.first_bend, overlap.cell.last_bend))
+            line = np.interp(
+                0.5 * (y[1:] + y[:-1]), (low, high), (overlap.cell.first_bend, overlap.cell.last_bend)
+            )
             bend = np.diff(slope) / np.diff(y)
             allowed = overlap.cell.departure + 2.0 * SLOPE_STEP / np.diff(y)
             assert np.all(np.abs(bend - line) <= allowed), where
@@ -96,8 +104,9 @@ def checked_cells(system, count, seed):
 def test_cells_of_standard_profiles_turn_as_often_as_their_samples_say():
     """S1002 on three rails: most cells are judged, with one deepest point or none."""
     for rail, inclination, seed in (("UIC60", 1 / 40, 5), ("54E1", 1 / 20, 6)):
-        none, one, unclear = checked_cells(wrcontact.ContactSystem(rail=rail, rail_inclination=inclination),
-                                           30, seed)
+        none, one, unclear = checked_cells(
+            wrcontact.ContactSystem(rail=rail, rail_inclination=inclination), 30, seed
+        )
         assert none > 200 and one > 20 and unclear < 0.1 * none, (none, one, unclear)
 
 

@@ -51,8 +51,9 @@ def both(request):
 
 def creep(side):
     """Creep force of a wheel's patches (x, y), over mu N."""
-    return np.array([sum(getattr(patch.tangential, name) for patch in side.patches)
-                     for name in "xy"]) / (FRICTION * side.normal_force)
+    return np.array([sum(getattr(patch.tangential, name) for patch in side.patches) for name in "xy"]) / (
+        FRICTION * side.normal_force
+    )
 
 
 def apart(one, other):
@@ -63,9 +64,15 @@ def apart(one, other):
 @pytest.mark.full
 # the models' pressures and their outlines of strips are good to some tenths of a per cent on the tread; the
 # coupled strips are within 1 % of the complete theory (docs/theory)
-@pytest.mark.parametrize("normal, tangential, bound", [
-    ("analyn_strip", "halfspace", 0.006), ("analyn_strip", "strips", 0.01), ("halfspace", "strips", 0.01),
-    ("halfspace", "fastsim", 0.06)])
+@pytest.mark.parametrize(
+    "normal, tangential, bound",
+    [
+        ("analyn_strip", "halfspace", 0.006),
+        ("analyn_strip", "strips", 0.01),
+        ("halfspace", "strips", 0.01),
+        ("halfspace", "fastsim", 0.06),
+    ],
+)
 def test_forces_are_near_those_of_the_models(state, normal, tangential, bound):
     tolerance = {"tolerance": 0.02} if normal == "halfspace" else {}
     other = system(normal_model=normal, tangential_model=tangential, **tolerance).evaluate(**POSE)
@@ -117,8 +124,9 @@ def test_resultants_take_them_up(both):
         # strips and stations are coarse, and their elastic power is left out
         assert power == pytest.approx(side.friction_power, rel=0.05)
     # each force goes round the axle at its own rolling radius, within a millimetre of penetration and yaw
-    torque = -sum(getattr(state, name).force.x * getattr(state, name).patches[0].rolling_radius
-                  for name in SIDES)
+    torque = -sum(
+        getattr(state, name).force.x * getattr(state, name).patches[0].rolling_radius for name in SIDES
+    )
     levers = sum(abs(getattr(state, name).force.x) for name in SIDES)
     lateral = sum(abs(getattr(state, name).force.y) for name in SIDES) * np.sin(POSE["yaw"])
     assert state.driving_torque == pytest.approx(torque, abs=1e-3 * levers + lateral)
@@ -148,8 +156,9 @@ def test_mirrored_poses_swap_the_wheels(complete, state):
 def test_backwards_is_the_mirror_image(normal):
     """On the way back without yaw the forces along the track are reversed."""
     one = system(tangential_model="halfspace", **NORMAL[normal])
-    there, back = (one.evaluate(2e-3, speed=speed, lateral_velocity=0.02, side="right").right
-                   for speed in (20.0, -20.0))
+    there, back = (
+        one.evaluate(2e-3, speed=speed, lateral_velocity=0.02, side="right").right for speed in (20.0, -20.0)
+    )
     # a patch without yaw is the same from front and back, as its cells are to the iterations' precision
     near = 1e-6 if normal == "analyn" else 1e-5
     np.testing.assert_allclose(creep(back), creep(there) * [-1.0, 1.0], rtol=0, atol=near)
@@ -159,8 +168,11 @@ def test_backwards_is_the_mirror_image(normal):
 def test_rails_that_are_displaced_with_the_wheelset(complete, state):
     """The same contact elsewhere on the track."""
     away = 5e-3
-    moved = complete.evaluate(**POSE | {"lateral_shift": POSE["lateral_shift"] + away},
-                              left_rail_lateral=away, right_rail_lateral=away)
+    moved = complete.evaluate(
+        **POSE | {"lateral_shift": POSE["lateral_shift"] + away},
+        left_rail_lateral=away,
+        right_rail_lateral=away,
+    )
     # the cells lie otherwise
     assert apart(state, moved) < 1e-3
     np.testing.assert_allclose([moved.force.y, moved.moment.z], [state.force.y, state.moment.z], rtol=1e-3)
@@ -203,13 +215,22 @@ def test_an_ellipse_of_strips_is_that_ellipse():
         strip.slip = patch.creepage_x - patch.spin * strip.y
         strip.lateral, strip.spin, strip.x = patch.creepage_y, patch.spin, 0.0
     material = {"shear_modulus": 210e9 / 2.56, "poisson_ratio": 0.28}
-    exact = roll_ellipse(patch.half_length, patch.half_width, patch.totals.load, creepage_x=patch.creepage_x,
-                         creepage_y=patch.creepage_y, spin=patch.spin, friction=patch.friction, **material)
+    exact = roll_ellipse(
+        patch.half_length,
+        patch.half_width,
+        patch.totals.load,
+        creepage_x=patch.creepage_x,
+        creepage_y=patch.creepage_y,
+        spin=patch.spin,
+        friction=patch.friction,
+        **material,
+    )
     roll_strips(patch, **material)
     found = np.array([patch.creep_x, patch.creep_y])
     # both are extrapolated from the same numbers of cells
-    np.testing.assert_allclose(found, [exact.force_x, exact.force_y],
-                               atol=2e-3 * patch.friction * patch.totals.load, rtol=0)
+    np.testing.assert_allclose(
+        found, [exact.force_x, exact.force_y], atol=2e-3 * patch.friction * patch.totals.load, rtol=0
+    )
 
 
 def test_a_step_that_does_not_converge_keeps_the_last_outputs(monkeypatch):
@@ -237,9 +258,11 @@ def fail(*_, **__):
 def ellipse_side(length=3e-3, width=5e-3, cells=40, gap=0.0):
     """A solved side with Hertz's pressure of an elliptic patch on so many cells each way, the columns beyond
     its middle ``gap`` [m] farther away; and the patch, and the ellipse itself on the fine grid."""
-    x, s = (centre + half * (2 * np.arange(cells + 4) - cells - 2.7) / cells
-            for centre, half in ((1e-3, length), (-4e-3, width)))
-    square = 1.0 - ((x[:, None] - 1e-3) / length)**2 - ((s + 4e-3) / width)**2
+    x, s = (
+        centre + half * (2 * np.arange(cells + 4) - cells - 2.7) / cells
+        for centre, half in ((1e-3, length), (-4e-3, width))
+    )
+    square = 1.0 - ((x[:, None] - 1e-3) / length) ** 2 - ((s + 4e-3) / width) ** 2
     contact = SimpleNamespace(x=x, s=s + gap * (s > -4e-3), pressure=1e9 * np.sqrt(np.maximum(square, 0.0)))
     patch = SimpleNamespace(x=1e-3, rank=1, totals=SimpleNamespace(centroid=-4e-3))
     side = SimpleNamespace(wheel=SimpleNamespace(contact=contact))
@@ -278,16 +301,29 @@ def manchester_wheelset(pair, **methods):
     """The wheelset of the benchmark, whose wheels have the normal forces of the reference output."""
     left, right = pair["left"]["FN_N"], pair["right"]["FN_N"]
     given = pair["right"]
-    wheelset = wrcontact.ContactSystem(youngs_modulus=2 * SHEAR * (1 + POISSON), poisson_ratio=POISSON,
-                                       contact_mode="elastic", **methods)
+    wheelset = wrcontact.ContactSystem(
+        youngs_modulus=2 * SHEAR * (1 + POISSON), poisson_ratio=POISSON, contact_mode="elastic", **methods
+    )
     return wheelset.evaluate(
-        1e-3 * given["lateral_shift_mm"], given["yaw_rad"], 0.5 * (left + right),
-        load_transfer=(right - left) / (right + left), speed=2.0, wheel_rate=-given["pitch_rate_rad_s"],
-        left_friction=FRICTION, right_friction=FRICTION)
+        1e-3 * given["lateral_shift_mm"],
+        given["yaw_rad"],
+        0.5 * (left + right),
+        load_transfer=(right - left) / (right + left),
+        speed=2.0,
+        wheel_rate=-given["pitch_rate_rad_s"],
+        left_friction=FRICTION,
+        right_friction=FRICTION,
+    )
 
 
-@pytest.mark.parametrize("shift", [pytest.param(shift, marks=() if shift in (3.0, 7.0) else pytest.mark.full)
-                                   for shift in PAIRS if shift > 0.0])
+@pytest.mark.parametrize(
+    "shift",
+    [
+        pytest.param(shift, marks=() if shift in (3.0, 7.0) else pytest.mark.full)
+        for shift in PAIRS
+        if shift > 0.0
+    ],
+)
 def test_manchester_benchmark(shift):
     """CONTACT's complete theory, its own normal contact in one plane for each patch.  Measured: 0.28 % at
     most; on the right at 5 mm it has one plane patch for two with normals of their own, 2.9 %."""

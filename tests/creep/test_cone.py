@@ -26,9 +26,12 @@ def test_straight_ahead(slope, shift):
     rate = SPEED / RADIUS
     for sign, wheel, found in zip((-1, 1), wheels, slips(state)):
         reference = (SPEED + rate * wheel.radius) / 2
-        expected = ((SPEED - rate * wheel.radius) / reference, 0.0,
-                    sign * rate * sin(atan(slope)) / reference)
-        np.testing.assert_allclose(found, expected, rtol=0, atol=1e-9)      # the place is known to 1e-7 m
+        expected = (
+            (SPEED - rate * wheel.radius) / reference,
+            0.0,
+            sign * rate * sin(atan(slope)) / reference,
+        )
+        np.testing.assert_allclose(found, expected, rtol=0, atol=1e-9)  # the place is known to 1e-7 m
 
 
 @pytest.mark.parametrize("slope", SLOPES)
@@ -94,7 +97,7 @@ def test_free_rolling_through_a_steady_curve(curvature):
         assert x == pytest.approx(0.0, abs=1e-9) and y == pytest.approx(0.0, abs=1e-12)
     # spin: the cone's, and the turning of the track about the normal
     turning = -curvature * cos(right.angle) + rate / SPEED * sin(atan(slope))
-    assert slips(state)[1][2] == pytest.approx(turning, rel=2e-3)      # V_ref is not V
+    assert slips(state)[1][2] == pytest.approx(turning, rel=2e-3)  # V_ref is not V
 
 
 def test_klingels_motion():
@@ -126,33 +129,47 @@ def wave_length(system, amplitude, step=0.05):
     while len(passed) < 3:
         following = runge_kutta(course, state, step)
         if state[0] * following[0] < 0:
-            passed.append(x + step * cubic_root(state[0], following[0], step * course(state)[0],
-                                                step * course(following)[0]))
+            passed.append(
+                x
+                + step
+                * cubic_root(state[0], following[0], step * course(state)[0], step * course(following)[0])
+            )
         state, x = following, x + step
     return passed[2] - passed[0]
 
 
 def cubic_root(low, high, low_rate, high_rate):
     """Where a cubic with these ends and slopes passes zero, in 0 ... 1."""
-    return brentq(lambda t: low * (1 + 2 * t) * (1 - t)**2 + high * t * t * (3 - 2 * t)
-                  + low_rate * t * (1 - t)**2 - high_rate * t * t * (1 - t), 0.0, 1.0)
+    return brentq(
+        lambda t: (
+            low * (1 + 2 * t) * (1 - t) ** 2
+            + high * t * t * (3 - 2 * t)
+            + low_rate * t * (1 - t) ** 2
+            - high_rate * t * t * (1 - t)
+        ),
+        0.0,
+        1.0,
+    )
 
 
 def free_rates(system, shift, yaw):
     """Lateral velocity and yaw rate [per m of way] for which the wheels roll freely: creepages times V_ref
     are linear in the rates."""
+
     def slides(lateral, turn, rate):
-        state = system.evaluate(lateral_shift=shift, yaw=yaw, speed=1.0, lateral_velocity=lateral,
-                                yaw_rate=turn, wheel_rate=rate)
+        state = system.evaluate(
+            lateral_shift=shift, yaw=yaw, speed=1.0, lateral_velocity=lateral, yaw_rate=turn, wheel_rate=rate
+        )
         (x1, y1, _), (x2, y2, _) = slips(state)
         return np.array([x1, x2, y1 + y2])
 
     rates = np.array([0.0, 0.0, 1 / RADIUS])
-    for _ in range(3):              # V_ref is not quite constant: Newton's method
+    for _ in range(3):  # V_ref is not quite constant: Newton's method
         base = slides(*rates)
         steps = (1e-4, 1e-4, 1e-4)
-        matrix = np.column_stack([(slides(*(rates + h * axis)) - base) / h
-                                  for h, axis in zip(steps, np.eye(3))])
+        matrix = np.column_stack(
+            [(slides(*(rates + h * axis)) - base) / h for h, axis in zip(steps, np.eye(3))]
+        )
         rates = rates - np.linalg.solve(matrix, base)
     return rates[:2]
 

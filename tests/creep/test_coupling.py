@@ -24,6 +24,8 @@ POSES = {
     "backwards": {**POSE, "speed": -20.0},
     "curve": {**POSE, "track_curvature": 1 / 300},
 }
+
+
 def compliant(inputs):
     """The inputs with the height and roll of a compliant wheelset that carries the usual load."""
     found = system(contact_mode="elastic").evaluate(**inputs)
@@ -54,29 +56,33 @@ def cross_sum(state, work):
 
     for mirror, name, side in zip((-1.0, 1.0), SIDES, work.sides):
         total, torque, power = np.zeros(6), 0.0, 0.0
-        for record in side.patches[:side.patch_count]:
+        for record in side.patches[: side.patch_count]:
             patch = getattr(state, name).patches[record.rank - 1]
             sine, cosine = np.sin(patch.contact_angle), np.cos(patch.contact_angle)
-            outside = np.array([0.0, mirror * cosine, -sine])        # to the field side, in the patch's plane
-            normal = np.array([0.0, -mirror * sine, -cosine])        # from the rail to the wheel
+            outside = np.array([0.0, mirror * cosine, -sine])  # to the field side, in the patch's plane
+            normal = np.array([0.0, -mirror * sine, -cosine])  # from the rail to the wheel
             place = np.array([patch.x_track, patch.y_track, patch.z_track])
             along = np.array([1.0, 0.0, 0.0])
             rest_x, rest_y, turning = patch.tangential.x, patch.tangential.y, patch.tangential.moment
             force, moments = np.zeros(3), []
             for strip in record.strips:
-                own = np.array([0.0, mirror * strip.sin, -strip.cos])      # its normal
+                own = np.array([0.0, mirror * strip.sin, -strip.cos])  # its normal
                 force_x, force_y = strip.force_x * strip.width, strip.force_y * strip.width
-                moment = strip.moment * strip.width - strip.x * force_y    # about its own middle
+                moment = strip.moment * strip.width - strip.x * force_y  # about its own middle
                 rest_x, rest_y = rest_x - force_x, rest_y - force_y
                 turning += mirror * (strip.moment * strip.width - strip.y * force_x)
                 acting = force_x * along + force_y * np.array([0.0, mirror * strip.cos, strip.sin])
                 at = np.array([patch.x_track + strip.x, mirror * strip.y_track, strip.z_track])
-                moments += [turned(at, strip.rolling_radius, acting),
-                            (-mirror * moment * own, -mirror * moment * own @ axle)]
+                moments += [
+                    turned(at, strip.rolling_radius, acting),
+                    (-mirror * moment * own, -mirror * moment * own @ axle),
+                ]
                 force += acting
             rest = rest_x * along + rest_y * outside
-            moments += [turned(place, patch.rolling_radius, rest),
-                        (turning * normal, turning * normal @ axle)]
+            moments += [
+                turned(place, patch.rolling_radius, rest),
+                (turning * normal, turning * normal @ axle),
+            ]
             total += np.concatenate([force + rest, sum(moment for moment, _ in moments)])
             torque -= sum(part for _, part in moments)
             power += patch.friction_power
@@ -95,9 +101,10 @@ def test_forces_of_wheels_and_wheelset_are_sums_over_patches(pose, mode):
         for name, (expected, part, power) in sides.items():
             side = getattr(state, name)
             expected[3:] -= (part + expected[3:] @ axle) * axle
-            added = np.concatenate([np.subtract(side.force, side.normal.force),
-                                    np.subtract(side.moment, side.normal.moment)])
-            np.testing.assert_allclose(added, expected, rtol=0, atol=1e-6)     # N, N m: rounding of 1e5
+            added = np.concatenate(
+                [np.subtract(side.force, side.normal.force), np.subtract(side.moment, side.normal.moment)]
+            )
+            np.testing.assert_allclose(added, expected, rtol=0, atol=1e-6)  # N, N m: rounding of 1e5
             assert side.friction_power == pytest.approx(power, rel=1e-12, abs=1e-9)
             assert np.hypot(expected[0], np.hypot(*expected[1:3])) > 100.0, "no creep force to speak of"
             total, torque = total + expected, torque + part
@@ -114,7 +121,7 @@ def test_lifted_wheel_and_one_side():
     assert state.left.friction_power == 0.0
     one = contact.evaluate(**POSE, side="right")
     both = contact.evaluate(**POSE)
-    np.testing.assert_array_equal(one.values[layout.OUT_RIGHT:], both.values[layout.OUT_RIGHT:])
+    np.testing.assert_array_equal(one.values[layout.OUT_RIGHT :], both.values[layout.OUT_RIGHT :])
     assert np.isnan(one.driving_torque)
 
 
@@ -158,8 +165,13 @@ def test_a_wheel_that_friction_jams_meets_its_load():
 
 
 #: Across a flange that climbs under large friction: a shift, yaw -17 mrad, friction 0.6.
-CLIMBING = {"lateral_shift": np.linspace(5e-3, 8.5e-3, 2001), "yaw": -0.017, "speed": 20.0,
-            "left_friction": 0.6, "right_friction": 0.6}
+CLIMBING = {
+    "lateral_shift": np.linspace(5e-3, 8.5e-3, 2001),
+    "yaw": -0.017,
+    "speed": 20.0,
+    "left_friction": 0.6,
+    "right_friction": 0.6,
+}
 
 
 def missed(table):
@@ -173,7 +185,7 @@ def test_vertical_loads_are_met_across_a_flange():
     assert not table.status.any()
     off = missed(table)
     jumps = off > 1e-9
-    assert np.count_nonzero(jumps) < 50         # 35 measured
+    assert np.count_nonzero(jumps) < 50  # 35 measured
     assert (table.right.force.z[jumps] < -78.5e3).all() and table.right.normal_force[jumps].min() > 2e5
 
 
@@ -186,8 +198,11 @@ def test_normal_forces_of_vertical_loads_have_these_vertical_forces():
     found = table.status == wrcontact.Status.VALID
     assert np.count_nonzero(found) >= 94 and (missed(table)[found] < 1e-9).all()
     left, right = table.left.normal_force[found], table.right.normal_force[found]
-    poses |= {"lateral_shift": poses["lateral_shift"][found], "normal_force": 0.5 * (left + right),
-              "load_transfer": (right - left) / (right + left)}
+    poses |= {
+        "lateral_shift": poses["lateral_shift"][found],
+        "normal_force": 0.5 * (left + right),
+        "load_transfer": (right - left) / (right + left),
+    }
     again = system(load="normal", **given).evaluate_many(**poses)
     assert right.max() > 10.0 * 78.5e3
     # forces that friction jams follow the normal ones many times as fast
@@ -203,7 +218,8 @@ def test_falling_friction():
     expected = 0.3 * (0.6 * np.exp(-0.6 * sliding) + 0.4)
     assert sliding == pytest.approx(10.0, rel=1e-6)
     assert np.hypot(patch.tangential.x, patch.tangential.y) == pytest.approx(
-        expected * patch.normal_force, rel=1e-3)
+        expected * patch.normal_force, rel=1e-3
+    )
 
 
 def test_flange_lubrication():
@@ -213,8 +229,9 @@ def test_flange_lubrication():
     sliding = {"speed": 20.0, "free_rolling": False}
     tread = [contact.evaluate(**sliding).right.patches[0] for contact in (lubricated, plain)]
     assert tread[0].tangential.x == tread[1].tangential.x
-    found, full = (contact.evaluate(lateral_shift=9e-3, **sliding).right.patches[0]
-                   for contact in (lubricated, plain))
+    found, full = (
+        contact.evaluate(lateral_shift=9e-3, **sliding).right.patches[0] for contact in (lubricated, plain)
+    )
     assert full.contact_angle > 0.8
     assert found.tangential.x == pytest.approx(0.3 * full.tangential.x, rel=1e-3)
 
@@ -222,8 +239,9 @@ def test_flange_lubrication():
 @pytest.mark.parametrize("model", CREEP_MODELS)
 def test_slope_reduction(model):
     """k0 alone is a half of all creepages; with beta the slope falls further, and full slip stays."""
-    full, reduced = (system(tangential_model=model, **reduction).stepper()
-                     for reduction in ({}, {"slope_reduction": 0.5}))
+    full, reduced = (
+        system(tangential_model=model, **reduction).stepper() for reduction in ({}, {"slope_reduction": 0.5})
+    )
     for stepper in (full, reduced):
         stepper.inputs[:] = system().evaluate(**POSE).inputs
         assert stepper.step() == 0
@@ -239,7 +257,11 @@ def test_slope_reduction(model):
     assert found.creep_force_x == pytest.approx(patch.creep_x, rel=1e-12)
     assert found.creep_force_y == pytest.approx(patch.creep_y, rel=1e-12)
     wet = {"slope_reduction": 0.54, "slope_reduction_rate": 0.64}
-    forces = [-system(tangential_model=model, **wet).evaluate(
-        speed=20.0, wheel_rate=20.0 / 0.46 * (1 - creepage)).right.force.x for creepage in (0.003, 0.05, 0.5)]
+    forces = [
+        -system(tangential_model=model, **wet)
+        .evaluate(speed=20.0, wheel_rate=20.0 / 0.46 * (1 - creepage))
+        .right.force.x
+        for creepage in (0.003, 0.05, 0.5)
+    ]
     assert forces[0] < forces[1] < forces[2]
     assert forces[2] == pytest.approx(0.3 * 78500, rel=0.05)

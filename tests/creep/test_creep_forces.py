@@ -79,8 +79,9 @@ def test_the_load_of_an_outline_can_be_given():
 
 
 @pytest.mark.parametrize("side", ["left", "right"])
-@pytest.mark.parametrize("pose", [{"lateral_shift": 2e-3}, {"lateral_shift": -3e-3, "yaw": 2e-3},
-                                  {"lateral_shift": 5.6e-3}])
+@pytest.mark.parametrize(
+    "pose", [{"lateral_shift": 2e-3}, {"lateral_shift": -3e-3, "yaw": 2e-3}, {"lateral_shift": 5.6e-3}]
+)
 def test_a_patch_of_a_result_has_its_force(side, pose):
     """Against the force in the result, which knows more strips and the rolling radius of each: the outline's
     31 stations, one straight line of creepage and no slant leave 4 % of mu N."""
@@ -95,8 +96,9 @@ def test_a_patch_of_a_result_has_its_force(side, pose):
             off = np.hypot(found.x - patch.tangential.x, found.y - patch.tangential.y)
             assert off < 0.04 * 0.3 * patch.normal_force, (number, found, patch.tangential)
             to_field = -1.0 if side == "right" else 1.0
-            assert found.moment == pytest.approx(to_field * patch.tangential.moment,
-                                                 abs=0.1 * 0.3 * patch.normal_force * patch.width)
+            assert found.moment == pytest.approx(
+                to_field * patch.tangential.moment, abs=0.1 * 0.3 * patch.normal_force * patch.width
+            )
 
 
 def test_edges_of_one_of_several_patches():
@@ -107,31 +109,50 @@ def test_edges_of_one_of_several_patches():
 
     class Patch:
         """What is read of a patch."""
+
         def __init__(self, centroid, width):
             self.centroid, self.width = centroid, width
 
-    for centroid, width, wanted in ((-0.006, 8e-3, (-0.01, -0.002)), (0.016, 9e-3, (0.011, 0.02)),
-                                    (0.0037, 4e-3, (0.0015, 0.0055))):
+    for centroid, width, wanted in (
+        (-0.006, 8e-3, (-0.01, -0.002)),
+        (0.016, 9e-3, (0.011, 0.02)),
+        (0.0037, 4e-3, (0.0015, 0.0055)),
+    ):
         found, length, top = own_outline(Patch(centroid, width), station, half_length, pressure)
         np.testing.assert_allclose(found[[0, -1]], wanted, atol=1e-12)
         assert (np.diff(found) > 0.0).all() and (top[1:-1] > 0.0).all() and len(length) == len(found)
 
 
-@pytest.mark.parametrize(("call", "sentence"), [
-    (lambda: wrcontact.elliptic_patch(6.0, 4e-3, 8e4), "half_length is 6 m; permitted are 1e-09 to 1 m"),
-    (lambda: wrcontact.elliptic_patch(6e-3, float("nan"), 8e4), "half_width is nan m; permitted are"),
-    (lambda: wrcontact.elliptic_patch(6e-3, 4e-3, -1.0), "normal_force is -1 N; permitted are 0 to 1e"),
-    (lambda: wrcontact.elliptic_patch(6e-3, 4e-3, 8e4, 210.0), "youngs_modulus is 210 Pa; permitted are"),
-    (lambda: wrcontact.elliptic_patch(6e-3, 4e-3, 8e4, poisson_ratio=0.6), "poisson_ratio is 0.6; permitted"),
-    (lambda: wrcontact.outlined_patch([0, 1e-3], [0, 0], [0, 0]), "station has 2 values; permitted are 3"),
-    (lambda: wrcontact.outlined_patch([0, 2e-3, 1e-3], [0] * 3, [0] * 3), "station must rise"),
-    (lambda: wrcontact.outlined_patch([0, 1e-3, 2e-3], [0, 1], [0] * 3), "half_length has 2 values, station"),
-    (lambda: wrcontact.outlined_patch([0, 1e-3, 2e-3], [0, 1e-3, 0], [0] * 3), "carries no load"),
-    (lambda: wrcontact.outlined_patch([0, 1e-3, 2e-3], [0, -1e-3, 0], [1] * 3), "half_length has the value"),
-    (lambda: wrcontact.creep_forces(PATCH, creepage_x=float("inf")), "creepage_x is inf; permitted are"),
-    (lambda: wrcontact.creep_forces(PATCH, friction=-0.1), "friction is -0.1; permitted are 0 to 10"),
-    (lambda: wrcontact.creep_forces(PATCH, tangential_model="usetab"), "tangential_model is 'usetab'"),
-])
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: wrcontact.elliptic_patch(6.0, 4e-3, 8e4), "half_length is 6 m; permitted are 1e-09 to 1 m"),
+        (lambda: wrcontact.elliptic_patch(6e-3, float("nan"), 8e4), "half_width is nan m; permitted are"),
+        (lambda: wrcontact.elliptic_patch(6e-3, 4e-3, -1.0), "normal_force is -1 N; permitted are 0 to 1e"),
+        (lambda: wrcontact.elliptic_patch(6e-3, 4e-3, 8e4, 210.0), "youngs_modulus is 210 Pa; permitted are"),
+        (
+            lambda: wrcontact.elliptic_patch(6e-3, 4e-3, 8e4, poisson_ratio=0.6),
+            "poisson_ratio is 0.6; permitted",
+        ),
+        (
+            lambda: wrcontact.outlined_patch([0, 1e-3], [0, 0], [0, 0]),
+            "station has 2 values; permitted are 3",
+        ),
+        (lambda: wrcontact.outlined_patch([0, 2e-3, 1e-3], [0] * 3, [0] * 3), "station must rise"),
+        (
+            lambda: wrcontact.outlined_patch([0, 1e-3, 2e-3], [0, 1], [0] * 3),
+            "half_length has 2 values, station",
+        ),
+        (lambda: wrcontact.outlined_patch([0, 1e-3, 2e-3], [0, 1e-3, 0], [0] * 3), "carries no load"),
+        (
+            lambda: wrcontact.outlined_patch([0, 1e-3, 2e-3], [0, -1e-3, 0], [1] * 3),
+            "half_length has the value",
+        ),
+        (lambda: wrcontact.creep_forces(PATCH, creepage_x=float("inf")), "creepage_x is inf; permitted are"),
+        (lambda: wrcontact.creep_forces(PATCH, friction=-0.1), "friction is -0.1; permitted are 0 to 10"),
+        (lambda: wrcontact.creep_forces(PATCH, tangential_model="usetab"), "tangential_model is 'usetab'"),
+    ],
+)
 def test_what_cannot_be_used_is_refused_in_a_sentence(call, sentence):
     with pytest.raises(ValueError, match=sentence):
         call()

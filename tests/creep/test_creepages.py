@@ -26,14 +26,29 @@ def test_velocities_are_those_of_finite_displacements(shift, yaw, model):
     stand = system(contact_mode="elastic", normal_model=model).evaluate(shift, yaw)
     given = dict(vertical_velocity=-0.03, roll_rate=0.05, **MOTION)
     state = system(contact_mode="compliant", normal_model=model).evaluate(
-        shift, yaw, vertical_shift_input=stand.vertical_shift, roll_input=stand.roll, **given)
-    moves = dict(centre=np.array([0.0, shift, state.vertical_shift - RADIUS]), yaw=yaw, roll=state.roll,
-                 speed=25.0, wheel_rate=55.0, lateral=0.04, vertical=-0.03, yaw_rate=0.06, roll_rate=0.05,
-                 curvature=1 / 400)
+        shift, yaw, vertical_shift_input=stand.vertical_shift, roll_input=stand.roll, **given
+    )
+    moves = dict(
+        centre=np.array([0.0, shift, state.vertical_shift - RADIUS]),
+        yaw=yaw,
+        roll=state.roll,
+        speed=25.0,
+        wheel_rate=55.0,
+        lateral=0.04,
+        vertical=-0.03,
+        yaw_rate=0.06,
+        roll_rate=0.05,
+        curvature=1 / 400,
+    )
     for sign, wheel in ((-1, state.left), (1, state.right)):
         for patch in wheel.patches:
-            expected = creepages(place=(patch.x_track, patch.y_track, patch.z_track), sign=sign,
-                                 radius=patch.rolling_radius, angle=patch.contact_angle, **moves)
+            expected = creepages(
+                place=(patch.x_track, patch.y_track, patch.z_track),
+                sign=sign,
+                radius=patch.rolling_radius,
+                angle=patch.contact_angle,
+                **moves,
+            )
             found = patch.creepage.x, patch.creepage.y, patch.creepage.spin
             # differences over 1e-6 s, and the depth of the place times the rates
             np.testing.assert_allclose(found, expected, rtol=0, atol=1e-6)

@@ -10,8 +10,13 @@ pytestmark = pytest.mark.machine
 
 #: Largest mean, 95 % quantile and largest error of coupled strips.  CONTACT's ellipses are on 44 cells: their
 #: own error of the grid is 0.3 in the mean, and 1.2 at worst, of which half a per cent counts here.
-STRIPS = {"hertz": (0.6, 2.0, 4.0), "ellipses": (0.35, 1.3, 4.0), "long_and_short": (1.0, 3.5, 5.0),
-          "patches": (0.9, 2.5, 5.0), "contact_patches": (1.2, 2.5, 4.0)}
+STRIPS = {
+    "hertz": (0.6, 2.0, 4.0),
+    "ellipses": (0.35, 1.3, 4.0),
+    "long_and_short": (1.0, 3.5, 5.0),
+    "patches": (0.9, 2.5, 5.0),
+    "contact_patches": (1.2, 2.5, 4.0),
+}
 #: The same of the moment, in % of that times sqrt(ab).
 STRIPS_MOMENT = {"hertz": 0.5, "ellipses": 0.2, "long_and_short": 0.7, "patches": 0.7, "contact_patches": 0.8}
 

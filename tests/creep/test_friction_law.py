@@ -27,8 +27,7 @@ def test_friction_goes_over_to_the_flange_s_with_the_contact_angle(middle):
     both ends."""
     contact = system(tangential_model="polach", flange_friction_ratio=0.4, flange_friction_angle=middle)
     law = CubicHermiteSpline([middle - 0.2, middle + 0.2], [FRICTION, 0.4 * FRICTION], [0.0, 0.0])
-    table = [contact.evaluate(shift, **LOCKED).right.patches
-             for shift in np.linspace(5.2e-3, 7.6e-3, 49)]
+    table = [contact.evaluate(shift, **LOCKED).right.patches for shift in np.linspace(5.2e-3, 7.6e-3, 49)]
     patches = [patch for found in table for patch in found]
     angles = np.array([patch.contact_angle for patch in patches])
     expected = law(np.clip(angles, middle - 0.2, middle + 0.2))
@@ -44,7 +43,8 @@ def test_falling_friction_counts_the_sliding_across(across):
     """A locked wheel slides over its rail with the velocity of the wheelset: (V, v_y / cos(angle))."""
     fall = {"friction_fall": 0.4, "friction_fall_rate": 0.6}
     state = system(tangential_model="polach", **fall).evaluate(
-        speed=1.2, free_rolling=False, lateral_velocity=across)
+        speed=1.2, free_rolling=False, lateral_velocity=across
+    )
     for side in (state.left, state.right):
         patch = side.patches[0]
         sliding = np.hypot(1.2, across / np.cos(patch.contact_angle))
@@ -62,15 +62,23 @@ WET_POSES = {
 }
 
 
-@pytest.mark.parametrize("law", [
-    {"slope_reduction": 0.5}, {"slope_reduction": 0.4, "slope_reduction_rate": 0.8},
-    {"slope_reduction_rate": 0.5}, {"slope_reduction": 0.6, "slope_reduction_rate": 3.0,
-                                    "slope_reduction_floor": 0.3}], ids=str)
+@pytest.mark.parametrize(
+    "law",
+    [
+        {"slope_reduction": 0.5},
+        {"slope_reduction": 0.4, "slope_reduction_rate": 0.8},
+        {"slope_reduction_rate": 0.5},
+        {"slope_reduction": 0.6, "slope_reduction_rate": 3.0, "slope_reduction_floor": 0.3},
+    ],
+    ids=str,
+)
 @pytest.mark.parametrize("pose", WET_POSES)
 def test_wet_rails_have_the_slope_of_the_paper(pose, law):
     """k = k0 [alpha + (1 - alpha) / (1 + beta epsilon)], and Polach's formula with k times the creepages."""
-    k0, alpha, beta = (law.get(f"slope_reduction{part}", start)
-                       for part, start in (("", 1.0), ("_floor", 0.02), ("_rate", 0.0)))
+    k0, alpha, beta = (
+        law.get(f"slope_reduction{part}", start)
+        for part, start in (("", 1.0), ("_floor", 0.02), ("_rate", 0.0))
+    )
     state = system(tangential_model="polach", **law).evaluate(**{"speed": 20.0, **WET_POSES[pose]})
     for sign, side in ((-1.0, state.left), (1.0, state.right)):
         for patch in side.patches:
@@ -81,8 +89,17 @@ def test_wet_rails_have_the_slope_of_the_paper(pose, law):
             c11 = kalker(a, b, POISSON)[0]
             epsilon = SHEAR * np.pi * a * b * k0 * c11 * np.hypot(x, y + spin * a) / (4.0 * bound)
             k = k0 * (alpha + (1.0 - alpha) / (1.0 + beta * epsilon)) if beta else k0
-            expected = polach(a=a, b=b, load=patch.normal_force, friction=FRICTION, shear_modulus=SHEAR,
-                              nu=POISSON, x=k * x, y=k * y, spin=k * spin)
+            expected = polach(
+                a=a,
+                b=b,
+                load=patch.normal_force,
+                friction=FRICTION,
+                shear_modulus=SHEAR,
+                nu=POISSON,
+                x=k * x,
+                y=k * y,
+                spin=k * spin,
+            )
             found = patch.tangential.x, patch.tangential.y
             np.testing.assert_allclose(found, expected, rtol=0, atol=OF_FORCE * bound)
 
@@ -90,8 +107,13 @@ def test_wet_rails_have_the_slope_of_the_paper(pose, law):
 def test_dry_rails_are_the_limit_of_wet_ones():
     """beta to zero, and a floor of one."""
     given = {"lateral_shift": 3e-3, "yaw": 1e-3, "speed": 20.0}
-    dry, *wet = (wrcontact.ContactSystem(tangential_model="polach", **law).evaluate(**given).right.force
-                 for law in ({}, {"slope_reduction_rate": 1e-9},
-                             {"slope_reduction_rate": 5.0, "slope_reduction_floor": 1.0}))
+    dry, *wet = (
+        wrcontact.ContactSystem(tangential_model="polach", **law).evaluate(**given).right.force
+        for law in (
+            {},
+            {"slope_reduction_rate": 1e-9},
+            {"slope_reduction_rate": 5.0, "slope_reduction_floor": 1.0},
+        )
+    )
     for force in wet:
         np.testing.assert_allclose(force, dry, rtol=1e-8)

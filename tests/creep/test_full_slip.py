@@ -39,8 +39,10 @@ def integrals(a, b, slant, slip):
     along, across = slip[0] - slip[2] * y, slip[1] + slip[2] * x
     whole = np.hypot(along, across)
     force_x, force_y = -bound * along / whole, -bound * across / whole
-    return (np.array([force_x.sum(), force_y.sum(), (x * force_y - y * force_x).sum()]),
-            (bound * whole).sum())
+    return (
+        np.array([force_x.sum(), force_y.sum(), (x * force_y - y * force_x).sum()]),
+        (bound * whole).sum(),
+    )
 
 
 #: Creepages over those of the spin at sqrt(ab): spin alone, and beside creepage along, across and both.
@@ -75,8 +77,10 @@ def test_each_strip_has_the_power_of_its_place(slant, backwards):
     found = model.solve(patch, *slip, FRICTION)
     found.speed = 1.0
     _, power = integrals(a, b, slant, slip)
-    total = sum(strip_shear(strip) * strip_slip(found, strip) * 2.0 * strip.half_length * strip.width
-                for strip in found.strips)
+    total = sum(
+        strip_shear(strip) * strip_slip(found, strip) * 2.0 * strip.half_length * strip.width
+        for strip in found.strips
+    )
     # backwards the tractions are against the slip as well
     assert total == pytest.approx(power, rel=0.01)
 
@@ -113,8 +117,10 @@ def test_the_half_space_s_rows_add_up(rolled):
 #: A wheelset that slides sideways, and one that does not roll and turns about a place of its right patch.
 #: Its slip and its force's direction run along straight lines from strip to strip, also past the place that
 #: does not slide: there shear times slip is up to a tenth too large.
-MOVES = {"across": (0.02, dict(speed=20.0, lateral_velocity=1.0)),
-         "turning": (0.12, dict(speed=0.375, yaw_rate=0.5, free_rolling=False))}
+MOVES = {
+    "across": (0.02, dict(speed=20.0, lateral_velocity=1.0)),
+    "turning": (0.12, dict(speed=0.375, yaw_rate=0.5, free_rolling=False)),
+}
 
 
 @pytest.mark.parametrize("name", MOVES)
@@ -135,8 +141,8 @@ def test_shear_times_slip_of_a_wheel_is_its_power(name):
 def place_by_place(patch, outline, speed):
     """Integral of pressure times slip velocity over a patch [W]; in its plane with its spin."""
     t, weight = np.polynomial.chebyshev.chebgauss(16)
-    weight = weight * (1.0 - t * t)             # of the root in the pressure
-    y = -(outline.station - patch.centroid)     # spin turns to the left, the stations run to the right
+    weight = weight * (1.0 - t * t)  # of the root in the pressure
+    y = -(outline.station - patch.centroid)  # spin turns to the left, the stations run to the right
     along = patch.creepage.x - patch.creepage.spin * y[:, None]
     across = patch.creepage.y + patch.creepage.spin * outline.half_length[:, None] * t
     whole = speed * np.hypot(along, across)

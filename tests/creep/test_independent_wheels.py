@@ -18,8 +18,10 @@ def couple(state):
 
 def pair(mode="rigid", **more):
     """A wheelset, and the same with independent wheels."""
-    return tuple(ContactSystem(contact_mode=mode, independent_wheels=independent, **STRIPS, **more)
-                 for independent in (False, True))
+    return tuple(
+        ContactSystem(contact_mode=mode, independent_wheels=independent, **STRIPS, **more)
+        for independent in (False, True)
+    )
 
 
 @pytest.mark.parametrize("mode", ["rigid", "elastic", "compliant"])
@@ -28,9 +30,14 @@ def test_equal_rates_have_the_bits_of_one_rate(mode):
     usual, independent = pair(mode)
     draw = random.Random(31)
     for _ in range(6):
-        pose = {"lateral_shift": draw.uniform(-5e-3, 5e-3), "yaw": draw.uniform(-0.02, 0.02),
-                "speed": draw.choice([0.0, 20.0, -20.0]), "track_curvature": draw.uniform(-2e-3, 2e-3),
-                "vertical_shift_input": draw.uniform(1e-4, 3e-4), "free_rolling": draw.random() < 0.7}
+        pose = {
+            "lateral_shift": draw.uniform(-5e-3, 5e-3),
+            "yaw": draw.uniform(-0.02, 0.02),
+            "speed": draw.choice([0.0, 20.0, -20.0]),
+            "track_curvature": draw.uniform(-2e-3, 2e-3),
+            "vertical_shift_input": draw.uniform(1e-4, 3e-4),
+            "free_rolling": draw.random() < 0.7,
+        }
         for rate in (0.0, draw.uniform(-50.0, 50.0)):
             one = usual.evaluate(**pose, wheel_rate=rate, left_wheel_rate=3.0, right_wheel_rate=-4.0)
             two = independent.evaluate(**pose, wheel_rate=5.0, left_wheel_rate=rate, right_wheel_rate=rate)
@@ -41,6 +48,7 @@ def test_equal_rates_have_the_bits_of_one_rate(mode):
 
 def free_rates(system, **pose):
     """Rates [rad/s] at which neither wheel has a torque, by secants."""
+
     def torques(rates):
         state = system.evaluate(**pose, left_wheel_rate=rates[0], right_wheel_rate=rates[1])
         return np.array([state.left.driving_torque, state.right.driving_torque])
@@ -84,8 +92,9 @@ def test_rates_of_zero_are_those_of_each_wheel_s_radius():
     radii = [independent.side_parameters(side)["nominal_radius"] for side in ("left", "right")]
     assert radii[0] != radii[1]
     given = {f"{side}_wheel_rate": 20.0 / radius for side, radius in zip(("left", "right"), radii)}
-    np.testing.assert_array_equal(independent.evaluate(**POSE).values,
-                                  independent.evaluate(**POSE, **given).values)
+    np.testing.assert_array_equal(
+        independent.evaluate(**POSE).values, independent.evaluate(**POSE, **given).values
+    )
 
 
 def test_one_wheel_turns_while_the_wheelset_stands():
@@ -102,8 +111,12 @@ def test_a_side_is_a_wheel_by_itself():
     both = independent.evaluate(**pose, left_wheel_rate=43.4, right_wheel_rate=43.7)
     for side, rate in (("left", 43.4), ("right", 43.7)):
         one = WheelContact(side=side, **STRIPS).evaluate(**pose, wheel_rate=rate)
-        np.testing.assert_allclose([one[name] for name in one.names],
-                                   [both[f"{side}.{name}"] for name in one.names], rtol=1e-12, atol=1e-12)
+        np.testing.assert_allclose(
+            [one[name] for name in one.names],
+            [both[f"{side}.{name}"] for name in one.names],
+            rtol=1e-12,
+            atol=1e-12,
+        )
 
 
 def test_derivatives_by_the_rate_of_one_wheel():
@@ -123,7 +136,8 @@ def test_what_is_refused():
     state = independent.evaluate(**POSE, left_wheel_rate=2001.0)
     assert state.status == Status.INVALID_INPUT
     assert explain(state.status, state.inputs).startswith(
-        "left.wheel_rate is 2001 rad/s; permitted is |left.wheel_rate| <= 2000 rad/s")
+        "left.wheel_rate is 2001 rad/s; permitted is |left.wheel_rate| <= 2000 rad/s"
+    )
     for wrong in (1, "yes", None):
         with pytest.raises(ValueError, match="independent_wheels is .*; permitted is True or False"):
             ContactSystem(independent_wheels=wrong)

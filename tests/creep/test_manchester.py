@@ -11,8 +11,9 @@ from data.manchester import error, rows, wheel
 APART = {("left", 0.0): 0.07, ("right", 0.0): 0.07, ("right", 5.0): 0.04}
 
 
-EVERY_ROW = pytest.mark.parametrize("row", rows(),
-                                    ids=lambda row: f"{row['side']} {row['lateral_shift_mm']:g}")
+EVERY_ROW = pytest.mark.parametrize(
+    "row", rows(), ids=lambda row: f"{row['side']} {row['lateral_shift_mm']:g}"
+)
 
 
 @EVERY_ROW

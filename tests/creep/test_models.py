@@ -18,14 +18,23 @@ def draws(seed, count=CASES, decades=5.0):
     rng = np.random.default_rng(seed)
     for number in range(count):
         direction = rng.normal(size=3) * rng.choice([0.0, 1.0, 1.0], size=3)
-        yield number, random_patch(rng), direction * 10.0 ** rng.uniform(-decades, decades), (
-            10.0 ** rng.uniform(-2.0, 0.0))
+        yield (
+            number,
+            random_patch(rng),
+            direction * 10.0 ** rng.uniform(-decades, decades),
+            (10.0 ** rng.uniform(-2.0, 0.0)),
+        )
 
 
 def mirrored(patch):
     """The mirror image in the plane along the rolling direction."""
-    return replace(patch, station=-patch.station[::-1], half_length=patch.half_length[::-1],
-                   line_load=patch.line_load[::-1], slant=-patch.slant)
+    return replace(
+        patch,
+        station=-patch.station[::-1],
+        half_length=patch.half_length[::-1],
+        line_load=patch.line_load[::-1],
+        slant=-patch.slant,
+    )
 
 
 @pytest.mark.full
@@ -52,8 +61,9 @@ def test_bounds_power_and_symmetries(name):
         back = vector(model.solve(patch, *-motion, friction))
         np.testing.assert_allclose(back / unit, -force / unit, atol=1e-14, err_msg=str(case))
         image = vector(model.solve(mirrored(patch), *(motion * (1.0, -1.0, -1.0)), friction))
-        np.testing.assert_allclose(image / unit, force / unit * (1.0, -1.0, -1.0), atol=1e-12,
-                                   err_msg=str(case))
+        np.testing.assert_allclose(
+            image / unit, force / unit * (1.0, -1.0, -1.0), atol=1e-12, err_msg=str(case)
+        )
 
 
 @pytest.mark.full
@@ -87,8 +97,12 @@ def test_rolling_backwards_is_the_mirror_image(name):
         back, behind = vector(found), of_strips(found)
         model.rolling.backwards = False
         np.testing.assert_allclose(back, forward * (-1.0, 1.0, -1.0), atol=1e-12 * bound, err_msg=str(number))
-        np.testing.assert_allclose(behind, ahead * (-1.0, 1.0, -1.0, -1.0),
-                                   atol=1e-12 * (np.abs(ahead).max() or 1.0), err_msg=str(number))
+        np.testing.assert_allclose(
+            behind,
+            ahead * (-1.0, 1.0, -1.0, -1.0),
+            atol=1e-12 * (np.abs(ahead).max() or 1.0),
+            err_msg=str(number),
+        )
 
 
 def of_strips(found):
@@ -141,13 +155,18 @@ def test_pure_spin_of_a_circle_in_full_slip():
 @pytest.mark.parametrize("name", CREEP_MODELS)
 def test_compiled_models_are_their_source_to_the_last_bit(name, monkeypatch):
     some = [(case.parts[0], *case.creepages) for case in cases("patches")[::9]]
-    some += [(patch, *(saturation * full_slip(patch, 0.3)[0]))
-             for _, patch, saturation, _ in draws(3, 25, 2.0)]
+    some += [
+        (patch, *(saturation * full_slip(patch, 0.3)[0])) for _, patch, saturation, _ in draws(3, 25, 2.0)
+    ]
     found = []
     for choice in (default_kernel().library, None):
         monkeypatch.setattr(library.default_kernel(), "library", choice)
         model = Model(name)
-        found.append([[*vector(one), one.stick_share, one.max_shear]
-                      for one in (model.solve(*each, 0.3) for each in some)])
+        found.append(
+            [
+                [*vector(one), one.stick_share, one.max_shear]
+                for one in (model.solve(*each, 0.3) for each in some)
+            ]
+        )
     np.testing.assert_array_equal(np.array(found[0]).view(np.int64), np.array(found[1]).view(np.int64))
     assert np.abs(found[0]).max() > 0.0

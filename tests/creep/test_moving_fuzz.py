@@ -46,9 +46,15 @@ def check_sound(wheelset, given, table):
         for size in SIZES:
             assert_none(good & ~(getattr(side, size) >= 0), what=f"{name}.{size} is negative", **check)
         total = sum(patch.normal_force for patch in side.patches)
-        three = side.patch_count <= 3        # a wheel may carry on more patches than are reported
-        for what, load in (("patches", np.where(three, total, side.normal_force)), *(() if compliant else (
-                ("inputs", given["normal_force"] * (1 + sign * given["load_transfer"])),))):
+        three = side.patch_count <= 3  # a wheel may carry on more patches than are reported
+        for what, load in (
+            ("patches", np.where(three, total, side.normal_force)),
+            *(
+                ()
+                if compliant
+                else (("inputs", given["normal_force"] * (1 + sign * given["load_transfer"])),)
+            ),
+        ):
             # solved to 1e-12, and added up over strips and nodes
             off = np.where(good, np.abs(side.normal_force - load), 0.0) / (1.0 + np.abs(load))
             assert_none(off > 1e-9, what=f"{name} misses the load of its {what} by", measure=off, **check)
@@ -56,8 +62,9 @@ def check_sound(wheelset, given, table):
         off = np.where(good & three, np.abs(force - patch_vectors(side, "force")).max(axis=0), 0.0)
         assert_none(off > 1e-12 * LOADS[1], what=f"{name}: patches miss the force by", measure=off, **check)
         longer = np.where(good, np.linalg.norm(force, axis=0) - side.normal_force, 0.0)
-        assert_none(longer > 1e-9 * (1 + side.normal_force), what=f"{name}: a resultant above its loads",
-                    **check)
+        assert_none(
+            longer > 1e-9 * (1 + side.normal_force), what=f"{name}: a resultant above its loads", **check
+        )
     for name in ("force", "moment"):
         both = vectors(table.left, name) + vectors(table.right, name)
         off = np.where(good, np.abs(vectors(table, name) - both).max(axis=0), 0.0)
@@ -80,8 +87,10 @@ def check_mirror(wheelset, given, table):
     check = dict(wheelset=wheelset, given=given)
     assert_none(table.status != there.status, what="status in the mirror", measure=there.status, **check)
     good = table.status <= Status.UNLOADED
-    for name, apart in (("roll", table.roll + there.roll),
-                        ("height", table.vertical_shift - there.vertical_shift)):
+    for name, apart in (
+        ("roll", table.roll + there.roll),
+        ("height", table.vertical_shift - there.vertical_shift),
+    ):
         # rigid rolls are found to 1e-14 rad; elastic heights to 1e-13 m, beside a jump to 1e-9 m
         elastic = wheelset["contact_mode"] == "elastic"
         off = np.where(good, np.abs(apart), 0.0) > (1e-8 if elastic else 1e-11)
@@ -140,8 +149,13 @@ def test_zeros_are_as_good_as_nothing(seed, scenes, poses, mode):
         np.testing.assert_array_equal(one.status, other.status)
         np.testing.assert_array_equal(one.values, other.values)
         pairs = {name: values for name, values in wheelset.items() if isinstance(values, tuple)}
-        once, twice = ({**wheelset, **{name: right if count == 1 else (right, right)
-                                       for name, (_, right) in pairs.items()}} for count in (1, 2))
+        once, twice = (
+            {
+                **wheelset,
+                **{name: right if count == 1 else (right, right) for name, (_, right) in pairs.items()},
+            }
+            for count in (1, 2)
+        )
         one, other = (wrcontact.ContactSystem(**sides).evaluate_many(**given) for sides in (once, twice))
         np.testing.assert_array_equal(one.values, other.values)
 
@@ -169,15 +183,32 @@ def greatest_slip(given, name, patch):
     contact need not fit the rail.
     """
     zero = np.zeros(len(patch.width))
-    approach = sum(np.abs(given.get(key, zero)) for key in (
-        "lateral_velocity", "vertical_velocity", "roll_rate", "yaw_rate", f"{name}_rail_lateral_velocity",
-        f"{name}_rail_vertical_velocity", f"{name}_rail_roll_velocity"))     # arms are shorter than 1 m
+    approach = sum(
+        np.abs(given.get(key, zero))
+        for key in (
+            "lateral_velocity",
+            "vertical_velocity",
+            "roll_rate",
+            "yaw_rate",
+            f"{name}_rail_lateral_velocity",
+            f"{name}_rail_vertical_velocity",
+            f"{name}_rail_roll_velocity",
+        )
+    )  # arms are shorter than 1 m
     rolling = np.maximum(np.abs(given["speed"]), np.abs(given["wheel_rate"]) * patch.rolling_radius)
-    free = np.abs(given["speed"] * given["free_rolling"]) / 0.4     # wheels are larger than that [m]
-    turning = (np.abs(given["wheel_rate"]) + free + np.abs(given["yaw_rate"])
-               + np.abs(given["speed"] * given["track_curvature"]) + rolling * np.abs(patch.creepage.spin))
-    return (1.1 * rolling * np.hypot(patch.creepage.x, patch.creepage.y)
-            + (patch.length + patch.width) * turning + approach * np.minimum(1.0, patch.width / SHARPEST))
+    free = np.abs(given["speed"] * given["free_rolling"]) / 0.4  # wheels are larger than that [m]
+    turning = (
+        np.abs(given["wheel_rate"])
+        + free
+        + np.abs(given["yaw_rate"])
+        + np.abs(given["speed"] * given["track_curvature"])
+        + rolling * np.abs(patch.creepage.spin)
+    )
+    return (
+        1.1 * rolling * np.hypot(patch.creepage.x, patch.creepage.y)
+        + (patch.length + patch.width) * turning
+        + approach * np.minimum(1.0, patch.width / SHARPEST)
+    )
 
 
 def check_creep(wheelset, given, table):
@@ -193,16 +224,18 @@ def check_creep(wheelset, given, table):
         assert_none(good & (force > limit * (1 + 1e-12)), what=f"{what}: a force above friction", **check)
         for share in ("stick_share", "saturation"):
             value = getattr(patch, share)
-            assert_none(good & ~((value >= 0) & (value <= 1 + 1e-12)), what=f"{what}: {share}", measure=value,
-                        **check)
+            assert_none(
+                good & ~((value >= 0) & (value <= 1 + 1e-12)), what=f"{what}: {share}", measure=value, **check
+            )
         assert_none(good & ~(patch.max_shear >= 0.0), what=f"{what}: a negative traction", **check)
         # of what friction takes at most: the whole of it, at the speed of the inputs and the wheels
         most = limit * (np.abs(given["speed"]) + np.abs(given["wheel_rate"]) * patch.rolling_radius)
         power = patch.friction_power / (1e-12 + most)
         assert_none(good & (power < -1e-9), what=f"{what}: friction drives", measure=power, **check)
         power = patch.friction_power / (1e-12 + limit * greatest_slip(given, name, patch))
-        assert_none(good & (power > 1.0), what=f"{what}: friction takes more than there is", measure=power,
-                    **check)
+        assert_none(
+            good & (power > 1.0), what=f"{what}: friction takes more than there is", measure=power, **check
+        )
     return good
 
 
@@ -216,10 +249,12 @@ def test_creep_forces_of_random_wheelsets(seed, scenes, poses, mode):
         given |= friction
         table = wrcontact.ContactSystem(**wheelset).evaluate_many(**given)
         good = check_creep(wheelset, given, table)
-        other_wheelset, other = mirrored(wheelset, {name: values for name, values in given.items()
-                                                    if name not in friction})
-        other |= {f"{side}_friction": friction[f"{turned}_friction"]
-                  for side, turned in zip(SIDES, SIDES[::-1])}
+        other_wheelset, other = mirrored(
+            wheelset, {name: values for name, values in given.items() if name not in friction}
+        )
+        other |= {
+            f"{side}_friction": friction[f"{turned}_friction"] for side, turned in zip(SIDES, SIDES[::-1])
+        }
         there = wrcontact.ContactSystem(**other_wheelset).evaluate_many(**other)
         assert good.mean() > 0.7
         both = good & (there.status <= Status.UNLOADED)

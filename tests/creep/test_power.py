@@ -30,22 +30,39 @@ def test_power_is_that_of_force_and_moment(normal, model):
     rng = np.random.default_rng(5)
     shift, yaw = rng.uniform(-6.5e-3, 6.5e-3, 60), rng.uniform(-0.02, 0.02, 60)
     stand = wrcontact.ContactSystem(contact_mode="elastic", normal_model=normal).evaluate_many(shift, yaw)
-    given = {"lateral_shift": shift, "yaw": yaw, "vertical_shift_input": stand.vertical_shift,
-             "roll_input": stand.roll, "speed": rng.uniform(-30, 30, 60), "free_rolling": np.zeros(60),
-             "wheel_rate": rng.uniform(-60, 60, 60), "lateral_velocity": rng.uniform(-0.1, 0.1, 60),
-             "vertical_velocity": rng.uniform(-0.01, 0.01, 60), "yaw_rate": rng.uniform(-0.05, 0.05, 60),
-             "roll_rate": rng.uniform(-0.02, 0.02, 60), "track_curvature": rng.uniform(-3e-3, 3e-3, 60)}
-    table = wrcontact.ContactSystem(contact_mode="compliant", normal_model=normal,
-                                    tangential_model=model).evaluate_many(**given)
+    given = {
+        "lateral_shift": shift,
+        "yaw": yaw,
+        "vertical_shift_input": stand.vertical_shift,
+        "roll_input": stand.roll,
+        "speed": rng.uniform(-30, 30, 60),
+        "free_rolling": np.zeros(60),
+        "wheel_rate": rng.uniform(-60, 60, 60),
+        "lateral_velocity": rng.uniform(-0.1, 0.1, 60),
+        "vertical_velocity": rng.uniform(-0.01, 0.01, 60),
+        "yaw_rate": rng.uniform(-0.05, 0.05, 60),
+        "roll_rate": rng.uniform(-0.02, 0.02, 60),
+        "track_curvature": rng.uniform(-3e-3, 3e-3, 60),
+    }
+    table = wrcontact.ContactSystem(
+        contact_mode="compliant", normal_model=normal, tangential_model=model
+    ).evaluate_many(**given)
     assert (table.status == 0).all()
-    creep, moment = (np.subtract(one, two) for one, two in ((table.force, table.normal.force),
-                                                            (table.moment, table.normal.moment)))
+    creep, moment = (
+        np.subtract(one, two)
+        for one, two in ((table.force, table.normal.force), (table.moment, table.normal.moment))
+    )
     axle = np.array([-np.sin(yaw) * np.cos(table.roll), np.cos(yaw) * np.cos(table.roll), np.sin(table.roll)])
     bend = given["speed"] * given["track_curvature"]
-    velocity = np.array([given["speed"] - bend * shift, given["lateral_velocity"],
-                         given["vertical_velocity"]])
-    rotation = np.array([given["roll_rate"] * np.cos(yaw), given["roll_rate"] * np.sin(yaw),
-                         given["yaw_rate"] + bend]) - given["wheel_rate"] * axle
+    velocity = np.array(
+        [given["speed"] - bend * shift, given["lateral_velocity"], given["vertical_velocity"]]
+    )
+    rotation = (
+        np.array(
+            [given["roll_rate"] * np.cos(yaw), given["roll_rate"] * np.sin(yaw), given["yaw_rate"] + bend]
+        )
+        - given["wheel_rate"] * axle
+    )
     wanted = -(creep.T * velocity).sum(axis=0) - (moment.T * rotation).sum(axis=0)
     found = table.left.friction_power + table.right.friction_power
     most = sum(greatest_power(side, 0.3, given) for side in (table.left, table.right))
@@ -59,17 +76,21 @@ def usual_motions(count, rng):
     corner."""
     speed = rng.uniform(5, 60, count)
     root = np.arange(count) % 2 == 1
-    return {"lateral_shift": np.where(root, rng.uniform(6.2e-3, 6.4e-3, count),
-                                      rng.uniform(-7e-3, 7e-3, count)),
-            "yaw": rng.uniform(-0.02, 0.02, count) * (rng.random(count) < 0.5),
-            "normal_force": rng.uniform(3e4, 1.5e5, count), "speed": speed,
-            "wheel_rate": speed / 0.46 * (1.0 + rng.normal(0.0, 3e-3, count)),
-            "lateral_velocity": rng.normal(0.0, 0.03, count), "yaw_rate": rng.normal(0.0, 0.05, count)}
+    return {
+        "lateral_shift": np.where(root, rng.uniform(6.2e-3, 6.4e-3, count), rng.uniform(-7e-3, 7e-3, count)),
+        "yaw": rng.uniform(-0.02, 0.02, count) * (rng.random(count) < 0.5),
+        "normal_force": rng.uniform(3e4, 1.5e5, count),
+        "speed": speed,
+        "wheel_rate": speed / 0.46 * (1.0 + rng.normal(0.0, 3e-3, count)),
+        "lateral_velocity": rng.normal(0.0, 0.03, count),
+        "yaw_rate": rng.normal(0.0, 0.05, count),
+    }
 
 
 @pytest.mark.parametrize("mode", ("rigid", "elastic", "compliant"))
-@pytest.mark.parametrize("normal", [pytest.param(name, marks=[pytest.mark.full] * (name == "analyn_strip"))
-                                    for name in MODELS])
+@pytest.mark.parametrize(
+    "normal", [pytest.param(name, marks=[pytest.mark.full] * (name == "analyn_strip")) for name in MODELS]
+)
 def test_friction_never_drives(normal, mode):
     """And takes no more than all of it, sliding at a third of the speed: a yaw of 0.02 and lateral velocities
     of 0.02 of the speed are three times as much along a flange of 70 degrees, 0.2 at most were found."""
@@ -78,8 +99,9 @@ def test_friction_never_drives(normal, mode):
         stand = wrcontact.ContactSystem(contact_mode="elastic", normal_model="hertz").evaluate_many(**given)
         given |= {"vertical_shift_input": stand.vertical_shift, "roll_input": stand.roll}
     for model in CREEP_MODELS:
-        table = wrcontact.ContactSystem(contact_mode=mode, normal_model=normal,
-                                        tangential_model=model).evaluate_many(**given)
+        table = wrcontact.ContactSystem(
+            contact_mode=mode, normal_model=normal, tangential_model=model
+        ).evaluate_many(**given)
         good = table.status <= 1
         assert good.mean() > 0.99
         for side in (table.left, table.right):
@@ -97,7 +119,7 @@ LOAD = 1e5
 
 def bumpy_system(**parameters):
     """A cone on a rail with bumps beside each other, a Chebyshev polynomial: a wheel has four patches."""
-    bumps = HEIGHT * chebyshev.cheb2poly([0.0] * 8 + [1.0]) / float(HALF)**np.arange(9)
+    bumps = HEIGHT * chebyshev.cheb2poly([0.0] * 8 + [1.0]) / float(HALF) ** np.arange(9)
     head = polynomial.polyadd(bumps, [0.0, -SLOPE, 1.0 / 6000.0])
     slope = polynomial.polyder(head)
 
@@ -106,12 +128,19 @@ def bumpy_system(**parameters):
         z, m, bend = polynomial.polyval(y, head), polynomial.polyval(y, slope), 1.0 / 160.0
         return z - m * y + bend * y * y, m - 2.0 * bend * y, bend
 
-    rail = Profile("bumps", "rail", (Polynomial(-60, -HALF, beyond(-HALF)),
-                                     Polynomial(-HALF, HALF, tuple(head)),
-                                     Polynomial(HALF, 60, beyond(HALF))))
+    rail = Profile(
+        "bumps",
+        "rail",
+        (
+            Polynomial(-60, -HALF, beyond(-HALF)),
+            Polynomial(-HALF, HALF, tuple(head)),
+            Polynomial(HALF, 60, beyond(HALF)),
+        ),
+    )
     wheel = Profile("cone", "wheel", (Polynomial(-70, 60, (0.0, -SLOPE)),))
-    return wrcontact.ContactSystem(wheel=wheel, rail=rail, rail_inclination=0.0, gauge_depth=5.5e-3,
-                                   **parameters)
+    return wrcontact.ContactSystem(
+        wheel=wheel, rail=rail, rail_inclination=0.0, gauge_depth=5.5e-3, **parameters
+    )
 
 
 @pytest.mark.parametrize("normal", NORMAL)
@@ -128,10 +157,12 @@ def test_all_patches_of_a_wheel_have_creep_forces(normal):
         fourth = next(patch for patch in patches if patch.rank == 4)
         assert fourth.totals.load > 0.02 * LOAD and 0.1 < fourth.saturation <= 1.0
         assert np.hypot(fourth.creep_x, fourth.creep_y) == pytest.approx(
-            fourth.saturation * 0.3 * fourth.totals.load)
+            fourth.saturation * 0.3 * fourth.totals.load
+        )
         assert found.force.x == pytest.approx(sum(patch.creep_x for patch in patches), rel=1e-12)
         assert found.friction_power == pytest.approx(
-            sum(patch.forces.friction_power for patch in patches), rel=1e-12)
+            sum(patch.forces.friction_power for patch in patches), rel=1e-12
+        )
         assert found.friction_power > 1.01 * sum(patch.friction_power for patch in found.patches)
         assert found.normal_force == pytest.approx(sum(patch.totals.load for patch in patches), rel=1e-12)
         for axis in range(3):

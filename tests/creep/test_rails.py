@@ -14,11 +14,22 @@ from wrcontact.status import Status
 
 SIDES = dict(wheel=("S1002", "cone40"), rail=("54E1", "UIC60"), nominal_radius=(0.459, 0.46))
 #: Of all rails, in m and rad, and how fast they move, in m/s and rad/s.
-RAILS = dict(left_rail_lateral=1e-3, left_rail_vertical=0.5e-3, left_rail_roll=0.02,
-             right_rail_lateral=-0.7e-3, right_rail_vertical=-2e-3, right_rail_roll=-0.01)
-MOVING = dict(left_rail_lateral_velocity=0.01, left_rail_vertical_velocity=0.04, left_rail_roll_velocity=0.2,
-              right_rail_lateral_velocity=-0.03, right_rail_vertical_velocity=-0.02,
-              right_rail_roll_velocity=-0.1)
+RAILS = dict(
+    left_rail_lateral=1e-3,
+    left_rail_vertical=0.5e-3,
+    left_rail_roll=0.02,
+    right_rail_lateral=-0.7e-3,
+    right_rail_vertical=-2e-3,
+    right_rail_roll=-0.01,
+)
+MOVING = dict(
+    left_rail_lateral_velocity=0.01,
+    left_rail_vertical_velocity=0.04,
+    left_rail_roll_velocity=0.2,
+    right_rail_lateral_velocity=-0.03,
+    right_rail_vertical_velocity=-0.02,
+    right_rail_roll_velocity=-0.1,
+)
 #: Tread, flange root, flange of the left wheel.
 POSES = [(2e-3, 0.0), (2e-3, 0.01), (-3e-3, -0.02), (-4.5e-3, 0.004), (-6.8e-3, 0.015)]
 
@@ -62,8 +73,11 @@ def test_a_rigid_wheelset_follows_its_rails(shift, yaw, sides):
 
 def draw_run(rng):
     """A pose of a wheelset over rails that lean, its motion, and about how fast wheel and rail move [m/s]."""
-    given = {"lateral_shift": rng.uniform(-6e-3, 6e-3), "yaw": rng.uniform(-0.02, 0.02),
-             "load_transfer": rng.choice([0.0, 0.0, 0.3, -1.0, 1.0])}
+    given = {
+        "lateral_shift": rng.uniform(-6e-3, 6e-3),
+        "yaw": rng.uniform(-0.02, 0.02),
+        "load_transfer": rng.choice([0.0, 0.0, 0.3, -1.0, 1.0]),
+    }
     given |= {name: rng.uniform(-1, 1) * (0.02 if "roll" in name else 2e-3) for name in RAILS}
     motion = {"lateral_velocity": rng.uniform(-0.1, 0.1), "yaw_rate": rng.uniform(-0.1, 0.1)}
     motion |= {f"{name}_velocity": rng.uniform(-1, 1) * (0.1 if "roll" in name else 0.03) for name in RAILS}
@@ -103,8 +117,11 @@ NEAR = {"rigid": 1e-13, "elastic": 1e-9}
 
 def both(**velocities):
     """The same velocities of both rails."""
-    return {f"{side}_rail_{name}_velocity": value for side in ("left", "right")
-            for name, value in velocities.items()}
+    return {
+        f"{side}_rail_{name}_velocity": value
+        for side in ("left", "right")
+        for name, value in velocities.items()
+    }
 
 
 @pytest.mark.parametrize("mode", ["rigid", "elastic"])
@@ -133,8 +150,11 @@ def test_the_track_rolls(mode):
     at = one.profile_tables()[2]
     state = one.evaluate(**straight)
     height = state.vertical_shift - 0.46
-    track = {"left_rail_vertical_velocity": -rate * at, "right_rail_vertical_velocity": rate * at,
-             **both(roll=rate)}
+    track = {
+        "left_rail_vertical_velocity": -rate * at,
+        "right_rail_vertical_velocity": rate * at,
+        **both(roll=rate),
+    }
     rolling = slips(one.evaluate(**straight, speed=20.0, lateral_velocity=-rate * height, **track))
     np.testing.assert_allclose(rolling, slips(one.evaluate(**straight, speed=20.0)), rtol=0, atol=NEAR[mode])
 
@@ -143,8 +163,9 @@ def test_a_compliant_wheelset_and_its_rails_move_together():
     one = system(contact_mode="compliant", normal_model="hertz")
     stand = system(contact_mode="elastic", normal_model="hertz").evaluate(**POSE)
     pose = dict(**POSE, vertical_shift_input=stand.vertical_shift, roll_input=stand.roll, speed=20.0)
-    moving = one.evaluate(**pose, lateral_velocity=0.1, vertical_velocity=0.2,
-                          **both(lateral=0.1, vertical=0.2))
+    moving = one.evaluate(
+        **pose, lateral_velocity=0.1, vertical_velocity=0.2, **both(lateral=0.1, vertical=0.2)
+    )
     np.testing.assert_allclose(slips(moving), slips(one.evaluate(**pose)), rtol=0, atol=1e-14)
 
 

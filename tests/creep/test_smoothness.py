@@ -28,8 +28,7 @@ class Line:
 
     def __call__(self, s):
         rolling = self.model.rolling
-        rolling.creepage_x, rolling.creepage_y, rolling.spin = (
-            -(self.start + s * self.direction) * self.scale)
+        rolling.creepage_x, rolling.creepage_y, rolling.spin = -(self.start + s * self.direction) * self.scale
         forces.default_kernel().cut_patch(self.model.workspace)
         forces.default_kernel().solve_creep_force(self.tables, self.model.workspace)
         return vector(rolling)[:2] / self.bound
@@ -71,7 +70,7 @@ def test_random_lines(number):
         direction = rng.normal(size=3)
         line = Line(patch, rng.uniform(-2.0, 2.0, 3), direction / np.linalg.norm(direction))
         slopes.append(examine(line, np.arange(-1.0, 1.0, 0.002), RANDOM_SLOPE))
-    assert max(slopes) > 0.2        # it is a force
+    assert max(slopes) > 0.2  # it is a force
 
 
 @pytest.mark.parametrize("ratio", [0.5, 1.0, 1.5, 2.0, 3.0, 5.0, 8.0, 20.0])

@@ -44,8 +44,9 @@ def test_a_patch_that_is_not_there_has_no_force(name):
     forces.default_kernel().cut_patch(model.workspace)
     forces.default_kernel().solve_creep_force(table, model.workspace)
     assert everything(model.rolling) == [0.0] * 4
-    assert all(np.isfinite([strip.y, strip.half_length, strip.line_load]).all()
-               for strip in model.rolling.strips)
+    assert all(
+        np.isfinite([strip.y, strip.half_length, strip.line_load]).all() for strip in model.rolling.strips
+    )
 
 
 @pytest.mark.parametrize("name", MODELS[1:])
@@ -79,8 +80,13 @@ def test_patches_of_any_size_are_similar(name, scale):
 
 def forces_of_scaled(model, patch, scale, motion):
     """Force and moment (3,) of the patch enlarged ``scale`` times at equal pressures."""
-    other = replace(patch, station=scale * patch.station, half_length=scale * patch.half_length,
-                    line_load=scale * patch.line_load, normal_force=scale**2 * patch.normal_force)
+    other = replace(
+        patch,
+        station=scale * patch.station,
+        half_length=scale * patch.half_length,
+        line_load=scale * patch.line_load,
+        normal_force=scale**2 * patch.normal_force,
+    )
     return vector(model.solve(other, *motion, 0.3))
 
 

@@ -71,7 +71,7 @@ def test_a_stick_zone_fades_over_the_last_tenth_of_its_strip():
         # in a patch that is short by far nothing slips later (E is zero), and d = |u|
         one.slip = (1.0 - rest) * 4e-3 * one.rate / one.along
         coupled_strips.open_stick_zone(one, 0.0, 1e-4, 1e-9)
-        coupled_strips.find_stick_zone(one, one.carried, 1e-9)          # as all others carry
+        coupled_strips.find_stick_zone(one, one.carried, 1e-9)  # as all others carry
         found.append(one.weight)
     np.testing.assert_allclose(found, [1.0, 1.0, 0.5, 0.0], atol=1e-6)
 
@@ -82,7 +82,7 @@ def test_a_strip_whose_neighbours_slip_carries_more(mean):
     theory; where its patch carries less in the mean its creepage counts more, else less."""
     one = open_march(half_length=4e-3, rate=2e10, along=7e9)
     one.slip = 0.3 * 4e-3 * one.rate / one.along
-    coupled_strips.open_stick_zone(one, 0.0, 1e-4, 1e-9)        # in a short patch nothing slips later
+    coupled_strips.open_stick_zone(one, 0.0, 1e-4, 1e-9)  # in a short patch nothing slips later
     assert one.carried == pytest.approx(0.85, abs=1e-9)
     coupled_strips.find_stick_zone(one, mean, 1e-9)
     assert one.depth == pytest.approx(0.3 * 4e-3 * (1.0 + 0.6 * (0.85 - mean) / max(0.85, mean)), rel=1e-6)
@@ -92,7 +92,7 @@ def test_a_strip_whose_neighbours_slip_carries_more(mean):
 def test_a_stick_zone_that_asks_for_more_than_the_bound_fades(size, weight):
     """Eq. (Z5) with |k| > 1: half where the leading edge asks for one and a half of the bound."""
     one = open_march(half_length=4e-3, twist=1.2, depth=4e-3 * 0.75)
-    t = 0.5                     # sqrt(1 - d/a)
+    t = 0.5  # sqrt(1 - d/a)
     one.stick_x, one.stick_y = size / (1.0 - t), -1.2 * t / (1.0 - t)
     assert coupled_strips.edge_weight(one) == pytest.approx(weight, abs=1e-12)
 
@@ -109,10 +109,14 @@ def test_without_slip_both_tractions_have_one_force(ratio):
     plane, spinning = coupled_strips.flexibilities(found)
     t = (np.arange(4000) + 0.5) / 4000 * np.pi
     x, dx = np.cos(t), np.sin(t) * np.pi / 4000
-    rolled = [sum(width * a * (a * (1.0 - x) * dx).sum() for a, width in strips),
-              sum(width * a * (0.5 * a * a * (1.0 - x * x) * dx).sum() for a, width in strips)]
-    stuck = [sum(width * a * (np.sqrt((1.0 - x) / (1.0 + x)) * dx).sum() for a, width in strips),
-             sum(width * a * (a * np.sqrt(1.0 - x * x) * dx).sum() for a, width in strips)]
+    rolled = [
+        sum(width * a * (a * (1.0 - x) * dx).sum() for a, width in strips),
+        sum(width * a * (0.5 * a * a * (1.0 - x * x) * dx).sum() for a, width in strips),
+    ]
+    stuck = [
+        sum(width * a * (np.sqrt((1.0 - x) / (1.0 + x)) * dx).sum() for a, width in strips),
+        sum(width * a * (a * np.sqrt(1.0 - x * x) * dx).sum() for a, width in strips),
+    ]
     # sums over 4000 places
     np.testing.assert_allclose([plane, spinning], np.array(stuck) / rolled, rtol=1e-4)
 
@@ -120,8 +124,19 @@ def test_without_slip_both_tractions_have_one_force(ratio):
 def test_pushes_of_a_small_creepage_are_its_stiffnesses():
     """Eq. (M1) where the bound is far away, and eq. (M3): march B has the mean of the stiffnesses, weighted
     by the squares of both creepages and of half of spin's mean velocity under Hertz's pressure."""
-    made = pushes(along=7e9, across=5e9, turning=3e9, slip=1e-7, lateral=2e-7, spin=1e-4, rate=1e12,
-                  half_length=4e-3, plane=300.0, spinning=400.0, ratio=1.0)
+    made = pushes(
+        along=7e9,
+        across=5e9,
+        turning=3e9,
+        slip=1e-7,
+        lateral=2e-7,
+        spin=1e-4,
+        rate=1e12,
+        half_length=4e-3,
+        plane=300.0,
+        spinning=400.0,
+        ratio=1.0,
+    )
     i = np.array([7e9, 5e9, 3e9]) * [300.0, 300.0, 400.0]
     motion = np.array([1e-7, 2e-7, 1e-4 * 4e-3]) / 1e12
     np.testing.assert_allclose(made["push"], motion * i, rtol=1e-6)
@@ -141,8 +156,19 @@ def test_march_a_becomes_march_b_as_the_bound_is_filled(fills, near):
     across the push goes over."""
     i1, i2, rate, a = 9e12, 3e12, 2e10, 4e-3
     slip = 0.5 * fills * rate / i1
-    made = pushes(along=i1, across=i2, turning=i2, slip=slip, lateral=1e-9 * slip, spin=0.0, rate=rate,
-                  half_length=a, plane=1.0, spinning=1.0, ratio=1e9)
+    made = pushes(
+        along=i1,
+        across=i2,
+        turning=i2,
+        slip=slip,
+        lateral=1e-9 * slip,
+        spin=0.0,
+        rate=rate,
+        half_length=a,
+        plane=1.0,
+        spinning=1.0,
+        ratio=1e9,
+    )
     assert made["push"][0] == pytest.approx(made["centre"][0], rel=1e-9)
     found = (made["push"][1] - made["centre"][1]) / (1e-9 * slip / rate * (i2 - i1))
     assert found == pytest.approx(near, rel=1e-6)
@@ -183,9 +209,12 @@ def test_no_strip_is_softer_than_a_fiftieth_of_the_mean(ratio):
     found, model = cut(ratio, (0.1, 0.1, 0.1))
     blocks = list(model.work.rolling.blocks)
     weight = np.array([block.half_length**2 * (block.stop - block.start) for block in blocks])
-    softest = [values.min() / (weight @ values) * weight.sum()
-               for values in (np.array([getattr(block, name) for block in blocks])
-                              for name in ("along", "across", "turning"))]
+    softest = [
+        values.min() / (weight @ values) * weight.sum()
+        for values in (
+            np.array([getattr(block, name) for block in blocks]) for name in ("along", "across", "turning")
+        )
+    ]
     # strips that were raised to the floor raise the mean with them, by less than a tenth
     assert min(softest) > 0.018
     assert SOFTEST[ratio] == (softest[2] < 0.021), softest

@@ -22,7 +22,7 @@ def rolled(system, **inputs):
 
 def ranked(side):
     """The patches of a side by falling load."""
-    return sorted(side.patches[:side.patch_count], key=lambda patch: patch.rank)
+    return sorted(side.patches[: side.patch_count], key=lambda patch: patch.rank)
 
 
 @pytest.mark.parametrize("slope", [0.025, 0.05, 0.1])
@@ -50,8 +50,9 @@ def test_on_a_profile_it_follows_the_rolling_radius(shift, yaw):
     rate = MOTION["speed"] / 0.46
     for index, mirror in enumerate((-1.0, 1.0)):
         for patch, to in zip(ranked(work.sides[index]), outputs.left[index].patch):
-            places = np.array([(to.x_track + strip.x, mirror * strip.y_track, strip.z_track)
-                               for strip in patch.strips])
+            places = np.array(
+                [(to.x_track + strip.x, mirror * strip.y_track, strip.z_track) for strip in patch.strips]
+            )
             # the strips lie on the rail
             across = mirror * places[:, 1] - rail_y
             np.testing.assert_allclose(places[:, 2], evaluate_table(rail, across)[0], rtol=0, atol=1e-12)
@@ -60,8 +61,11 @@ def test_on_a_profile_it_follows_the_rolling_radius(shift, yaw):
             radius = np.array([strip.rolling_radius for strip in patch.strips])
             rolling = rate * radius[:, None] * around / np.linalg.norm(around, axis=1)[:, None]
             turning = MOTION["yaw_rate"] + MOTION["speed"] * MOTION["track_curvature"]
-            along = (MOTION["speed"] * (1 - MOTION["track_curvature"] * shift) - rolling[:, 0]
-                     - turning * arms[:, 1])
+            along = (
+                MOTION["speed"] * (1 - MOTION["track_curvature"] * shift)
+                - rolling[:, 0]
+                - turning * arms[:, 1]
+            )
             # yaw rate alone: the roll rate that follows from contact has no part along the track without yaw
             reference = patch.speed
             found = np.array([strip.slip for strip in patch.strips])
@@ -81,12 +85,15 @@ def strips_of(work, outputs, side):
     sine, cosine = np.array([(strip.sin, strip.cos) for strip in patch.strips]).T
     none = np.zeros(len(sine))
     return patch, {
-        "places": np.array([(patch.x_track + strip.x, strip.y_track, strip.z_track)
-                            for strip in patch.strips]),
-        "normals": np.stack([none, sine, -cosine], axis=1), "across": np.stack([none, cosine, sine], axis=1),
+        "places": np.array(
+            [(patch.x_track + strip.x, strip.y_track, strip.z_track) for strip in patch.strips]
+        ),
+        "normals": np.stack([none, sine, -cosine], axis=1),
+        "across": np.stack([none, cosine, sine], axis=1),
         "lateral": np.array([strip.lateral for strip in patch.strips]),
         "spin": np.array([strip.spin for strip in patch.strips]),
-        "radius": np.array([strip.rolling_radius for strip in patch.strips])}
+        "radius": np.array([strip.rolling_radius for strip in patch.strips]),
+    }
 
 
 @pytest.mark.parametrize("roll", [0.0, 0.02])
@@ -96,10 +103,18 @@ def test_lateral_creepage_and_spin_are_those_of_its_own_plane(shift, yaw, roll):
     the strip's place, and the normal n of the rail there; also on a rail that is rolled and rolls."""
     system = wrcontact.ContactSystem(contact_mode="compliant", tangential_model="strips")
     stand = wrcontact.ContactSystem(contact_mode="elastic").evaluate(shift, yaw, right_rail_roll=roll)
-    given = {"lateral_shift": shift, "yaw": yaw, "vertical_shift_input": stand.vertical_shift,
-             "roll_input": stand.roll, "vertical_velocity": -0.01, "roll_rate": 0.03, "right_rail_roll": roll,
-             "right_rail_lateral_velocity": 0.02, "right_rail_vertical_velocity": 0.01,
-             "right_rail_roll_velocity": 0.05}
+    given = {
+        "lateral_shift": shift,
+        "yaw": yaw,
+        "vertical_shift_input": stand.vertical_shift,
+        "roll_input": stand.roll,
+        "vertical_velocity": -0.01,
+        "roll_rate": 0.03,
+        "right_rail_roll": roll,
+        "right_rail_lateral_velocity": 0.02,
+        "right_rail_vertical_velocity": 0.01,
+        "right_rail_roll_velocity": 0.05,
+    }
     outputs, work, _ = rolled(system, **given)
     patch, strips = strips_of(work, outputs, 1)
     _, rail, rail_y = system.profile_tables()
@@ -109,7 +124,7 @@ def test_lateral_creepage_and_spin_are_those_of_its_own_plane(shift, yaw, roll):
     slope = np.arctan(evaluate_table(rail, upright[:, 0])[1])
     expected = np.stack([np.zeros(16), np.sin(slope + roll), -np.cos(slope + roll)], axis=1)
     np.testing.assert_allclose(strips["normals"], expected, rtol=0, atol=1e-9)
-    assert np.ptp(slope) > 0.03        # the patch turns
+    assert np.ptp(slope) > 0.03  # the patch turns
     centre = np.array([0.0, shift, stand.vertical_shift - 0.46])
     axle = np.array([-np.sin(yaw) * np.cos(stand.roll), np.cos(yaw) * np.cos(stand.roll), np.sin(stand.roll)])
     bend = MOTION["speed"] * MOTION["track_curvature"]
@@ -118,13 +133,19 @@ def test_lateral_creepage_and_spin_are_those_of_its_own_plane(shift, yaw, roll):
     around = np.cross(axle, arms)
     rate = MOTION["speed"] / 0.46
     rolling = rate * strips["radius"][:, None] * around / np.linalg.norm(around, axis=1)[:, None]
-    velocity = ((MOTION["speed"] - bend * shift, MOTION["lateral_velocity"], -0.01) + np.cross(turning, arms)
-                - rolling - (0.0, 0.02, 0.01)
-                - np.cross((0.05, 0.0, 0.0), strips["places"] - (0.0, rail_y, 0.0)))
-    np.testing.assert_allclose(strips["lateral"], (velocity * strips["across"]).sum(axis=1) / patch.speed,
-                               rtol=0, atol=1e-12)
-    np.testing.assert_allclose(strips["spin"], -strips["normals"] @ (turning - rate * axle) / patch.speed,
-                               rtol=1e-12)
+    velocity = (
+        (MOTION["speed"] - bend * shift, MOTION["lateral_velocity"], -0.01)
+        + np.cross(turning, arms)
+        - rolling
+        - (0.0, 0.02, 0.01)
+        - np.cross((0.05, 0.0, 0.0), strips["places"] - (0.0, rail_y, 0.0))
+    )
+    np.testing.assert_allclose(
+        strips["lateral"], (velocity * strips["across"]).sum(axis=1) / patch.speed, rtol=0, atol=1e-12
+    )
+    np.testing.assert_allclose(
+        strips["spin"], -strips["normals"] @ (turning - rate * axle) / patch.speed, rtol=1e-12
+    )
 
 
 @pytest.mark.parametrize("shift", [-4e-3, 0.0, 3e-3])
@@ -142,11 +163,13 @@ def test_on_a_round_head_the_spin_follows_the_angle(shift):
     angle = -np.arctan2(across, down)
     assert np.ptp(angle) > 0.02
     rate, turning = MOTION["speed"] / 0.46, MOTION["yaw_rate"] + MOTION["speed"] * MOTION["track_curvature"]
-    np.testing.assert_allclose(strips["spin"] * patch.speed,
-                               turning * np.cos(angle) - rate * np.sin(angle + roll), rtol=0, atol=1e-9)
+    np.testing.assert_allclose(
+        strips["spin"] * patch.speed, turning * np.cos(angle) - rate * np.sin(angle + roll), rtol=0, atol=1e-9
+    )
     arm = strips["places"][:, 1:] - (shift, outputs.vertical_shift - 0.46)
     motion = work.sides[1].motion
-    v = MOTION["lateral_velocity"] - motion.turn_x * arm[:, 1]      # the strips have no place along the track
+    v = MOTION["lateral_velocity"] - motion.turn_x * arm[:, 1]  # the strips have no place along the track
     u = motion.vertical + motion.turn_x * arm[:, 0]
-    np.testing.assert_allclose(strips["lateral"] * patch.speed, v * np.cos(angle) - u * np.sin(angle),
-                               rtol=0, atol=1e-9)
+    np.testing.assert_allclose(
+        strips["lateral"] * patch.speed, v * np.cos(angle) - u * np.sin(angle), rtol=0, atol=1e-9
+    )

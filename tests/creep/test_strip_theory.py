@@ -20,8 +20,14 @@ def solved(name, ratio, axis, level):
     patch = elliptic_patch(a, b, LOAD)
     creepage = level * full_slip(patch, FRICTION)[0][axis]
     found = Model(name).solve(patch, *(creepage * np.eye(3)[axis]), FRICTION)
-    return (-vector(found)[axis] / BOUND, found.stick_share, creepage, a, b,
-            kalker_coefficients(ratio, POISSON)[axis, 0])
+    return (
+        -vector(found)[axis] / BOUND,
+        found.stick_share,
+        creepage,
+        a,
+        b,
+        kalker_coefficients(ratio, POISSON)[axis, 0],
+    )
 
 
 @pytest.mark.parametrize("level", LEVELS)
@@ -79,7 +85,7 @@ def test_what_sticks_of_the_strips_does_not_jump(ratio, direction):
     shares = np.array([share(level) for level in levels])
     assert shares[0] == pytest.approx(1.0, abs=1e-9) and 0.0 <= shares[-1] < 0.02
     for k in np.argsort(-np.abs(np.diff(shares)))[:5]:
-        low, high = levels[k:k + 2]
+        low, high = levels[k : k + 2]
         for _ in range(20):
             middle = 0.5 * (low + high)
             if abs(share(middle) - share(low)) > abs(share(high) - share(middle)):

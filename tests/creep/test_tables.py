@@ -36,10 +36,12 @@ def test_kalkers_coefficients_are_those_of_his_table(nu):
     for long, rows in enumerate(table):
         for k, row in enumerate(rows):
             ratio = ((k + 1) / 10.0) ** (-1.0 if long else 1.0)
-            np.testing.assert_allclose(kalker_table.kalker_coefficients(ratio, nu)[:, 0], row[:, column],
-                                       rtol=1e-12)
-            np.testing.assert_allclose(tractions.kalker_coefficients(tables.rolling, ratio), row[:, column],
-                                       rtol=3e-3)
+            np.testing.assert_allclose(
+                kalker_table.kalker_coefficients(ratio, nu)[:, 0], row[:, column], rtol=1e-12
+            )
+            np.testing.assert_allclose(
+                tractions.kalker_coefficients(tables.rolling, ratio), row[:, column], rtol=3e-3
+            )
 
 
 @pytest.mark.parametrize("nu", [0.0, 0.28, 0.5])
@@ -59,16 +61,31 @@ def test_kalkers_coefficients_go_over_into_their_asymptotes(nu):
 @pytest.mark.parametrize("eta", [0.02, 0.7, 5.0])
 def test_reaches_are_their_integrals(eta):
     """Eq. (K4), by adaptive quadrature over the square."""
+
     def over_square(function):
-        return integrate.dblquad(lambda t, u: function(np.hypot(np.cos(t) - np.cos(u), eta), t, u), 0.0,
-                                 np.pi, lambda t: 0.0, lambda t: t, epsabs=1e-9, epsrel=1e-9)[0] * 2.0
-    spin = lambda t, u: (np.sin(t) * np.sin(u)) ** 2                                         # noqa: E731
-    wanted = [over_square(lambda r, t, u: eta / r) / (2.0 * np.pi**2),
-              over_square(lambda r, t, u: (eta / r) ** 3) / (2.0 * np.pi**2),
-              over_square(lambda r, t, u: spin(t, u) * eta / r) * 2.0 / np.pi**2,
-              over_square(lambda r, t, u: spin(t, u) * (eta / r) ** 3) * 2.0 / np.pi**2]
-    found = [np.interp(np.log(eta), reach_table.reach_nodes(), row[0])
-             for row in reach_table.stored()["reaches"]]
+        return (
+            integrate.dblquad(
+                lambda t, u: function(np.hypot(np.cos(t) - np.cos(u), eta), t, u),
+                0.0,
+                np.pi,
+                lambda t: 0.0,
+                lambda t: t,
+                epsabs=1e-9,
+                epsrel=1e-9,
+            )[0]
+            * 2.0
+        )
+
+    spin = lambda t, u: (np.sin(t) * np.sin(u)) ** 2  # noqa: E731
+    wanted = [
+        over_square(lambda r, t, u: eta / r) / (2.0 * np.pi**2),
+        over_square(lambda r, t, u: (eta / r) ** 3) / (2.0 * np.pi**2),
+        over_square(lambda r, t, u: spin(t, u) * eta / r) * 2.0 / np.pi**2,
+        over_square(lambda r, t, u: spin(t, u) * (eta / r) ** 3) * 2.0 / np.pi**2,
+    ]
+    found = [
+        np.interp(np.log(eta), reach_table.reach_nodes(), row[0]) for row in reach_table.stored()["reaches"]
+    ]
     # straight lines between the nodes here: an eighth of the cell's width squared times the bend
     np.testing.assert_allclose(found, wanted, atol=5e-4)
 
@@ -128,5 +145,6 @@ def test_the_correction_is_that_of_these_strips():
         some["forces"] = exact["forces"][:, :, ::2, ::2]
         apart = some["forces"] - elliptic_nodes.strip_forces(some, nu)
         assert apart.size > 1000
-        np.testing.assert_allclose(correction[column][:, :, ::2, ::2], apart, rtol=0,
-                                   atol=0.51 * rolling_table.CORRECTION_UNIT)
+        np.testing.assert_allclose(
+            correction[column][:, :, ::2, ::2], apart, rtol=0, atol=0.51 * rolling_table.CORRECTION_UNIT
+        )

@@ -32,8 +32,11 @@ def every_third_is_quick(rows):
     return [pytest.param(row, marks=[pytest.mark.full] if k % 3 else []) for k, row in enumerate(rows)]
 
 
-@pytest.mark.parametrize("row", every_third_is_quick(data.rows_of(data.FOLDER / "rigid_positions.csv")),
-                         ids=lambda row: f"{row['lateral_shift_mm']}mm_{row['yaw_deg']}deg")
+@pytest.mark.parametrize(
+    "row",
+    every_third_is_quick(data.rows_of(data.FOLDER / "rigid_positions.csv")),
+    ids=lambda row: f"{row['lateral_shift_mm']}mm_{row['yaw_deg']}deg",
+)
 @pytest.mark.turns(3)
 def test_agrees_with_stored_positions(system, row):
     found = rigid_contact(system, row["lateral_shift_mm"] * 1e-3, radians(row["yaw_deg"]))
@@ -41,8 +44,10 @@ def test_agrees_with_stored_positions(system, row):
     assert found.vertical_shift * 1e3 == pytest.approx(row["wheelset_z_mm"], abs=POSITION)
     for side, wheel in (("R", found.right), ("L", found.left)):
         for name in ("y_wheel", "x_wheel", "y_track", "rolling_radius"):
-            assert (getattr(wheel, name) * 1e3
-                    == pytest.approx(row[f"{side}_{name}_mm"], abs=POSITION)), (side, name)
+            assert getattr(wheel, name) * 1e3 == pytest.approx(row[f"{side}_{name}_mm"], abs=POSITION), (
+                side,
+                name,
+            )
         assert wheel.contact_angle == pytest.approx(row[f"{side}_contact_angle_rad"], abs=ANGLE)
 
 
@@ -53,8 +58,9 @@ def test_wheel_and_rail_touch_with_a_common_tangent(system):
     for wheel, side in ((found.right, 1), (found.left, -1)):
         assert wheel.z_rail == pytest.approx(wheel.z_track, abs=1e-15)
         assert wheel.z_wheel == pytest.approx(wheel.rolling_radius - system.nominal_radius, abs=1e-15)
-        assert (-atan(system.wheel(wheel.y_wheel)[1])
-                - side * found.roll == pytest.approx(wheel.contact_angle, abs=1e-12))
+        assert -atan(system.wheel(wheel.y_wheel)[1]) - side * found.roll == pytest.approx(
+            wheel.contact_angle, abs=1e-12
+        )
 
 
 def test_no_point_of_the_wheel_is_lower(system):
@@ -81,8 +87,10 @@ def test_rail_is_one_smooth_line(name, inclination):
 def test_wheel_has_the_steps_of_the_printed_table():
     """0.12 um at -35 mm, 0.04 um at -26 mm, nothing elsewhere."""
     wheel = s1002()
-    steps = [float(wheel(end * 1e-3, zone)[0] - wheel(end * 1e-3, zone + 1)[0])
-             for zone, (_, end) in enumerate(wheel.ends[:-1])]
+    steps = [
+        float(wheel(end * 1e-3, zone)[0] - wheel(end * 1e-3, zone + 1)[0])
+        for zone, (_, end) in enumerate(wheel.ends[:-1])
+    ]
     assert steps == pytest.approx([0, 0, 0, 0, 1.183e-7, -3.655e-8, 0], abs=1e-10)
 
 

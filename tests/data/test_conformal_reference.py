@@ -13,14 +13,22 @@ from data.halfspace_reference import CONTACT_MODULUS, normal_contact
 ROWS = data.rows_of(data.CONFORMAL)
 
 
-@pytest.mark.parametrize("index", [pytest.param(k, marks=[pytest.mark.full] * (k != 9))
-                                   for k in range(len(ROWS))])
+@pytest.mark.parametrize(
+    "index", [pytest.param(k, marks=[pytest.mark.full] * (k != 9)) for k in range(len(ROWS))]
+)
 def test_contact_conformal(index):
     """CONTACT's fine grid is good to 0.2 % in force, 0.4 % in wide patches, and to 1 % in area; with 1 deg of
     yaw and more it has another curve between the bodies."""
     row = ROWS[index]
-    found = lowered_contact(track(), Pose(row["lateral_shift_mm"] * 1e-3, radians(row["yaw_deg"]),
-                                          row["roll_rad"], row["vertical_shift_mm"] * 1e-3))
+    found = lowered_contact(
+        track(),
+        Pose(
+            row["lateral_shift_mm"] * 1e-3,
+            radians(row["yaw_deg"]),
+            row["roll_rad"],
+            row["vertical_shift_mm"] * 1e-3,
+        ),
+    )
     yawed = row["yaw_deg"] >= 1.0
     assert found.force == pytest.approx(row["N_f_N"], rel=7e-3 if yawed else 4e-3)
     assert found.max_pressure == pytest.approx(row["pmax_f_MPa"] * 1e6, rel=0.013 if yawed else 2.5e-3)

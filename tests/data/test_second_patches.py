@@ -41,8 +41,9 @@ def test_loads_of_the_smaller_patch(model):
     pick = np.arange(len(poses)), exact.argmin(axis=1)
     missed = np.abs(loads - exact)[pick]
     area = np.abs(found[:, 1] / wanted[:, 1] - 1.0)
-    errors = 100.0 * np.array([(missed / force).mean(), (missed / force).max(),
-                               (missed / exact[pick]).mean(), area.mean()])
+    errors = 100.0 * np.array(
+        [(missed / force).mean(), (missed / force).max(), (missed / exact[pick]).mean(), area.mean()]
+    )
     assert (errors < BOUNDS[model]).all(), errors
     # and tighter bounds would do as well
     assert (errors > 0.5 * np.array(BOUNDS[model])).all(), errors

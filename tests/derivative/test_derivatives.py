@@ -44,8 +44,10 @@ from wrcontact.kernel.layout import (
     SIDE_SIZE,
 )
 
-pytestmark = pytest.mark.skipif(not default_kernel().compiled,
-                                reason="the derivatives are those of the compiled library, and none is here")
+pytestmark = pytest.mark.skipif(
+    not default_kernel().compiled,
+    reason="the derivatives are those of the compiled library, and none is here",
+)
 
 RAILS = range(layout.IN_LEFT_RAIL_LATERAL, layout.IN_RIGHT_RAIL_ROLL + 1)
 #: Parameters, and the share of clear differences that may be off: some lie across a kink that neither their
@@ -62,8 +64,10 @@ CASES = {
     "compliant": ({"contact_mode": "compliant"}, 1e-3),
     "vertical separation": ({"separation": "vertical"}, 1e-3),
     "equidistant": ({"separation": "equidistant", "longitudinal_curvature": "basic"}, 3e-3),
-    "chord, elastic": ({"separation": "equidistant_chord", "contact_mode": "elastic", "load": "vertical"},
-                       1e-3),
+    "chord, elastic": (
+        {"separation": "equidistant_chord", "contact_mode": "elastic", "load": "vertical"},
+        1e-3,
+    ),
     "smooth": ({"lateral_curvature": "smooth"}, 1e-3),
     "rough": ({"lateral_curvature": "rough"}, 1e-3),
 }
@@ -73,8 +77,9 @@ USUALLY, STRIPS = 0.9, 0.75
 QUICK = ("hertz", "analyn", "elastic hertz", "compliant")
 
 
-@pytest.mark.parametrize("case", [pytest.param(case, marks=[pytest.mark.full] * (case not in QUICK))
-                                  for case in CASES])
+@pytest.mark.parametrize(
+    "case", [pytest.param(case, marks=[pytest.mark.full] * (case not in QUICK)) for case in CASES]
+)
 def test_derivatives_are_those_of_differences(case):
     """All continuous outputs against all inputs at random poses.
 
@@ -117,6 +122,7 @@ def test_derivatives_add_up(case):
 
 def jump(stepper, row):
     """Lateral shifts 1e-12 m apart between which the right contact jumps."""
+
     def contact(shift):
         row[IN_LATERAL_SHIFT] = shift
         return stepped(stepper, row)[1][OUT_RIGHT + layout.SIDE_Y_WHEEL]
@@ -157,7 +163,7 @@ def test_elastic_stand_on_a_jump_moves_with_it():
     """The right wheel's deepest point changes between root and flange there: heights are those of
     brackets, not of an equation."""
     stepper = wrcontact.ContactSystem(contact_mode="elastic", normal_model="hertz").stepper()
-    row = input_row(4.88004678e-03, 1.23176316e-02, 0.0, 5.00121932e+04, -5.35283157e-01)
+    row = input_row(4.88004678e-03, 1.23176316e-02, 0.0, 5.00121932e04, -5.35283157e-01)
     for number in INPUTS:
         status, rates = derivative(stepper, row, number)
         wanted, _, _ = differences(stepper, row, number)
@@ -173,12 +179,14 @@ def test_what_does_not_move():
     stepper = wrcontact.ContactSystem().stepper()
     row = input_row(2e-3, 5e-3, 0.0, 8e4, 1.0)
     status, rates = derivative(stepper, row, IN_LATERAL_SHIFT)
-    left = rates[OUT_LEFT:OUT_LEFT + SIDE_SIZE]
+    left = rates[OUT_LEFT : OUT_LEFT + SIDE_SIZE]
     assert status == layout.UNLOADED and np.isfinite(rates).all()
-    assert left[layout.SIDE_Y_WHEEL] != 0.0 and not left[layout.SIDE_PENETRATION:].any()
+    assert left[layout.SIDE_Y_WHEEL] != 0.0 and not left[layout.SIDE_PENETRATION :].any()
     assert not derivative(stepper, row, IN_ROLL_GUESS)[1].any()
-    for bad, wanted in (({IN_LATERAL_SHIFT: 0.02}, layout.OFF_PROFILE),
-                        ({IN_NORMAL_FORCE: np.nan}, layout.INVALID_INPUT)):
+    for bad, wanted in (
+        ({IN_LATERAL_SHIFT: 0.02}, layout.OFF_PROFILE),
+        ({IN_NORMAL_FORCE: np.nan}, layout.INVALID_INPUT),
+    ):
         wrong = row.copy()
         wrong[list(bad)] = list(bad.values())
         status, rates = derivative(stepper, wrong, IN_LATERAL_SHIFT)
@@ -204,8 +212,9 @@ def test_nothing_else_changes(case):
     stepper = wrcontact.ContactSystem(**parameters).stepper()
     for row in poses(4, seed=8):
         stepped(stepper, row)
-        before = [array.copy()
-                  for array in (stepper.state, workspace_of(stepper), stepper.inputs, stepper.outputs)]
+        before = [
+            array.copy() for array in (stepper.state, workspace_of(stepper), stepper.inputs, stepper.outputs)
+        ]
         derivative_again = [rates_along(stepper, np.eye(INPUT_COUNT)[0]) for _ in range(2)]
         after = (stepper.state, workspace_of(stepper), stepper.inputs, stepper.outputs)
         assert all(np.array_equal(one, other, equal_nan=True) for one, other in zip(before, after))
@@ -216,8 +225,15 @@ def test_a_width_that_ends_where_there_is_no_gap():
     """A pose whose derivatives were no numbers: halving ends on the last place that has a
     gap, where that does not rise."""
     stepper = wrcontact.ContactSystem(contact_mode="compliant", normal_model="analyn_strip").stepper()
-    row = input_row(0.00524538460052467, 0.07927101240045407, 0.0, 78.5e3, 0.0, -0.0008804023341258616,
-                    -0.0017729272540683517)
+    row = input_row(
+        0.00524538460052467,
+        0.07927101240045407,
+        0.0,
+        78.5e3,
+        0.0,
+        -0.0008804023341258616,
+        -0.0017729272540683517,
+    )
     for number in range(INPUT_COUNT):
         status, rates = derivative(stepper, row, number)
         assert status == 0 and np.isfinite(rates).all()
@@ -247,15 +263,17 @@ def differentiated(tmp_path_factory):
     modules = source_modules()
     for module in modules:
         text = module.text
-        if "native" in module.marks.values():       # without its bodies, which C has by itself
+        if "native" in module.marks.values():  # without its bodies, which C has by itself
             names = ", ".join(module.functions)
             text = f"from wrcontact.kernel.{module.room}.{module.name} import {names}\n".encode()
         Path(folder, f"{module.name}.py").write_bytes(text)
     for name, text in derivative_modules(modules).items():
         Path(folder, f"{name}.py").write_text(text, encoding="utf-8")
     sys.path.insert(0, str(folder.parent))
-    yield [importlib.import_module(f"differentiated_kernel.{name}")
-           for name in ("derivative_wheelset_rules", "step")]
+    yield [
+        importlib.import_module(f"differentiated_kernel.{name}")
+        for name in ("derivative_wheelset_rules", "step")
+    ]
     sys.path.remove(str(folder.parent))
 
 
@@ -274,4 +292,4 @@ def test_compiled_and_python_derivatives_agree_to_the_last_bit(differentiated, c
             work_t = [0.0] * layout.WORK_SIZE
             work_t[layout.Work.inputs.offset // 8 + number] = 1.0
             assert not derivatives.differentiate_t(tables, work, work_t)
-            assert np.array_equal(rates, work_t[layout.Work.outputs.offset // 8:][:OUTPUT_COUNT])
+            assert np.array_equal(rates, work_t[layout.Work.outputs.offset // 8 :][:OUTPUT_COUNT])

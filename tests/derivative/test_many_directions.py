@@ -12,23 +12,39 @@ from wrcontact.kernel.binding.library import Kernel, default_kernel
 from wrcontact.kernel.layout import INPUT_COUNT
 from wrcontact.stepper import Stepper
 
-pytestmark = pytest.mark.skipif(not default_kernel().compiled,
-                                reason="the derivatives are those of the compiled library, and none is here")
+pytestmark = pytest.mark.skipif(
+    not default_kernel().compiled,
+    reason="the derivatives are those of the compiled library, and none is here",
+)
 FORCES = ["force.x", "force.y", "force.z", "moment.x", "moment.y", "moment.z"]
-MOTION = ["lateral_shift", "vertical_shift_input", "roll_input", "yaw", "lateral_velocity",
-          "vertical_velocity", "roll_rate", "yaw_rate", "wheel_rate"]
+MOTION = [
+    "lateral_shift",
+    "vertical_shift_input",
+    "roll_input",
+    "yaw",
+    "lateral_velocity",
+    "vertical_velocity",
+    "roll_rate",
+    "yaw_rate",
+    "wheel_rate",
+]
 #: Steps of differences [of an input's usual size].
 STEPS = (1e-8, 3e-8, 1e-7, 3e-7, 1e-6, 3e-6, 1e-5, 1e-4)
 SIZES = dict(zip(MOTION, (1e-3, 1e-3, 1e-3, 1e-2, 0.01, 0.01, 0.01, 0.1, 20.0)))
 COMPLIANT = {"contact_mode": "compliant", "contact_damping": 1.0}
-CASES = [{"contact_mode": mode, "normal_model": normal, "tangential_model": creep, **more}
-         for mode in ("rigid", "elastic", "compliant")
-         for normal, creep, more in (
-             ("analyn", "none", {}), *(("analyn", creep, {}) for creep in CREEP_MODELS),
-             ("hertz", "strips", {}), ("analyn_strip", "strips", {}),
-             ("analyn", "strips", {"separation": "vertical", "stations": 61}),
-             ("analyn", "strips", {"separation": "equidistant_chord"}),
-             ("analyn", "polach", {"lateral_curvature": "rough", "load": "vertical"}))]
+CASES = [
+    {"contact_mode": mode, "normal_model": normal, "tangential_model": creep, **more}
+    for mode in ("rigid", "elastic", "compliant")
+    for normal, creep, more in (
+        ("analyn", "none", {}),
+        *(("analyn", creep, {}) for creep in CREEP_MODELS),
+        ("hertz", "strips", {}),
+        ("analyn_strip", "strips", {}),
+        ("analyn", "strips", {"separation": "vertical", "stations": 61}),
+        ("analyn", "strips", {"separation": "equidistant_chord"}),
+        ("analyn", "polach", {"lateral_curvature": "rough", "load": "vertical"}),
+    )
+]
 
 
 def running(parameters, count, seed):
@@ -83,8 +99,9 @@ def misses(stepper, row):
                 stepper.step()
                 sides.append(way * (np.array([*stepper.force, *stepper.moment]) - middle) / step)
             off = [np.abs(side - rates[:, column]) / size for side in sides]
-            central[:, column] = np.fmin(central[:, column],
-                                         np.abs(0.5 * (sides[0] + sides[1]) - rates[:, column]) / size)
+            central[:, column] = np.fmin(
+                central[:, column], np.abs(0.5 * (sides[0] + sides[1]) - rates[:, column]) / size
+            )
             single[:, column] = np.fmin(single[:, column], np.fmin(*off))
     return central, single
 
@@ -132,12 +149,20 @@ def test_no_derivatives_off_the_profile():
     assert found.shape == (2, 1) and np.isnan(found).all()
 
 
-@pytest.mark.parametrize("of, by, words", [
-    (["force.yy"], ["yaw"], "did you mean force.y"), (["force.y"], ["yow"], "did you mean yaw"),
-    ("force.y", ["yaw"], "list of names"), (["force.y"], "yaw", "list of names"),
-    (["right.patch_count"], ["yaw"], "count"), (["force.y"], ["free_rolling"], "true or false"),
-    (["right.shear[1]"], ["yaw"], "outputs='all'"), (["left.area"], ["yaw"], "side='left'"),
-    (["equilibrium.roll"], ["yaw"], "names of outputs")])
+@pytest.mark.parametrize(
+    "of, by, words",
+    [
+        (["force.yy"], ["yaw"], "did you mean force.y"),
+        (["force.y"], ["yow"], "did you mean yaw"),
+        ("force.y", ["yaw"], "list of names"),
+        (["force.y"], "yaw", "list of names"),
+        (["right.patch_count"], ["yaw"], "count"),
+        (["force.y"], ["free_rolling"], "true or false"),
+        (["right.shear[1]"], ["yaw"], "outputs='all'"),
+        (["left.area"], ["yaw"], "side='left'"),
+        (["equilibrium.roll"], ["yaw"], "names of outputs"),
+    ],
+)
 def test_what_a_stepper_refuses(of, by, words):
     with pytest.raises(ValueError, match=words):
         wrcontact.ContactSystem().stepper(side="right", outputs="patches").derivatives(of, by)
@@ -146,8 +171,9 @@ def test_what_a_stepper_refuses(of, by, words):
 def test_models_outside_the_compiled_kernel_have_none():
     tables = wrcontact.ContactSystem().stepper().tables
     source = Stepper(tables)
-    source._bound = Kernel().bind(tables, source.state, np.zeros_like(source._workspace), source.inputs,
-                                  source.outputs)
+    source._bound = Kernel().bind(
+        tables, source.state, np.zeros_like(source._workspace), source.inputs, source.outputs
+    )
     with pytest.raises(RuntimeError, match="uncompiled"):
         source.derivatives(["roll"], ["yaw"])
     with pytest.raises(RuntimeError, match="half-space"):

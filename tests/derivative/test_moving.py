@@ -12,28 +12,86 @@ from tests.helpers.inside import rates_along
 from wrcontact.interface.variables import BOOLEAN, INPUT, VARIABLES
 from wrcontact.kernel.binding.library import default_kernel
 
-pytestmark = pytest.mark.skipif(not default_kernel().compiled,
-                                reason="the derivatives are those of the compiled library, and none is here")
+pytestmark = pytest.mark.skipif(
+    not default_kernel().compiled,
+    reason="the derivatives are those of the compiled library, and none is here",
+)
 INPUTS = [v for v in VARIABLES if v.causality == INPUT]
-STEPS = (1e-5, 1e-4, 1e-3)      # [of an input's nominal value]; one of them is to be met
+STEPS = (1e-5, 1e-4, 1e-3)  # [of an input's nominal value]; one of them is to be met
 #: Where it stands and touches, what it carries, and how it slips.
-CREEPAGES = np.array([name.endswith(("roll", "vertical_shift", "contact_angle", "rolling_radius", "area",
-                                     "penetration", "max_pressure", "force.y", "force.z", "moment.x"))
-                      or ".contact." in name or ".creepage." in name for name in NAMES])
+CREEPAGES = np.array(
+    [
+        name.endswith(
+            (
+                "roll",
+                "vertical_shift",
+                "contact_angle",
+                "rolling_radius",
+                "area",
+                "penetration",
+                "max_pressure",
+                "force.y",
+                "force.z",
+                "moment.x",
+            )
+        )
+        or ".contact." in name
+        or ".creepage." in name
+        for name in NAMES
+    ]
+)
 DAMPED = np.array([name.endswith(("normal_force", "force.y", "force.z", "moment.x")) for name in NAMES])
 #: Shares of stick jump from point to point of a strip, and runs over the outline follow them.
-SMOOTH = np.array([name.endswith((".force.x", ".force.y", ".force.z", ".moment.x", ".moment.y", ".moment.z",
-                                  "driving_torque", "tangential.x", "tangential.y", "tangential.moment",
-                                  "friction_power", "saturation", "wear_number")) for name in NAMES])
-MOTION = {"speed": 25.0, "lateral_velocity": 0.04, "vertical_velocity": -0.02, "yaw_rate": 0.05,
-          "roll_rate": 0.03, "wheel_rate": 54.0, "track_curvature": 2e-3,
-          "left.rail_lateral_velocity": 0.01, "right.rail_vertical_velocity": 0.02,
-          "right.rail_roll_velocity": -0.03, "left.rail_roll": 0.004, "right.rail_roll": -0.006,
-          "left.rail_lateral": -1e-3, "right.rail_vertical": 2e-3}
+SMOOTH = np.array(
+    [
+        name.endswith(
+            (
+                ".force.x",
+                ".force.y",
+                ".force.z",
+                ".moment.x",
+                ".moment.y",
+                ".moment.z",
+                "driving_torque",
+                "tangential.x",
+                "tangential.y",
+                "tangential.moment",
+                "friction_power",
+                "saturation",
+                "wear_number",
+            )
+        )
+        for name in NAMES
+    ]
+)
+MOTION = {
+    "speed": 25.0,
+    "lateral_velocity": 0.04,
+    "vertical_velocity": -0.02,
+    "yaw_rate": 0.05,
+    "roll_rate": 0.03,
+    "wheel_rate": 54.0,
+    "track_curvature": 2e-3,
+    "left.rail_lateral_velocity": 0.01,
+    "right.rail_vertical_velocity": 0.02,
+    "right.rail_roll_velocity": -0.03,
+    "left.rail_roll": 0.004,
+    "right.rail_roll": -0.006,
+    "left.rail_lateral": -1e-3,
+    "right.rail_vertical": 2e-3,
+}
 RUBBING = {name: value for name, value in MOTION.items() if "rail" not in name} | {
-    "wheel_rate": 54.3, "track_curvature": 1e-3, "left.friction": 0.35, "right.friction": 0.25}
-TWO_SIDES = {"wheel": ("S1002", "cone20"), "rail": ("60E1", "54E1"), "nominal_radius": (0.4615, 0.459),
-             "rail_inclination": (0.0, 1 / 40)}
+    "wheel_rate": 54.3,
+    "track_curvature": 1e-3,
+    "left.friction": 0.35,
+    "right.friction": 0.25,
+}
+TWO_SIDES = {
+    "wheel": ("S1002", "cone20"),
+    "rail": ("60E1", "54E1"),
+    "nominal_radius": (0.4615, 0.459),
+    "rail_inclination": (0.0, 1 / 40),
+}
 DAMPING = {"contact_mode": "compliant", "contact_damping": 0.5}
 
 
@@ -43,8 +101,11 @@ def moving_row(parameters, motion, shift, yaw):
     for place, variable in enumerate(INPUTS):
         row[place] = motion.get(variable.name, row[place])
     if parameters.get("contact_mode") == "compliant":
-        rails = {name.replace(".", "_"): value for name, value in motion.items()
-                 if ".rail_" in name and not name.endswith("velocity")}
+        rails = {
+            name.replace(".", "_"): value
+            for name, value in motion.items()
+            if ".rail_" in name and not name.endswith("velocity")
+        }
         elastic = wrcontact.ContactSystem(**parameters | {"contact_mode": "elastic"})
         stand = elastic.evaluate(shift, yaw, **rails)
         row[5:7] = stand.vertical_shift, stand.roll
@@ -70,15 +131,28 @@ def assert_met(stepper, row, of, allowed, floor, left_out=()):
 
 
 @pytest.mark.parametrize("shift, yaw", [(1.1e-3, 0.0), (-3e-3, 0.004), (3.3e-3, -0.01)])
-@pytest.mark.parametrize("parameters, of", [
-    ({"normal_model": "hertz"}, CREEPAGES), ({}, CREEPAGES), ({"contact_mode": "elastic"}, CREEPAGES),
-    (DAMPING, CREEPAGES | DAMPED), (TWO_SIDES, CREEPAGES),
-    (TWO_SIDES | {"contact_mode": "elastic", "normal_model": "hertz"}, CREEPAGES)],
-    ids=["hertz", "rigid", "elastic", "compliant", "two sides", "two sides, elastic"])
+@pytest.mark.parametrize(
+    "parameters, of",
+    [
+        ({"normal_model": "hertz"}, CREEPAGES),
+        ({}, CREEPAGES),
+        ({"contact_mode": "elastic"}, CREEPAGES),
+        (DAMPING, CREEPAGES | DAMPED),
+        (TWO_SIDES, CREEPAGES),
+        (TWO_SIDES | {"contact_mode": "elastic", "normal_model": "hertz"}, CREEPAGES),
+    ],
+    ids=["hertz", "rigid", "elastic", "compliant", "two sides", "two sides, elastic"],
+)
 def test_derivatives_of_creepages_and_damped_forces(parameters, of, shift, yaw):
     row = moving_row(parameters, MOTION, shift, yaw)
-    assert_met(wrcontact.ContactSystem(**parameters).stepper(), row, of, 2e-5, 0.02,
-               left_out=("normal_force", "load_transfer"))
+    assert_met(
+        wrcontact.ContactSystem(**parameters).stepper(),
+        row,
+        of,
+        2e-5,
+        0.02,
+        left_out=("normal_force", "load_transfer"),
+    )
 
 
 PARAMETERS = {
@@ -87,8 +161,13 @@ PARAMETERS = {
     "compliant": DAMPING,
     "vertical": {"load": "vertical"},
     "elastic vertical": {"load": "vertical", "contact_mode": "elastic"},
-    "falling friction": {"friction_fall": 0.4, "friction_fall_rate": 0.6, "flange_friction_ratio": 0.5,
-                         "slope_reduction": 0.6, "slope_reduction_rate": 0.6},
+    "falling friction": {
+        "friction_fall": 0.4,
+        "friction_fall_rate": 0.6,
+        "flange_friction_ratio": 0.5,
+        "slope_reduction": 0.6,
+        "slope_reduction_rate": 0.6,
+    },
 }
 #: Steps of tangential models [of an input's nominal value]: kinks and roots without a slope are close.
 CLOSE = (1e-8, 1e-7, 1e-6, 1e-5, 1e-4)
@@ -119,8 +198,9 @@ def misses(stepper, row):
         size = np.maximum(np.abs(rates), 0.05 * NOMINAL / variable.nominal)
         central, single = np.inf, np.inf
         for step in np.array(CLOSE) * variable.nominal:
-            ahead, behind = (way * (stepped(stepper, row + way * step * along)[1] - middle) / step
-                             for way in (1, -1))
+            ahead, behind = (
+                way * (stepped(stepper, row + way * step * along)[1] - middle) / step for way in (1, -1)
+            )
             central = np.fmin(central, np.abs(0.5 * (ahead + behind) - rates) / size)
             single = np.fmin(single, np.fmin(np.abs(ahead - rates), np.abs(behind - rates)) / size)
         found.append(np.array([central, single])[:, SMOOTH])
@@ -138,14 +218,16 @@ def assert_kinks_alone(most, central, single):
 
 
 @pytest.mark.parametrize("model", CREEP_MODELS)
-@pytest.mark.parametrize("case", [case if case in QUICK else pytest.param(case, marks=pytest.mark.full)
-                                  for case in PARAMETERS])
+@pytest.mark.parametrize(
+    "case", [case if case in QUICK else pytest.param(case, marks=pytest.mark.full) for case in PARAMETERS]
+)
 def test_derivatives_of_creep_forces(case, model):
     stepper = wrcontact.ContactSystem(**PARAMETERS[case], tangential_model=model).stepper()
     poses = ((1.1e-3, 0.0), (-3e-3, 0.004), (3.3e-3, -0.003))
     most = max(MOST[model], ELASTIC_MOST) if "elastic" in case else MOST[model]
-    assert_kinks_alone(most, *np.hstack([misses(stepper, moving_row(PARAMETERS[case], RUBBING, *pose))
-                                         for pose in poses]))
+    assert_kinks_alone(
+        most, *np.hstack([misses(stepper, moving_row(PARAMETERS[case], RUBBING, *pose)) for pose in poses])
+    )
 
 
 def test_derivatives_by_velocities_of_an_elastic_wheelset_that_begins_to_move():
@@ -153,8 +235,14 @@ def test_derivatives_by_velocities_of_an_elastic_wheelset_that_begins_to_move():
     names = [name for name in MOTION if "velocity" in name or name == "yaw_rate"]
     motion = {name: value for name, value in MOTION.items() if name not in (*names, "roll_rate")}
     row = moving_row({"contact_mode": "elastic"}, motion, 4.4e-3, 4e-3)
-    assert_met(wrcontact.ContactSystem(contact_mode="elastic").stepper(), row, CREEPAGES, 1e-5, 0.02,
-               left_out=[v.name for v in INPUTS if v.name not in names])
+    assert_met(
+        wrcontact.ContactSystem(contact_mode="elastic").stepper(),
+        row,
+        CREEPAGES,
+        1e-5,
+        0.02,
+        left_out=[v.name for v in INPUTS if v.name not in names],
+    )
 
 
 @pytest.mark.full
@@ -164,10 +252,16 @@ def test_derivatives_of_creep_forces_at_random_poses(model):
     stepper, rng = wrcontact.ContactSystem(tangential_model=model).stepper(), np.random.default_rng(8)
     found = []
     for _ in range(12):
-        motion = {name: value * rng.uniform(-1.0, 1.0) if name not in ("speed", "wheel_rate") else value
-                  for name, value in RUBBING.items()}
-        motion |= {"wheel_rate": 54.3 * (1.0 + rng.normal(scale=2e-3)),
-                   "left.friction": rng.uniform(0.05, 0.5), "right.friction": rng.uniform(0.05, 0.5)}
-        found.append(misses(stepper, moving_row({}, motion, rng.uniform(-5e-3, 5e-3),
-                                                rng.uniform(-5e-3, 5e-3))))
+        motion = {
+            name: value * rng.uniform(-1.0, 1.0) if name not in ("speed", "wheel_rate") else value
+            for name, value in RUBBING.items()
+        }
+        motion |= {
+            "wheel_rate": 54.3 * (1.0 + rng.normal(scale=2e-3)),
+            "left.friction": rng.uniform(0.05, 0.5),
+            "right.friction": rng.uniform(0.05, 0.5),
+        }
+        found.append(
+            misses(stepper, moving_row({}, motion, rng.uniform(-5e-3, 5e-3), rng.uniform(-5e-3, 5e-3)))
+        )
     assert_kinks_alone(MOST[model], *np.hstack(found))

@@ -9,8 +9,11 @@ import pytest
 import wrcontact
 
 PACKAGE = Path(wrcontact.__file__).parent
-MODULES = [path.relative_to(PACKAGE.parent).with_suffix("").as_posix().replace("/", ".")
-           for path in sorted(PACKAGE.rglob("*.py")) if ">>> " in path.read_text(encoding="utf-8")]
+MODULES = [
+    path.relative_to(PACKAGE.parent).with_suffix("").as_posix().replace("/", ".")
+    for path in sorted(PACKAGE.rglob("*.py"))
+    if ">>> " in path.read_text(encoding="utf-8")
+]
 
 
 def test_modules_have_examples():

@@ -10,7 +10,7 @@ from wrcontact import plots
 
 PAGE = (ROOT / "docs" / "guides" / "gallery.md").read_text(encoding="utf-8")
 PICTURES = re.findall(r"!\[.+?\]\(\.\./img/(.*?)\)", PAGE)
-MOST = {".png": 120_000, ".gif": 400_000}       # [byte]
+MOST = {".png": 120_000, ".gif": 400_000}  # [byte]
 
 
 @pytest.mark.parametrize("name", PICTURES)
@@ -21,7 +21,7 @@ def test_pictures_are_there_small_and_saved_by_the_page(name):
 
 
 def test_every_function_of_one_axis_is_in_the_gallery():
-    wear = (ROOT / "docs" / "guides" / "wear.md").read_text(encoding="utf-8")         # has its own pictures
+    wear = (ROOT / "docs" / "guides" / "wear.md").read_text(encoding="utf-8")  # has its own pictures
     shown = set(re.findall(r"plots\.(\w+)\(", PAGE + wear))
     shown |= set(re.findall(r"`(?:wrcontact\.)?(?:plots\.)?(\w+)`", PAGE + wear))
     other = {"PatchTractions", "demo_figure", "find_jumps", "read_run"}  # no pictures, and that of the demo

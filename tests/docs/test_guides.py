@@ -23,11 +23,18 @@ from tests.helpers.profile_points import columns, points, simpack
 from wrcontact.kernel.binding.library import default_kernel
 
 DOCS = ROOT / "docs"
-PAGES = {page.name: page.read_text(encoding="utf-8")
-         for page in (DOCS / "index.md", DOCS / "choose.md", DOCS / "reference" / "statuses.md",
-                      *sorted((DOCS / "guides").glob("*.md")))}
-BLOCK = re.compile(r"(<!-- not run: (?P<reason>.+?) -->\n+)?^```(?P<kind>\w*)\n(?P<code>.*?)^```",
-                   re.M | re.S)
+PAGES = {
+    page.name: page.read_text(encoding="utf-8")
+    for page in (
+        DOCS / "index.md",
+        DOCS / "choose.md",
+        DOCS / "reference" / "statuses.md",
+        *sorted((DOCS / "guides").glob("*.md")),
+    )
+}
+BLOCK = re.compile(
+    r"(<!-- not run: (?P<reason>.+?) -->\n+)?^```(?P<kind>\w*)\n(?P<code>.*?)^```", re.M | re.S
+)
 #: Pages whose examples need FMUs beside them; the page that builds its own; pages that take seconds.
 WITH_FMUS = ("fmu.md", "fmu_hosts.md", "importers.md")
 BUILDS = "measured_wheel.md"
@@ -40,16 +47,23 @@ def marks(name):
     return compiler + [pytest.mark.full] * (name in (*WITH_FMUS, BUILDS, *SLOW))
 
 
-EXAMPLES = [pytest.param(name, marks=marks(name)) for name, page in PAGES.items()
-            if "```python" in page and name not in ("gallery.md", "tables.md")]   # run elsewhere, with extras
-pytestmark = pytest.mark.skipif(not default_kernel().compiled,
-                                reason="the examples of pages want the compiled library, and none is here")
+EXAMPLES = [
+    pytest.param(name, marks=marks(name))
+    for name, page in PAGES.items()
+    if "```python" in page and name not in ("gallery.md", "tables.md")
+]  # run elsewhere, with extras
+pytestmark = pytest.mark.skipif(
+    not default_kernel().compiled, reason="the examples of pages want the compiled library, and none is here"
+)
 
 
 def blocks(name):
     """What is run of a page: (kind, code)."""
-    return [(found["kind"], found["code"]) for found in BLOCK.finditer(PAGES[name])
-            if found["kind"] in ("python", "sh", "text") and not found["reason"]]
+    return [
+        (found["kind"], found["code"])
+        for found in BLOCK.finditer(PAGES[name])
+        if found["kind"] in ("python", "sh", "text") and not found["reason"]
+    ]
 
 
 def one_line(text):
@@ -64,9 +78,17 @@ def prepared(folder):
         (folder / name).write_text(columns(*points(kind), ","))
     (folder / "uic60.prr").write_text(simpack(*points("rail"), "rail"))
     shifts = np.linspace(-5e-3, 5e-3, 11)
-    return {"wrcontact": wrcontact, "ContactSystem": wrcontact.ContactSystem, "np": np, "fmpy": fmpy,
-            "matplotlib": matplotlib, "shifts": shifts, "step": 1e-3, "distance": np.linspace(0.0, 20.0, 11),
-            "table": wrcontact.ContactSystem().evaluate_many(lateral_shift=shifts)}
+    return {
+        "wrcontact": wrcontact,
+        "ContactSystem": wrcontact.ContactSystem,
+        "np": np,
+        "fmpy": fmpy,
+        "matplotlib": matplotlib,
+        "shifts": shifts,
+        "step": 1e-3,
+        "distance": np.linspace(0.0, 20.0, 11),
+        "table": wrcontact.ContactSystem().evaluate_many(lateral_shift=shifts),
+    }
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
@@ -84,7 +106,7 @@ def test_examples_run_and_print_what_the_page_shows(name, request, tmp_path, mon
             said = "".join(commanded(line, run) for line in code.replace("\\\n", " ").splitlines())
         else:
             with warnings.catch_warnings():
-                warnings.simplefilter("ignore", wrcontact.ProfileWarning)      # of the files above
+                warnings.simplefilter("ignore", wrcontact.ProfileWarning)  # of the files above
                 exec(code, names)
             said = capsys.readouterr().out
     matplotlib.pyplot.close("all")
@@ -111,7 +133,7 @@ def test_programs_exist():
     """Those that a page runs by ``python -m`` and ``python FILE``."""
     found = {word for page in PAGES.values() for word in re.findall(r"\bpython (-m [\w.]+|\S+\.py)", page)}
     assert len(found) > 8
-    for words in found - {"-m build"}:                      # of the extra "platforms"
+    for words in found - {"-m build"}:  # of the extra "platforms"
         module = words.removeprefix("-m ")
         known = importlib.util.find_spec(module) if words.startswith("-m") else (ROOT / words).exists()
         assert known, words
@@ -147,7 +169,7 @@ def test_the_truth_of_the_measured_pair_is_as_the_page_says(tmp_path):
     low, high, said = -38e-3, 30e-3, float(re.search(r"curve is (\S+) µm from the truth", page)[1])
     y = np.linspace(low, high, 3001)
     smoothed = wrcontact.Profile.from_file(HERE / "worn.whl", "wheel")
-    assert smoothed.height(0.0) == pytest.approx(0.0, abs=5e-6)     # [m] z is 0 at the worn running circle
+    assert smoothed.height(0.0) == pytest.approx(0.0, abs=5e-6)  # [m] z is 0 at the worn running circle
     found = smoothed.height(y) - wheel.height(y)
     assert 1e6 * np.std(found) == pytest.approx(said, abs=0.06)
 
@@ -156,13 +178,14 @@ SECTIONS = re.findall(r"^## (.+?)\n(.*?)(?=^## |\Z)", PAGES["importers.md"], re.
 GENERAL = ("What to connect", "Which tool runs which FMU")
 
 
-@pytest.mark.parametrize("tool, text", [part for part in SECTIONS if part[0] not in GENERAL],
-                         ids=lambda word: word.split()[0])
+@pytest.mark.parametrize(
+    "tool, text", [part for part in SECTIONS if part[0] not in GENERAL], ids=lambda word: word.split()[0]
+)
 def test_each_tool_says_whether_it_was_tried(tool, text):
     """Once; and what was tried by a test names it."""
     said = re.findall(r"^\*\*(Tried|Not tried):\*\* (.*?)(?:\n\n|\Z)", text, re.M | re.S)
     assert len(said) == 1, tool
-    (verdict, words), = said
+    ((verdict, words),) = said
     assert verdict == "Not tried" or "by hand" in words or re.search(r"\]\(\S+test_\w+\.py\)", words), tool
 
 

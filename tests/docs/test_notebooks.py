@@ -9,7 +9,7 @@ from tests.helpers.paths import ROOT
 
 FOLDER = ROOT / "docs" / "notebooks"
 NOTEBOOKS = sorted(path.stem for path in FOLDER.glob("*.ipynb"))
-MOST_LINES = 22     # of a cell of code
+MOST_LINES = 22  # of a cell of code
 
 
 def stored(name):

@@ -34,7 +34,7 @@ def test_numbers_of_outputs(page):
     """Wherever a page counts the outputs: all numbers, those of type Real, and the continuous ones."""
     outputs = [variable for variable in VARIABLES if variable.causality == OUTPUT]
     row = STATUS - FIRST_OUTPUT
-    assert len(outputs) == row + 3            # and the equilibrium and the status
+    assert len(outputs) == row + 3  # and the equilibrium and the status
     real = sum(variable.type == REAL for variable in outputs)
     counts = {"": row + 2, "Real ": real, "continuous ": real}
     for count, kind in re.findall(r"\b(\d{3}) (Real |continuous |)outputs", texts(page)):
@@ -43,8 +43,10 @@ def test_numbers_of_outputs(page):
 
 def test_version():
     """In one place, and none of a release while there are changes since: FMUs carry it."""
-    texts = {name: (ROOT / name).read_text(encoding="utf-8")
-             for name in ("pyproject.toml", "CITATION.cff", "wrcontact/__init__.py", "tools/release.py")}
+    texts = {
+        name: (ROOT / name).read_text(encoding="utf-8")
+        for name in ("pyproject.toml", "CITATION.cff", "wrcontact/__init__.py", "tools/release.py")
+    }
     holders = [name for name, text in texts.items() if wrcontact.__version__ in text]
     assert holders == ["wrcontact/__init__.py"]
     assert 'version = {attr = "wrcontact.__version__"}' in texts["pyproject.toml"]
@@ -53,8 +55,9 @@ def test_version():
 
 
 def test_bytes_of_a_row():
-    all_of_it, one = numbers("docs/guides/usage.md",
-                             r"([\d.]+) kB a row for all outputs, (\d+) bytes for one")
+    all_of_it, one = numbers(
+        "docs/guides/usage.md", r"([\d.]+) kB a row for all outputs, (\d+) bytes for one"
+    )
     assert all_of_it == pytest.approx(8e-3 * layout.OUTPUT_COUNT, abs=0.05)
     assert one == 8
 
@@ -63,8 +66,9 @@ def test_value_references_of_fmi_3():
     names = {block.name: block.reference for block in variable_blocks()}
     shown = numbers("docs/guides/fmu_hosts.md", r"fmi3ValueReference stations = (\d+), pressure = (\d+);")
     assert shown == [names["stations"], names["left.pressure"]]
-    shown = numbers("docs/guides/fmu.md",
-                    r"In FMI 3.0 `time` is (\d+), `stations` (\d+), `lateral_shift` (\d+)")
+    shown = numbers(
+        "docs/guides/fmu.md", r"In FMI 3.0 `time` is (\d+), `stations` (\d+), `lateral_shift` (\d+)"
+    )
     assert shown == [names[name] for name in ("time", "stations", "lateral_shift")]
 
 
@@ -72,17 +76,20 @@ def test_where_the_contact_jumps():
     """Those of usage.md; data/README.md has more digits, of another search."""
     jumps = wrcontact.check(ContactSystem()).jumps
     found = [jump.lateral_shift / MM for jump in jumps if jump.side == "right"]
-    first, second, third = numbers("docs/guides/usage.md",
-                                   r"at a lateral shift of ([\d.]+), ([\d.]+) and ([\d.]+) mm")
+    first, second, third = numbers(
+        "docs/guides/usage.md", r"at a lateral shift of ([\d.]+), ([\d.]+) and ([\d.]+) mm"
+    )
     assert found[:2] == pytest.approx([first, second], abs=0.005)
     assert found[2:] and found[2:] == pytest.approx([third] * len(found[2:]), abs=0.005)
 
 
 def test_conformal_zones():
     """Of S1002 on 60E1, on the right."""
-    wide, jump, root = numbers("docs/guides/check.md",
-                               r"centred position \((\d+) mm\), at the jump to the flange root "
-                               r"\((\d+)°\) and in the root before the flange \((\d+)°\)")
+    wide, jump, root = numbers(
+        "docs/guides/check.md",
+        r"centred position \((\d+) mm\), at the jump to the flange root "
+        r"\((\d+)°\) and in the root before the flange \((\d+)°\)",
+    )
     zones = [zone for zone in wrcontact.check(ContactSystem(rail="60E1")).conformal if zone.side == "right"]
     assert len(zones) == 3
     assert zones[0].width / MM == pytest.approx(wide, abs=0.5)
@@ -100,11 +107,14 @@ def test_a_rail_that_is_inclined_twice():
 def test_forces_and_contact_angles_at_1_mm():
     """The example in conventions.md: what the loads would give along the contact points' normals, and force.y
     [N]; how far the right patch's centre of load lies from its contact point [mm]."""
-    sides, force = numbers("docs/reference/conventions.md",
-                           r"over the wheels is (-\d+) N, and `force\.y` is (-\d+) N")
-    away, = numbers("docs/reference/conventions.md", r"load lies ([\d.]+) mm to the field side")
+    sides, force = numbers(
+        "docs/reference/conventions.md", r"over the wheels is (-\d+) N, and `force\.y` is (-\d+) N"
+    )
+    (away,) = numbers("docs/reference/conventions.md", r"load lies ([\d.]+) mm to the field side")
     state = ContactSystem().evaluate(1e-3)
-    total = sum(sign * side.normal_force * math.sin(side.contact_angle)
-                for sign, side in ((1, state.left), (-1, state.right)))
+    total = sum(
+        sign * side.normal_force * math.sin(side.contact_angle)
+        for sign, side in ((1, state.left), (-1, state.right))
+    )
     assert (total, state.force.y) == pytest.approx((sides, force), abs=1.0)
     assert state.right.patches[0].centroid == pytest.approx(away * MM, abs=0.05 * MM)

@@ -22,7 +22,7 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 def test_the_example_runs(capsys):
     exec(re.search(r"```python\n(.*?)```", README, re.DOTALL).group(1), {})
     lines = capsys.readouterr().out.splitlines()
-    assert len(lines) == 4 and lines[0].startswith("0 -0.000369")        # two patches at 5 mm
+    assert len(lines) == 4 and lines[0].startswith("0 -0.000369")  # two patches at 5 mm
     # the S1002's 70 deg flank, and the roll
     assert float(lines[3]) == pytest.approx(1.2249, abs=2e-3)
 
@@ -37,14 +37,18 @@ def test_linked_files_exist(page):
 def test_files_that_are_named_exist(page):
     """Paths in backticks, from the top of the repository or of the package, and names of tests."""
     words = set(re.findall(r"`([^`\s]+)`", page.read_text(encoding="utf-8")))
-    paths = {word.split("::")[0] for word in words
-             if re.match(r"(wrcontact|kernel|tests|benchmarks|tools|examples|docs|fmu_src)/", word)}
+    paths = {
+        word.split("::")[0]
+        for word in words
+        if re.match(r"(wrcontact|kernel|tests|benchmarks|tools|examples|docs|fmu_src)/", word)
+    }
     missing = {path for path in paths if not ((ROOT / path).exists() or (ROOT / "wrcontact" / path).exists())}
     assert not missing - {"kernel/_wrcontact_kernel-<platform>"}
     tests = {file.name for file in (ROOT / "tests").rglob("test_*.py")}
     assert {word.split("::")[0] for word in words if re.match(r"test_\w+\.py", word)} <= tests
-    package, examples = ({file.name for file in (ROOT / folder).rglob("*.py")}
-                         for folder in ("wrcontact", "examples"))
+    package, examples = (
+        {file.name for file in (ROOT / folder).rglob("*.py")} for folder in ("wrcontact", "examples")
+    )
     assert {word for word in words if re.fullmatch(r"\w+\.py", word)} <= package | tests | examples
 
 
@@ -56,13 +60,20 @@ def test_tests_that_are_named_exist(page):
         sources = [path.read_text(encoding="utf-8") for path in TESTS.rglob(file or "test_*.py")]
         end = r"\w*\(" if shortened else r"\("
         assert any(re.search(rf"^def {test}{end}", source, re.MULTILINE) for source in sources) or (
-            not file and list(TESTS.rglob(f"{test}.py"))), f"{file} {test}"
+            not file and list(TESTS.rglob(f"{test}.py"))
+        ), f"{file} {test}"
 
 
 #: A word that a test has if it runs the tool.
-TOOLS = {"fmpy": "validate_fmu", "fmutool": '"fmutool"', "fmucontainer": '"fmucontainer"',
-         "simulate_fmu": "simulated_exchange", "ecospy": '"ecospy"',
-         "libcosimpy": '"libcosimpy"', "a C host": "native_host.c"}
+TOOLS = {
+    "fmpy": "validate_fmu",
+    "fmutool": '"fmutool"',
+    "fmucontainer": '"fmucontainer"',
+    "simulate_fmu": "simulated_exchange",
+    "ecospy": '"ecospy"',
+    "libcosimpy": '"libcosimpy"',
+    "a C host": "native_host.c",
+}
 
 
 def test_tools_that_are_said_to_run_are_run():
@@ -80,7 +91,7 @@ def test_tools_that_are_said_to_run_are_run():
 def test_the_page_on_fmus_names_what_there_is(capsys):
     files = [DOCS / "guides" / name for name in ("fmu.md", "fmu_hosts.md")]
     page = "".join(file.read_text(encoding="utf-8") for file in files)
-    page = pages.PATTERN.sub("", page)                      # without tables
+    page = pages.PATTERN.sub("", page)  # without tables
     for name in (*PLATFORMS, *BUILDERS):
         assert name in page, name
     wildcards = re.search(r"-ffp-contract=off (.*) -o WheelsetContact", page)[1].split()
@@ -89,7 +100,7 @@ def test_the_page_on_fmus_names_what_there_is(capsys):
     with pytest.raises(SystemExit):
         main(["build", "--help-all"])
     options = capsys.readouterr().out
-    for option in re.findall(r"--[a-z]+", re.sub("<!--.*?-->", "", page)):   # marks of tables are no options
+    for option in re.findall(r"--[a-z]+", re.sub("<!--.*?-->", "", page)):  # marks of tables are no options
         assert option in options, option
 
 

@@ -30,8 +30,13 @@ def site(tmp_path_factory, testrun_uid):
     environment = {**os.environ, "PYTHONPATH": str(ROOT), "NO_MKDOCS_2_WARNING": "1"}
     with locked(folder):
         if not (folder / "built").exists():
-            done = subprocess.run([sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", folder],
-                                  cwd=ROOT, env=environment, capture_output=True, text=True)
+            done = subprocess.run(
+                [sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", folder],
+                cwd=ROOT,
+                env=environment,
+                capture_output=True,
+                text=True,
+            )
             assert done.returncode == 0, done.stderr[-3000:]
             assert not re.search("^WARNING", done.stderr, re.MULTILINE), done.stderr
             (folder / "built").touch()
@@ -61,8 +66,15 @@ def browser():
     if CHROMIUM is None:
         pytest.skip("chromium is not installed")
     with playwright.sync_playwright() as running:
-        found = running.chromium.launch(executable_path=CHROMIUM, args=[
-            "--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"])
+        found = running.chromium.launch(
+            executable_path=CHROMIUM,
+            args=[
+                "--no-sandbox",
+                "--disable-gpu",
+                "--disable-background-networking",
+                "--disable-component-update",
+            ],
+        )
         yield found
         found.close()
 
@@ -72,10 +84,19 @@ def page(browser, address):
     """A page, and a list of what went wrong in it: requests that fail or go elsewhere, errors of scripts."""
     opened = browser.new_page(viewport=WIDE)
     opened.wrong = []
-    opened.on("requestfailed", lambda request: "ERR_ABORTED" in request.failure     # the next page was opened
-              or opened.wrong.append(request.url))
-    opened.on("request", lambda request: request.url.startswith((address, "data:", "blob:"))
-              or opened.wrong.append(request.url))
+    opened.on(
+        "requestfailed",
+        lambda request: (
+            "ERR_ABORTED" in request.failure  # the next page was opened
+            or opened.wrong.append(request.url)
+        ),
+    )
+    opened.on(
+        "request",
+        lambda request: (
+            request.url.startswith((address, "data:", "blob:")) or opened.wrong.append(request.url)
+        ),
+    )
     opened.on("response", lambda response: response.status < 400 or opened.wrong.append(response.url))
     opened.on("pageerror", lambda error: opened.wrong.append(str(error)))
     yield opened
@@ -135,13 +156,16 @@ def test_equations_are_drawn(site, address, page):
                 one => one.getBoundingClientRect().height)""")
             assert all(height > 5 for height in sizes), path
             numbered += page.locator(".equation[id]").count()
-    assert numbered > 80                # those that the code cites
+    assert numbered > 80  # those that the code cites
 
 
 def test_a_number_leads_to_its_equation(site):
     """Numbers stand once in the whole site, so that "(7.2)" in the code means one equation."""
-    found = [number for path in site.rglob("theory/**/index.html")
-             for number in re.findall(r'class="equation" id="eq-([^"]+)"', path.read_text(encoding="utf-8"))]
+    found = [
+        number
+        for path in site.rglob("theory/**/index.html")
+        for number in re.findall(r'class="equation" id="eq-([^"]+)"', path.read_text(encoding="utf-8"))
+    ]
     assert len(found) == len(set(found))
 
 
@@ -153,7 +177,9 @@ def test_notebooks_ran_and_show_something(site):
     assert len(texts) == 2
     assert all(text.count("data:image/png;base64") >= 4 for text in texts.values())
     text = re.sub(r"<[^>]+>", "", texts["worn_wheel_to_hunting"])
-    conicity, speed = ({wheel: float(found) for wheel, found in re.findall(rf"(new|worn): {words}", text)}
-                       for words in (r".*conicity ([\d.]+)", r"hunts from (\d+)"))
+    conicity, speed = (
+        {wheel: float(found) for wheel, found in re.findall(rf"(new|worn): {words}", text)}
+        for words in (r".*conicity ([\d.]+)", r"hunts from (\d+)")
+    )
     assert conicity["worn"] > 2 * conicity["new"]
     assert speed["worn"] < 0.75 * speed["new"]

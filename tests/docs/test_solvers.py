@@ -9,8 +9,10 @@ from examples.implicit_wheelset import SOLVERS, run
 from tests.helpers.paths import ROOT
 from wrcontact.kernel.binding.library import default_kernel
 
-pytestmark = pytest.mark.skipif(not default_kernel().compiled,
-                                reason="the derivatives are those of the compiled library, and none is here")
+pytestmark = pytest.mark.skipif(
+    not default_kernel().compiled,
+    reason="the derivatives are those of the compiled library, and none is here",
+)
 PAGE = (ROOT / "docs" / "guides" / "solvers.md").read_text(encoding="utf-8")
 
 
@@ -22,7 +24,7 @@ def test_the_examples_run():
     assert names["force"][2] == pytest.approx(-109e3, rel=0.01) and names["moment"].shape == (3,)
     assert names["slopes"].shape == (2, 3) and np.isfinite(names["slopes"]).all()
     assert names["on_rail"][2] == pytest.approx(54.5e3, rel=0.1)
-    assert abs(names["about_rail"][0]) < 54.5e3 * 0.03          # half a head's width is its lever at most
+    assert abs(names["about_rail"][0]) < 54.5e3 * 0.03  # half a head's width is its lever at most
     exec(second, names)
     assert names["state"].status == 0 and not names["table"].status.all()
     # a wheel and its rail that sink together stay as they are
@@ -38,7 +40,7 @@ def test_the_examples_run():
 @pytest.mark.parametrize("name", SOLVERS)
 def test_the_table(name):
     """Counts follow rounding in solvers that choose their steps."""
-    row, = re.findall(rf"^\| {re.escape(name)} \| (.*) \|$", PAGE, re.MULTILINE)
+    (row,) = re.findall(rf"^\| {re.escape(name)} \| (.*) \|$", PAGE, re.MULTILINE)
     *counts, largest = map(float, row.split(" | "))
     found = run(name)
     # without wide vectors numpy sums in another order, and Radau takes 5 % more or fewer calls

@@ -12,7 +12,7 @@ from tests.helpers.paths import ROOT
 from tests.helpers.same_numbers import SINGLE_POSES, differences
 
 #: Errors that another file's test computes again, since it has them anyway.
-ELSEWHERE = {"en15302"}        # tests/benchmarks/test_en15302.py
+ELSEWHERE = {"en15302"}  # tests/benchmarks/test_en15302.py
 QUICK = [name for name, part in parts.PARTS.items() if part.kind == parts.ERRORS and name not in ELSEWHERE]
 #: Studies of at most some minutes; the half-space's own rows have a test below.
 LONG = ("elastic_roll", "profile_noise", "conicity_noise", "source_figures")
@@ -34,8 +34,12 @@ def test_the_readme_is_short():
     """110 lines, one table of seven rows; docs/evidence/benchmarks.md says where its numbers are from."""
     assert (ROOT / "README.md").read_text(encoding="utf-8").count("\n") <= 110
     assert pages.names("README.md") == ["short"]
-    elsewhere = {part for table in TABLES.values() if table.page == "docs/evidence/benchmarks.md"
-                 for part in table.parts}
+    elsewhere = {
+        part
+        for table in TABLES.values()
+        if table.page == "docs/evidence/benchmarks.md"
+        for part in table.parts
+    }
     assert set(TABLES["short"].parts) <= elsewhere
 
 
@@ -85,7 +89,7 @@ def test_studies_are_those_of_today(name):
 def test_the_half_space_is_that_of_today():
     """Its first row, on the positions."""
     row = next(iter(rows.halfspace(rows.FULL)))
-    row.every = 160       # one row of the hunting run
+    row.every = 160  # one row of the hunting run
     found, kept = record.short(row.errors()), record.load("halfspace")["rows"][row.name]
     for run in ("positions mean", "positions worst"):
         assert differences(found[run], kept[run]) == []
@@ -94,11 +98,14 @@ def test_the_half_space_is_that_of_today():
 def test_a_changed_number_is_seen():
     kept = {"row": {"mean": [0.7, 1.8], "worst": 39.6, "words": "as before"}}
     assert differences(kept, kept) == []
-    for changed in ({"row": {"mean": [0.72, 1.8], "worst": 39.6, "words": "as before"}},
-                    {"row": {"mean": [0.7, 1.8], "worst": 40.0, "words": "as before"}},
-                    {"row": {"mean": [0.7, 1.8], "worst": np.nan, "words": "as before"}},
-                    {"row": {"mean": [0.7, 1.8], "worst": 39.6, "words": "otherwise"}},
-                    {"row": {"mean": [0.7], "worst": 39.6, "words": "as before"}}, {}):
+    for changed in (
+        {"row": {"mean": [0.72, 1.8], "worst": 39.6, "words": "as before"}},
+        {"row": {"mean": [0.7, 1.8], "worst": 40.0, "words": "as before"}},
+        {"row": {"mean": [0.7, 1.8], "worst": np.nan, "words": "as before"}},
+        {"row": {"mean": [0.7, 1.8], "worst": 39.6, "words": "otherwise"}},
+        {"row": {"mean": [0.7], "worst": 39.6, "words": "as before"}},
+        {},
+    ):
         assert len(differences(changed, kept)) == 1
         assert len(differences(changed, kept, wider=SINGLE_POSES)) == 1
 

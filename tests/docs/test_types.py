@@ -14,10 +14,16 @@ from tests.helpers.paths import ROOT
 
 SCRIPT = runpy.run_path(str(ROOT / "tools" / "make_types.py"))
 #: Modules whose types stand beside them.
-MODULES = ["wrcontact.state", "wrcontact.system", "wrcontact.stepper", "wrcontact.wheel",
-           "wrcontact.results.outlines", "wrcontact.results.views"]
+MODULES = [
+    "wrcontact.state",
+    "wrcontact.system",
+    "wrcontact.stepper",
+    "wrcontact.wheel",
+    "wrcontact.results.outlines",
+    "wrcontact.results.views",
+]
 #: A user's program without an error; a line with the word "wrong" has one.
-PROGRAM = '''
+PROGRAM = """
 from typing import Any
 
 import numpy as np
@@ -73,7 +79,7 @@ bad = state.right.aera  # wrong: no such output
 bad = state.right.patches[0].creepage.x.y  # wrong: a number
 bad = wrcontact.Analyn(tolerance="fine")  # wrong: a number
 bad = wrcontact.WheelContact(load="vertical")  # wrong: one wheel has none
-'''
+"""
 WRONG = [number for number, line in enumerate(PROGRAM.splitlines(), 1) if "# wrong" in line]
 
 
@@ -92,11 +98,13 @@ def program(tmp_path_factory):
     """A folder with the user's program, and how mypy and pyright find the package."""
     folder = tmp_path_factory.mktemp("types")
     (folder / "program.py").write_text(PROGRAM, encoding="utf-8")
-    (folder / "mypy.ini").write_text("[mypy]\nstrict = true\nfollow_imports = silent\n"
-                                     "ignore_missing_imports = true\n", encoding="utf-8")
+    (folder / "mypy.ini").write_text(
+        "[mypy]\nstrict = true\nfollow_imports = silent\nignore_missing_imports = true\n", encoding="utf-8"
+    )
     (folder / "pyrightconfig.json").write_text(
         f'{{"extraPaths": [{str(ROOT)!r}], "typeCheckingMode": "standard"}}'.replace("'", '"'),
-        encoding="utf-8")
+        encoding="utf-8",
+    )
     return folder
 
 
@@ -105,8 +113,14 @@ def run(folder, package, *command):
     if not find_spec(package):
         pytest.skip(f"{package} is not installed")
     programs = Path(sys.executable).parent
-    found = subprocess.run([programs / command[0], *command[1:]], cwd=folder, capture_output=True, text=True,
-                           env=os.environ | {"MYPYPATH": str(ROOT), "PYTHONPATH": str(ROOT)}, check=False)
+    found = subprocess.run(
+        [programs / command[0], *command[1:]],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        env=os.environ | {"MYPYPATH": str(ROOT), "PYTHONPATH": str(ROOT)},
+        check=False,
+    )
     return (found.stdout + found.stderr).splitlines()
 
 
@@ -131,6 +145,14 @@ def test_pyright_sees_a_user_s_errors_and_no_others(program):
 @pytest.mark.full
 def test_the_types_are_those_of_the_package(program):
     """Names, arguments and their defaults, compared with the imported modules."""
-    lines = run(program, "mypy", "stubtest", *MODULES, "--concise", "--ignore-missing-stub",
-                "--mypy-config-file", "mypy.ini")
+    lines = run(
+        program,
+        "mypy",
+        "stubtest",
+        *MODULES,
+        "--concise",
+        "--ignore-missing-stub",
+        "--mypy-config-file",
+        "mypy.ini",
+    )
     assert not lines or lines[-1].startswith("Success"), "\n".join(lines)

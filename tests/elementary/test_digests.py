@@ -22,15 +22,25 @@ from wrcontact.kernel.binding.fixed_tables import stored_tables
 from wrcontact.kernel.binding.library import Kernel
 
 pytestmark = pytest.mark.full
-FEW, SOME, MANY = 3, 25, 100   # emulation is slow
+FEW, SOME, MANY = 3, 25, 100  # emulation is slow
 #: Cases of the uncompiled kernel, which takes seconds for the others.
-PLAIN = ["rigid-hertz-polach", "rigid-analyn-strips", "rigid-analyn_strip-fastrip", "elastic-analyn-fastsim",
-         "compliant-analyn-strips", "strips-0.3-0.5-0.4-0.6-0.5-0.5-0.3"]
+PLAIN = [
+    "rigid-hertz-polach",
+    "rigid-analyn-strips",
+    "rigid-analyn_strip-fastrip",
+    "elastic-analyn-fastsim",
+    "compliant-analyn-strips",
+    "strips-0.3-0.5-0.4-0.6-0.5-0.5-0.3",
+]
 #: A processor without wide vectors and fused multiply-add, as glibc, numpy and OpenBLAS see it.
-OLD_PROCESSOR = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX2_Usable,-FMA_Usable",
-                 "OPENBLAS_CORETYPE": "Haswell"}
-FEATURES = ("import numpy._core._multiarray_umath as m; "
-            "print(*(f for f in m.__cpu_dispatch__ if m.__cpu_features__[f]))")
+OLD_PROCESSOR = {
+    "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX2_Usable,-FMA_Usable",
+    "OPENBLAS_CORETYPE": "Haswell",
+}
+FEATURES = (
+    "import numpy._core._multiarray_umath as m; "
+    "print(*(f for f in m.__cpu_dispatch__ if m.__cpu_features__[f]))"
+)
 
 
 def test_the_digests_are_of_all_models():
@@ -50,7 +60,7 @@ def test_a_digest_follows_the_last_bit():
     moved = values.copy()
     moved[3] = np.nextafter(moved[3], 2.0)
     assert digests.digest(values) != digests.digest(moved)
-    none = np.array([0x7FF8000000000000, 0xFFF8000000000001], np.uint64).view(float)    # as ARM and x86 do
+    none = np.array([0x7FF8000000000000, 0xFFF8000000000001], np.uint64).view(float)  # as ARM and x86 do
     assert digests.digest(none[:1]) == digests.digest(none[1:])
 
 
@@ -63,8 +73,13 @@ def test_of_this_kernel():
 def test_on_an_old_processor():
     features = subprocess.run([sys.executable, "-c", FEATURES], text=True, capture_output=True, check=True)
     environment = {**os.environ, **OLD_PROCESSOR, "NPY_DISABLE_CPU_FEATURES": features.stdout.strip()}
-    done = subprocess.run([sys.executable, "-m", "tests.helpers.digests", "--count", str(MANY)], cwd=ROOT,
-                          env=environment, text=True, capture_output=True)
+    done = subprocess.run(
+        [sys.executable, "-m", "tests.helpers.digests", "--count", str(MANY)],
+        cwd=ROOT,
+        env=environment,
+        text=True,
+        capture_output=True,
+    )
     assert done.returncode == 0, done.stdout + done.stderr
 
 

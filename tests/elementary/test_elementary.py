@@ -50,30 +50,34 @@ def near_quarters(draw):
     return float(draw.randint(-600_000, 600_000) * mp.pi / 2)
 
 
-@pytest.mark.parametrize("function, exact, arguments", [
-    (sine, mp.sin, [even(-0.13, 0.13)]),                # yaw and roll
-    (sine, mp.sin, [even(-4.0, 4.0)]),
-    (sine, mp.sin, [even(-1e6, 1e6)]),
-    (sine, mp.sin, [near_quarters]),
-    (sine, mp.sin, [far(1e-320, 1e-3)]),
-    (cosine, mp.cos, [even(-4.0, 4.0)]),
-    (cosine, mp.cos, [even(-1e6, 1e6)]),
-    (cosine, mp.cos, [near_quarters]),
-    (cosine, mp.cos, [far(1e-320, 1e-3)]),
-    (circle.atan, mp.atan, [even(-0.44, 0.44)]),
-    (circle.atan, mp.atan, [even(-3.0, 3.0)]),
-    (circle.atan, mp.atan, [far(1e-320, 1e300)]),
-    (circle.atan2, mp.atan2, [even(-1.0, 1.0), even(-1.0, 1.0)]),
-    (circle.atan2, mp.atan2, [far(1e-130, 1e130), far(1e-130, 1e130)]),
-    (powers.exp, mp.exp, [even(-40.0, 1.0)]),
-    (powers.exp, mp.exp, [even(-745.0, 709.7)]),
-    (powers.exp, mp.exp, [far(1e-20, 1.0)]),
-    (powers.log, mp.log, [even(0.5, 2.0)]),
-    (powers.log, mp.log, [lambda draw: 1.0 + far(1e-15, 0.3)(draw)]),
-    (powers.log, mp.log, [positive(5e-324, 1.7e308)]),
-    (powers.cube_root, mp.cbrt, [even(1.0, 8.0)]),
-    (powers.cube_root, mp.cbrt, [positive(5e-324, 1.7e308)]),
-], ids=lambda value: getattr(value, "__name__", ""))
+@pytest.mark.parametrize(
+    "function, exact, arguments",
+    [
+        (sine, mp.sin, [even(-0.13, 0.13)]),  # yaw and roll
+        (sine, mp.sin, [even(-4.0, 4.0)]),
+        (sine, mp.sin, [even(-1e6, 1e6)]),
+        (sine, mp.sin, [near_quarters]),
+        (sine, mp.sin, [far(1e-320, 1e-3)]),
+        (cosine, mp.cos, [even(-4.0, 4.0)]),
+        (cosine, mp.cos, [even(-1e6, 1e6)]),
+        (cosine, mp.cos, [near_quarters]),
+        (cosine, mp.cos, [far(1e-320, 1e-3)]),
+        (circle.atan, mp.atan, [even(-0.44, 0.44)]),
+        (circle.atan, mp.atan, [even(-3.0, 3.0)]),
+        (circle.atan, mp.atan, [far(1e-320, 1e300)]),
+        (circle.atan2, mp.atan2, [even(-1.0, 1.0), even(-1.0, 1.0)]),
+        (circle.atan2, mp.atan2, [far(1e-130, 1e130), far(1e-130, 1e130)]),
+        (powers.exp, mp.exp, [even(-40.0, 1.0)]),
+        (powers.exp, mp.exp, [even(-745.0, 709.7)]),
+        (powers.exp, mp.exp, [far(1e-20, 1.0)]),
+        (powers.log, mp.log, [even(0.5, 2.0)]),
+        (powers.log, mp.log, [lambda draw: 1.0 + far(1e-15, 0.3)(draw)]),
+        (powers.log, mp.log, [positive(5e-324, 1.7e308)]),
+        (powers.cube_root, mp.cbrt, [even(1.0, 8.0)]),
+        (powers.cube_root, mp.cbrt, [positive(5e-324, 1.7e308)]),
+    ],
+    ids=lambda value: getattr(value, "__name__", ""),
+)
 def test_errors_are_below_one_unit_in_the_last_place(function, exact, arguments):
     draw = random.Random(0)
     with mpmath.workprec(250):
@@ -86,22 +90,50 @@ def test_errors_are_below_one_unit_in_the_last_place(function, exact, arguments)
 
 INF, NAN = math.inf, math.nan
 EDGES = [
-    (sine, (0.0,), 0.0), (sine, (-0.0,), -0.0), (cosine, (-0.0,), 1.0), (sine, (5e-324,), 5e-324),
-    (sine, (INF,), NAN), (cosine, (-INF,), NAN), (sine, (NAN,), NAN), (cosine, (1e300,), NAN),
-    (circle.atan, (0.0,), 0.0), (circle.atan, (-0.0,), -0.0), (circle.atan, (INF,), math.pi / 2),
-    (circle.atan, (-INF,), -math.pi / 2), (circle.atan, (NAN,), NAN), (circle.atan, (1.0,), math.pi / 4),
-    *((circle.atan2, (y, x), math.atan2(y, x)) for y in (0.0, -0.0, 1.0, -1.0, INF, -INF)
-      for x in (0.0, -0.0, 1.0, -1.0, INF, -INF)),
-    (circle.atan2, (NAN, 1.0), NAN), (circle.atan2, (1.0, NAN), NAN),
-    (powers.exp, (0.0,), 1.0), (powers.exp, (-0.0,), 1.0), (powers.exp, (-INF,), 0.0),
-    (powers.exp, (INF,), INF), (powers.exp, (710.0,), INF), (powers.exp, (-746.0,), 0.0),
-    (powers.exp, (NAN,), NAN), (powers.exp, (-745.1,), 5e-324),
-    (powers.log, (1.0,), 0.0), (powers.log, (0.0,), -INF), (powers.log, (-1.0,), NAN),
-    (powers.log, (INF,), INF), (powers.log, (NAN,), NAN),
-    (powers.cube_root, (0.0,), 0.0), (powers.cube_root, (INF,), INF), (powers.cube_root, (NAN,), NAN),
-    (powers.cube_root, (-8.0,), -2.0), (powers.cube_root, (27.0,), 3.0),
-    (nearest_whole, (2.5,), 2.0), (nearest_whole, (-2.6,), -3.0),
-    (rounded_up, (3.0,), 3), (rounded_up, (3.1,), 4), (rounded_up, (0.0,), 0),
+    (sine, (0.0,), 0.0),
+    (sine, (-0.0,), -0.0),
+    (cosine, (-0.0,), 1.0),
+    (sine, (5e-324,), 5e-324),
+    (sine, (INF,), NAN),
+    (cosine, (-INF,), NAN),
+    (sine, (NAN,), NAN),
+    (cosine, (1e300,), NAN),
+    (circle.atan, (0.0,), 0.0),
+    (circle.atan, (-0.0,), -0.0),
+    (circle.atan, (INF,), math.pi / 2),
+    (circle.atan, (-INF,), -math.pi / 2),
+    (circle.atan, (NAN,), NAN),
+    (circle.atan, (1.0,), math.pi / 4),
+    *(
+        (circle.atan2, (y, x), math.atan2(y, x))
+        for y in (0.0, -0.0, 1.0, -1.0, INF, -INF)
+        for x in (0.0, -0.0, 1.0, -1.0, INF, -INF)
+    ),
+    (circle.atan2, (NAN, 1.0), NAN),
+    (circle.atan2, (1.0, NAN), NAN),
+    (powers.exp, (0.0,), 1.0),
+    (powers.exp, (-0.0,), 1.0),
+    (powers.exp, (-INF,), 0.0),
+    (powers.exp, (INF,), INF),
+    (powers.exp, (710.0,), INF),
+    (powers.exp, (-746.0,), 0.0),
+    (powers.exp, (NAN,), NAN),
+    (powers.exp, (-745.1,), 5e-324),
+    (powers.log, (1.0,), 0.0),
+    (powers.log, (0.0,), -INF),
+    (powers.log, (-1.0,), NAN),
+    (powers.log, (INF,), INF),
+    (powers.log, (NAN,), NAN),
+    (powers.cube_root, (0.0,), 0.0),
+    (powers.cube_root, (INF,), INF),
+    (powers.cube_root, (NAN,), NAN),
+    (powers.cube_root, (-8.0,), -2.0),
+    (powers.cube_root, (27.0,), 3.0),
+    (nearest_whole, (2.5,), 2.0),
+    (nearest_whole, (-2.6,), -3.0),
+    (rounded_up, (3.0,), 3),
+    (rounded_up, (3.1,), 4),
+    (rounded_up, (0.0,), 0),
 ]
 
 
@@ -136,9 +168,21 @@ def compiled(request, tmp_path_factory):
     if "-march=haswell" in flags and " fma " not in processor():
         pytest.skip("this processor has no fused multiply-add")
     library = tmp_path_factory.mktemp("elementary") / "functions.so"
-    subprocess.run([*compiler, *FLAGS, "-fvisibility=default", *flags, "-shared", "-I",
-                    str(ROOT / "wrcontact"), str(TESTS / "elementary" / "functions.c"), "-o", str(library)],
-                   check=True)
+    subprocess.run(
+        [
+            *compiler,
+            *FLAGS,
+            "-fvisibility=default",
+            *flags,
+            "-shared",
+            "-I",
+            str(ROOT / "wrcontact"),
+            str(TESTS / "elementary" / "functions.c"),
+            "-o",
+            str(library),
+        ],
+        check=True,
+    )
     return ctypes.CDLL(str(library)).elementary
 
 
@@ -150,13 +194,29 @@ def processor():
 
 def test_c_gives_the_bits_of_python(compiled):
     draw = random.Random(2)
-    kinds = [even(-4.0, 4.0), far(1e-320, 1e300), even(-745.0, 745.0), near_quarters,
-             lambda draw: draw.choice((0.0, -0.0, INF, -INF, NAN, 1.0))]
+    kinds = [
+        even(-4.0, 4.0),
+        far(1e-320, 1e300),
+        even(-745.0, 745.0),
+        near_quarters,
+        lambda draw: draw.choice((0.0, -0.0, INF, -INF, NAN, 1.0)),
+    ]
     pairs = np.array([[draw.choice(kinds)(draw), draw.choice(kinds)(draw)] for _ in range(20_000)])
     found = np.empty((len(pairs), 7))
     compiled(*(ctypes.c_void_p(array.ctypes.data) for array in (pairs, found)), ctypes.c_int64(len(pairs)))
-    wanted = np.array([[*circle.sine_cosine(x), circle.atan(x), circle.atan2(x, y), powers.exp(x),
-                        powers.log(x), powers.cube_root(x)] for x, y in pairs.tolist()])
+    wanted = np.array(
+        [
+            [
+                *circle.sine_cosine(x),
+                circle.atan(x),
+                circle.atan2(x, y),
+                powers.exp(x),
+                powers.log(x),
+                powers.cube_root(x),
+            ]
+            for x, y in pairs.tolist()
+        ]
+    )
     numbers = ~np.isnan(wanted)
     np.testing.assert_array_equal(np.isnan(found), ~numbers)
     np.testing.assert_array_equal(found[numbers].view(np.int64), wanted[numbers].view(np.int64))

@@ -15,7 +15,7 @@ from wrcontact.storage.atomic import write_atomically
 pytestmark = needs_linux
 
 CHANGES = {
-    "cut": lambda path, text: path.write_text(text[:len(text) // 2]),
+    "cut": lambda path, text: path.write_text(text[: len(text) // 2]),
     "emptied": lambda path, text: path.write_text(""),
     "longer": lambda path, text: path.write_text(text + "80 0\n"),
     "rewritten": lambda path, text: (path.write_text(text[::-1]), os.utime(path, (1.0, 1.0))),
@@ -31,7 +31,7 @@ def test_a_profile_that_changes_while_it_is_read_is_refused(tmp_path, monkeypatc
 
     class Changing:
         def __init__(self, *arguments):
-            self.file = open(*arguments)     # noqa: SIM115
+            self.file = open(*arguments)  # noqa: SIM115
             self.fileno = self.file.fileno
 
         def __enter__(self):
@@ -46,9 +46,10 @@ def test_a_profile_that_changes_while_it_is_read_is_refused(tmp_path, monkeypatc
             return content or self.file.read(size)
 
     monkeypatch.setattr(files, "open", Changing, raising=False)
-    with pytest.raises(ValueError,
-                       match=f"^rail profile {re.escape(str(path))} changed while it was read; permitted "
-                       f"are files "):
+    with pytest.raises(
+        ValueError,
+        match=f"^rail profile {re.escape(str(path))} changed while it was read; permitted are files ",
+    ):
         Profile.from_file(path, "rail")
     monkeypatch.undo()
     path.write_text(text)

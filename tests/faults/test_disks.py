@@ -41,8 +41,10 @@ def test_a_full_disk_is_told_in_one_sentence(tmp_path, refused):
     assert refused("plot", "--output", picture) == f"wrcontact: {picture}: No space left on device\n"
     picture.unlink()
     with largest_file(20_000):
-        assert refused("sweep", "--csv",
-                       tmp_path / "a.csv") == f"wrcontact: {tmp_path / 'a.csv'}: File too large\n"
+        assert (
+            refused("sweep", "--csv", tmp_path / "a.csv")
+            == f"wrcontact: {tmp_path / 'a.csv'}: File too large\n"
+        )
     assert list(tmp_path.iterdir()) == []
 
 
@@ -51,8 +53,9 @@ def small_disk(tmp_path):
     """A disk of 300 kB."""
     disk = tmp_path / "disk"
     disk.mkdir()
-    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=300k", "tmpfs", str(disk)],
-                      capture_output=True).returncode:
+    if subprocess.run(
+        ["mount", "-t", "tmpfs", "-o", "size=300k", "tmpfs", str(disk)], capture_output=True
+    ).returncode:
         pytest.skip("this user may not mount a small disk")
     yield disk
     subprocess.run(["umount", "-l", str(disk)], check=True)
@@ -64,12 +67,14 @@ def test_a_disk_that_is_too_small(tmp_path, small_disk, compiled):
     """For tables and FMUs, and for what a build and a demo unpack and compile meanwhile."""
     run = {"text": True, "capture_output": True, "env": OUTSIDE, "timeout": 300}
     command = [sys.executable, "-c", "from wrcontact.cli import main; main()"]
-    for words, file in ((("sweep", "--step-mm", "0.01", "--csv", f"{small_disk}/a.csv"),
-                         f"{small_disk}/a.csv"),
-                        (("demo", "--output", small_disk), f"{small_disk}/WheelsetContact.fmu")):
+    for words, file in (
+        (("sweep", "--step-mm", "0.01", "--csv", f"{small_disk}/a.csv"), f"{small_disk}/a.csv"),
+        (("demo", "--output", small_disk), f"{small_disk}/WheelsetContact.fmu"),
+    ):
         done = subprocess.run([*command, *map(str, words)], **run)
-        assert (done.returncode == 1
-                and done.stderr.endswith(f"wrcontact: {file}: No space left on device\n")), done.stderr
+        assert done.returncode == 1 and done.stderr.endswith(
+            f"wrcontact: {file}: No space left on device\n"
+        ), done.stderr
         assert list(small_disk.iterdir()) == []
     with pytest.raises(OSError, match="No space left on device") as full:
         native.build_native_fmus(small_disk, cache=compiled)
@@ -79,8 +84,9 @@ def test_a_disk_that_is_too_small(tmp_path, small_disk, compiled):
     words = ["demo", "--output", str(tmp_path / "out")]
     done = subprocess.run([*command, *words], **{**run, "env": {**OUTSIDE, "TMPDIR": str(small_disk)}})
     last = done.stderr.splitlines()[-1]
-    assert (done.returncode == 1
-            and re.fullmatch(f"wrcontact: {small_disk}.*: No space left on device", last)), done.stderr
+    assert done.returncode == 1 and re.fullmatch(
+        f"wrcontact: {small_disk}.*: No space left on device", last
+    ), done.stderr
     assert "Traceback" not in done.stderr
 
 
@@ -93,8 +99,9 @@ def is_bound(folder):
     folder.chmod(0o555)
     if UNPRIVILEGED and not shutil.which(UNPRIVILEGED[0]):
         return False
-    return subprocess.run([*UNPRIVILEGED, "touch", str(folder / "probe")],
-                          capture_output=True).returncode != 0
+    return (
+        subprocess.run([*UNPRIVILEGED, "touch", str(folder / "probe")], capture_output=True).returncode != 0
+    )
 
 
 @pytest.fixture
@@ -127,39 +134,53 @@ def test_read_only_installation_home_and_folder(tmp_path, read_only, compiled, w
     package = Path(atomic.__file__).parents[1]
     shutil.copytree(package, installed / "wrcontact", ignore=shutil.ignore_patterns("__pycache__"))
     if not (package / "fmu_src").is_dir():
-        shutil.copytree(package.parent / "fmu_src", installed / "fmu_src",
-                        ignore=shutil.ignore_patterns("__pycache__"))
+        shutil.copytree(
+            package.parent / "fmu_src", installed / "fmu_src", ignore=shutil.ignore_patterns("__pycache__")
+        )
     home.mkdir(), closed.mkdir()
     [read_only(folder) for folder in (installed, home, closed)]
-    environment = {**OUTSIDE, "PYTHONPATH": os.pathsep.join([str(installed), *sys.path[1:]]),
-                   "HOME": str(home)}
+    environment = {
+        **OUTSIDE,
+        "PYTHONPATH": os.pathsep.join([str(installed), *sys.path[1:]]),
+        "HOME": str(home),
+    }
     for name in ("XDG_CACHE_HOME", "ZIG_GLOBAL_CACHE_DIR", "MPLCONFIGDIR"):
         environment.pop(name, None)
 
     def run(script):
-        done = subprocess.run([*UNPRIVILEGED, sys.executable, "-c", script], cwd=tmp_path, env=environment,
-                              text=True, capture_output=True, timeout=600)
+        done = subprocess.run(
+            [*UNPRIVILEGED, sys.executable, "-c", script],
+            cwd=tmp_path,
+            env=environment,
+            text=True,
+            capture_output=True,
+            timeout=600,
+        )
         assert "Traceback" not in done.stderr, done.stderr
         return done
 
-    answer = run("import wrcontact; print(wrcontact.__file__); "
-                 "print(wrcontact.ContactSystem().evaluate(1e-3).roll)")
+    answer = run(
+        "import wrcontact; print(wrcontact.__file__); print(wrcontact.ContactSystem().evaluate(1e-3).roll)"
+    )
     file, roll = answer.stdout.split()
     assert Path(file).is_relative_to(installed) and float(roll) == ContactSystem().evaluate(1e-3).roll
     cache = None if what == "all" else str(compiled)
     run(f"from wrcontact.fmu.native import build_native_fmus; build_native_fmus('out', cache={cache!r})")
-    if what == "all":       # zig compiles libraries of Windows into its new cache
+    if what == "all":  # zig compiles libraries of Windows into its new cache
         assert "no compiled kernel" not in run("from wrcontact.fmu import build_fmu; build_fmu('out')").stderr
     assert assert_files_are_whole(tmp_path / "out") == (3 if what == "all" else 2)
     command = "from wrcontact.cli import main; main({!r}.split(), prog_name='wrcontact')"
     assert run(command.format("plot --output plot.png")).returncode == 0
     assert imread(tmp_path / "plot.png").size
-    for words, wanted in (("sweep --csv closed/a.csv", "closed/a.csv"),
-                          ("plot --output closed/a.png", "closed/a.png"),
-                          ("figures --only 7.2 --output closed", "closed")):
+    for words, wanted in (
+        ("sweep --csv closed/a.csv", "closed/a.csv"),
+        ("plot --output closed/a.png", "closed/a.png"),
+        ("figures --only 7.2 --output closed", "closed"),
+    ):
         done = run(command.format(words))
-        assert (done.returncode == 2
-                and done.stderr.splitlines()[-1] == f"wrcontact: {wanted}: Permission denied"), done.stderr
+        assert (
+            done.returncode == 2 and done.stderr.splitlines()[-1] == f"wrcontact: {wanted}: Permission denied"
+        ), done.stderr
 
 
 def test_zig_has_a_cache_where_the_home_is_read_only(tmp_path, monkeypatch):
@@ -170,7 +191,7 @@ def test_zig_has_a_cache_where_the_home_is_read_only(tmp_path, monkeypatch):
     monkeypatch.setenv("HOME", str(tmp_path))
     assert find() == {}
     monkeypatch.setenv("HOME", "/dev/null")
-    folder, = set(find().values())
+    (folder,) = set(find().values())
     assert Path(folder).is_dir() and os.access(folder, os.W_OK)
     monkeypatch.setenv("ZIG_GLOBAL_CACHE_DIR", "/mine")
     assert find() == {}
@@ -187,12 +208,19 @@ def test_an_fmu_in_a_read_only_folder(tmp_path, request, read_only, kind):
     home.mkdir()
     fmpy.extract(str(fmu), unzipdir=str(folder))
     read_only(folder), read_only(home)
-    script = ("import fmpy, sys; print(repr(fmpy.simulate_fmu(sys.argv[1], stop_time=1e-2, step_size=1e-3, "
-              "start_values={'lateral_shift': 1e-3}, output=['roll', 'status'])[-1].tolist()), flush=True); "
-              "import os; os._exit(0)")
+    script = (
+        "import fmpy, sys; print(repr(fmpy.simulate_fmu(sys.argv[1], stop_time=1e-2, step_size=1e-3, "
+        "start_values={'lateral_shift': 1e-3}, output=['roll', 'status'])[-1].tolist()), flush=True); "
+        "import os; os._exit(0)"
+    )
     environment = {**OUTSIDE, "HOME": str(home), "TMPDIR": str(home)}
-    done = subprocess.run([*UNPRIVILEGED, sys.executable, "-c", script, str(folder)], cwd=home, text=True,
-                          capture_output=True, env=environment)
+    done = subprocess.run(
+        [*UNPRIVILEGED, sys.executable, "-c", script, str(folder)],
+        cwd=home,
+        text=True,
+        capture_output=True,
+        env=environment,
+    )
     assert done.returncode == 0, done.stderr
     _, roll, status = eval(done.stdout)
     assert status == 0 and roll == pytest.approx(ContactSystem().evaluate(1e-3).roll, abs=1e-12)

@@ -26,8 +26,7 @@ def wait_for_part(program, folder):
         time.sleep(0.002)
 
 
-@pytest.mark.parametrize("blow, code", [
-    ("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129), ("SIGKILL", -9)])
+@pytest.mark.parametrize("blow, code", [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129), ("SIGKILL", -9)])
 def test_a_sweep_that_is_ended_while_it_writes(tmp_path, blow, code):
     target = tmp_path / "sweep.csv"
     target.write_text("before\n")
@@ -47,11 +46,20 @@ def test_a_sweep_that_is_ended_while_it_writes(tmp_path, blow, code):
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("words, rounds", [
-    (("demo", "--output", "{}"), 1),
-    *(pytest.param(words, 4, marks=pytest.mark.complete) for words in (
-        ("sweep", "--step-mm", "0.0005", "--csv", "{}/a.csv"), ("figures", "--output", "{}"),
-        ("demo", "--output", "{}")))])
+@pytest.mark.parametrize(
+    "words, rounds",
+    [
+        (("demo", "--output", "{}"), 1),
+        *(
+            pytest.param(words, 4, marks=pytest.mark.complete)
+            for words in (
+                ("sweep", "--step-mm", "0.0005", "--csv", "{}/a.csv"),
+                ("figures", "--output", "{}"),
+                ("demo", "--output", "{}"),
+            )
+        ),
+    ],
+)
 def test_ctrl_c_ends_a_command_in_one_line(tmp_path, words, rounds):
     """Of the group of processes, as a terminal sends it; the helper of the demo is in it too."""
     chance = random.Random(rounds)
@@ -62,7 +70,7 @@ def test_ctrl_c_ends_a_command_in_one_line(tmp_path, words, rounds):
         _, errors = program.communicate(timeout=120)
         lines = [line for line in errors.splitlines() if "WARNING" not in line]
         if program.returncode == 0:
-            assert lines == []      # it had ended
+            assert lines == []  # it had ended
         else:
             assert lines == ["wrcontact: interrupted; no file is half written"] and program.returncode == 130
         assert_files_are_whole(tmp_path)
@@ -80,8 +88,9 @@ def test_a_demo_that_is_killed(tmp_path):
             os.killpg(program.pid, signal.SIGKILL)
         program.communicate()
         assert_files_are_whole(tmp_path)
-    done = start("-c", "from wrcontact.cli import main; main()", "demo", "--output", str(tmp_path),
-                 folder=tmp_path)
+    done = start(
+        "-c", "from wrcontact.cli import main; main()", "demo", "--output", str(tmp_path), folder=tmp_path
+    )
     assert done.returncode == 0, done.stderr
     assert assert_files_are_whole(tmp_path) == 3
 

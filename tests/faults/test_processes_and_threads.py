@@ -75,8 +75,13 @@ def test_bits_do_not_depend_on_the_threads_of_blas(tmp_path):
     answers = set()
     for threads in ("1", "7"):
         limits = dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"), threads)
-        done = subprocess.run([sys.executable, "-c", ANSWERS, str(wheel)], env={**OUTSIDE, **limits},
-                              text=True, capture_output=True, timeout=300)
+        done = subprocess.run(
+            [sys.executable, "-c", ANSWERS, str(wheel)],
+            env={**OUTSIDE, **limits},
+            text=True,
+            capture_output=True,
+            timeout=300,
+        )
         assert done.returncode == 0, done.stderr
         answers.add(done.stdout)
     assert len(answers) == 1

@@ -23,15 +23,17 @@ pytestmark = needs_linux
 
 @pytest.mark.full
 @needs_compiler
-@pytest.mark.parametrize("cold", [False, pytest.param(True, marks=pytest.mark.complete)],
-                         ids=["warm", "cold"])
+@pytest.mark.parametrize(
+    "cold", [False, pytest.param(True, marks=pytest.mark.complete)], ids=["warm", "cold"]
+)
 def test_builds_at_once(tmp_path, fmus, compiled, cold):
     """Of the same FMUs into one folder, with one cache of compiled sources; empty and full."""
     programs = [building(tmp_path / "out", tmp_path / "cache" if cold else compiled) for _ in range(3)]
     answers = [program.communicate(timeout=600) for program in programs]
     assert [program.returncode for program in programs] == [0] * 3, answers
-    assert [file.read_bytes()
-            for file in sorted((tmp_path / "out").iterdir())] == [file.read_bytes() for file in fmus.values()]
+    assert [file.read_bytes() for file in sorted((tmp_path / "out").iterdir())] == [
+        file.read_bytes() for file in fmus.values()
+    ]
     assert not cold or not parts_in(tmp_path / "cache")
 
 
@@ -42,8 +44,9 @@ def test_kernels_compiled_at_once_while_others_load_them(tmp_path):
     shutil.copytree(Path(atomic.__file__).parents[1] / "kernel", folder)
     command = [sys.executable, str(ROOT / "tools" / "compile_kernel.py"), "--folder", str(folder)]
     environment = {**os.environ, "WRCONTACT_COMPILED": ""}
-    programs = [subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment)
-                for _ in range(3)]
+    programs = [
+        subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment) for _ in range(3)
+    ]
     loads = 0
     while any(program.poll() is None for program in programs):
         try:
@@ -64,13 +67,16 @@ def test_a_compiler_that_fails_leaves_the_kernel_as_it_was(tmp_path):
     assert (tmp_path / LIBRARY_NAME).read_bytes() == b"before"
 
 
-VARIANTS = {"one": ("0.1.0", None), "two": ("0.2.0", "54E1")}      #: version and rail
+VARIANTS = {"one": ("0.1.0", None), "two": ("0.2.0", "54E1")}  #: version and rail
 
 
 @pytest.mark.full
 @needs_compiler
-@pytest.mark.parametrize("shared", [pytest.param(False, marks=pytest.mark.complete), True],
-                         ids=["names of their own", "names shared"])
+@pytest.mark.parametrize(
+    "shared",
+    [pytest.param(False, marks=pytest.mark.complete), True],
+    ids=["names of their own", "names shared"],
+)
 def test_two_versions_of_all_fmus_in_one_process(tmp_path, compiled, monkeypatch, shared):
     """Native ones and Python ones, of other version numbers and start values; the values of each are those
     that it has alone, also where the host shares the names of all libraries that it loads (RTLD_GLOBAL)."""
@@ -82,12 +88,18 @@ def test_two_versions_of_all_fmus_in_one_process(tmp_path, compiled, monkeypatch
         built[f"native {name}"] = native.build_native_fmus(tmp_path / name, rail=rail, cache=compiled)[0]
     rows = poses(6)
     names = list(built)
-    given = {"others": {name: [str(built[name]), str(tmp_path / f"beside {name}")] for name in names[1:]},
-             "rows": rows, "shared": shared}
+    given = {
+        "others": {name: [str(built[name]), str(tmp_path / f"beside {name}")] for name in names[1:]},
+        "rows": rows,
+        "shared": shared,
+    }
     seen = run_scenario("several", built[names[0]], tmp_path / "unpacked", given)
-    alone = {name: run_scenario("trajectory", built[name], tmp_path / f"alone {name}",
-                                {"rows": rows, "names": OUTPUT_NAMES})
-             for name in names}
+    alone = {
+        name: run_scenario(
+            "trajectory", built[name], tmp_path / f"alone {name}", {"rows": rows, "names": OUTPUT_NAMES}
+        )
+        for name in names
+    }
     for name, answer in seen.items():
         assert answer["seen"] == alone[name if name in alone else names[0]]["seen"], name
         assert answer["rail"] == ("54E1" if name.endswith("two") else "UIC60")

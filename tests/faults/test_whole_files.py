@@ -36,8 +36,9 @@ def is_whole(target):
     return len(content) == 3_000_000 and content == content[:1] * len(content)
 
 
-@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.complete)
-                                       for seed in range(2, 6))])
+@pytest.mark.parametrize(
+    "seed", [1, *(pytest.param(seed, marks=pytest.mark.complete) for seed in range(2, 6))]
+)
 def test_a_killed_writer_leaves_a_whole_file(tmp_path, seed):
     chance, target = random.Random(seed), tmp_path / "file"
     for _ in range(12):
@@ -63,8 +64,12 @@ def test_what_a_process_that_has_ended_left_is_removed_at_once(tmp_path):
     """Of this machine; not that of a process that lives, of another machine, or written just now."""
     ended = subprocess.Popen([sys.executable, "-c", ""])
     ended.wait()
-    ages = {f"{MACHINE}-{ended.pid}": SILENT + 1.0, f"{MACHINE}-{os.getpid()}": SILENT + 1.0,
-            f"00000000-{ended.pid}": SILENT + 1.0, f"{MACHINE}-0{ended.pid}": 0.0}
+    ages = {
+        f"{MACHINE}-{ended.pid}": SILENT + 1.0,
+        f"{MACHINE}-{os.getpid()}": SILENT + 1.0,
+        f"00000000-{ended.pid}": SILENT + 1.0,
+        f"{MACHINE}-0{ended.pid}": 0.0,
+    }
     for name, age in ages.items():
         part = tmp_path / f".wrcontact-{name}-0.part"
         part.write_text("half")

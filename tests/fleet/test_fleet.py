@@ -78,9 +78,19 @@ def test_every_pair_has_a_row_and_every_broken_file_one(fleet, files):
 
 def test_json_is_that_of_the_pair_alone(fleet, folder, files, run, tmp_path):
     row = fleet[1]
-    code, _, _ = run("check", "--wheel", files[0] / "wheel00.txt", "--rail", files[1] / "rail01.txt",
-                     "--gauge-mm", "1436", "--output", tmp_path / "alone.png", "--json",
-                     tmp_path / "alone.json")
+    code, _, _ = run(
+        "check",
+        "--wheel",
+        files[0] / "wheel00.txt",
+        "--rail",
+        files[1] / "rail01.txt",
+        "--gauge-mm",
+        "1436",
+        "--output",
+        tmp_path / "alone.png",
+        "--json",
+        tmp_path / "alone.json",
+    )
     assert code == 0
     assert (folder / row["json"]).read_bytes() == (tmp_path / "alone.json").read_bytes()
 
@@ -101,7 +111,7 @@ def test_numbers_are_those_of_the_report(fleet, folder):
         assert row["conformal_width"] == max(zone["width"] for zone in within)
         shift = np.array(report["curves"]["lateral_shift"])
         rates = np.array(report["curves"]["right"]["wheel_rate"], dtype=float)[np.abs(shift) <= 8e-3]
-        assert row["wheel_rate"] == pytest.approx(np.nanmax(np.abs(rates)), rel=0.05)     # and the left one's
+        assert row["wheel_rate"] == pytest.approx(np.nanmax(np.abs(rates)), rel=0.05)  # and the left one's
     assert len({row["conicity_3mm"] for row in fleet.rows[:4]}) == 4
 
 
@@ -148,7 +158,7 @@ def test_an_interrupted_run_continues(files, tmp_path, examined, monkeypatch, fl
     with pytest.raises(KeyboardInterrupt):
         wrcontact.check_fleet(*files, tmp_path, **chosen)
     assert examined == ALL[:2] and not (tmp_path / "report.html").exists()
-    with open(tmp_path / "fleet.jsonl", "a", encoding="utf-8") as file:      # killed in the middle of a line
+    with open(tmp_path / "fleet.jsonl", "a", encoding="utf-8") as file:  # killed in the middle of a line
         file.write('{"mark": "00')
     monkeypatch.setattr(fleet_run, "examine", count)
     whole = wrcontact.check_fleet(*files, tmp_path, **chosen)
@@ -164,7 +174,7 @@ def test_what_has_changed_is_done_again(files, tmp_path, examined, fleet, folder
     os.unlink(tmp_path / "pairs" / "cone40__60e1.json")
     wrcontact.check_fleet(wheels, "60E1", tmp_path, **chosen)
     assert examined == [("wheel00", "60E1"), ("cone40", "60E1"), ("cone40", "60E1")]
-    wrcontact.check_fleet(wheels, "60E1", tmp_path, **chosen, smoothing=8e-6)       # only that of the file
+    wrcontact.check_fleet(wheels, "60E1", tmp_path, **chosen, smoothing=8e-6)  # only that of the file
     assert examined[3:] == [("wheel00", "60E1")]
     wrcontact.check_fleet(wheels, "60E1", tmp_path, **chosen, smoothing=8e-6, gauge=1.44)
     assert len(examined) == 6
@@ -209,8 +219,8 @@ def test_the_report_has_every_row_with_what_it_sorts_by(fleet, folder):
                 assert float(value) == pytest.approx(row[name], rel=1e-8), name
                 assert shown == f"{row[name] * factor:.{digits}f}", name
         assert all(words in cells[2][1] for words in (row["error"], *row["remarks"]))
-        assert unescape(text).count(row["error"]) >= 2      # it stands above the table, too
-    assert set(read.addresses) == {row["json"] for row in fleet if row["json"]}     # and nothing from the net
+        assert unescape(text).count(row["error"]) >= 2  # it stands above the table, too
+    assert set(read.addresses) == {row["json"] for row in fleet if row["json"]}  # and nothing from the net
     assert all((folder / address).is_file() for address in read.addresses)
     assert "4 pairs of 2 wheels and 2 rails: 4 usable" in unescape(text)
     assert not re.search(r"https?:", text)
@@ -223,8 +233,10 @@ def test_a_click_on_a_heading_sorts(fleet, folder):
     if CHROMIUM is None:
         pytest.skip("chromium is not installed")
     with playwright.sync_playwright() as running:
-        browser = running.chromium.launch(executable_path=CHROMIUM, args=[
-            "--no-sandbox", "--disable-gpu", "--disable-background-networking"])
+        browser = running.chromium.launch(
+            executable_path=CHROMIUM,
+            args=["--no-sandbox", "--disable-gpu", "--disable-background-networking"],
+        )
         page, wrong = browser.new_page(), []
         page.on("pageerror", lambda error: wrong.append(str(error)))
         page.on("request", lambda request: request.url.startswith("file:") or wrong.append(request.url))
@@ -234,13 +246,14 @@ def test_a_click_on_a_heading_sorts(fleet, folder):
             for back in (False, True):
                 heads[k].click()
                 shown = page.eval_on_selector_all(
-                    "tbody tr", f"rows => rows.map(row => row.cells[{k}].dataset.v ?? "
-                                f"row.cells[{k}].textContent)")
+                    "tbody tr",
+                    f"rows => rows.map(row => row.cells[{k}].dataset.v ?? row.cells[{k}].textContent)",
+                )
                 values = [row[name] for row in fleet if row[name] not in (None, "")]
                 there = [type(values[0])(text) for text in shown if text]
                 wanted = sorted(values, reverse=back)
                 assert there == (pytest.approx(wanted) if k else wanted), name
-                assert shown[len(values):] == [""] * (len(fleet) - len(values)), name
+                assert shown[len(values) :] == [""] * (len(fleet) - len(values)), name
         page.fill("input", "wheel01")
         assert page.eval_on_selector_all("tbody tr", "rows => rows.filter(row => !row.hidden).length") == 2
         browser.close()
@@ -266,18 +279,27 @@ def test_names_differ(tmp_path):
     assert [source.mirror_y for source in turned.values()] == [True] * 3
 
 
-@pytest.mark.parametrize("wheels, told", [
-    ([], "wheels is an empty list"), ([3], "wheels has 3; permitted are paths"),
-    ("nowhere/*.whl", "wheels is 'nowhere/*.whl', where there is no file"), ("60E1", "wheels is '60E1'")])
+@pytest.mark.parametrize(
+    "wheels, told",
+    [
+        ([], "wheels is an empty list"),
+        ([3], "wheels has 3; permitted are paths"),
+        ("nowhere/*.whl", "wheels is 'nowhere/*.whl', where there is no file"),
+        ("60E1", "wheels is '60E1'"),
+    ],
+)
 def test_nothing_to_check_is_refused(wheels, told):
     with pytest.raises(ValueError, match=re.escape(told)):
         wrcontact.check_fleet(wheels, "60E1")
 
 
 def test_arguments_are_refused_in_a_sentence():
-    for chosen, told in (({"pictures": "some"}, "pictures is 'some'"), ({"processes": 0}, "processes is 0"),
-                         ({"left_wheel": "S1002"}, "left_wheel is 'S1002'"),
-                         ({"gauge": 3.0}, "gauge is 3.0")):
+    for chosen, told in (
+        ({"pictures": "some"}, "pictures is 'some'"),
+        ({"processes": 0}, "processes is 0"),
+        ({"left_wheel": "S1002"}, "left_wheel is 'S1002'"),
+        ({"gauge": 3.0}, "gauge is 3.0"),
+    ):
         with pytest.raises(ValueError, match=told):
             wrcontact.check_fleet("S1002", "60E1", **chosen)
 
@@ -293,11 +315,21 @@ def test_dask_is_asked_for_in_a_sentence(monkeypatch):
 
 def test_command(run, files, tmp_path):
     out = tmp_path / "out"
-    code, told, err = run("check", "--batch", f"{files[0]}/*[0d].txt", files[1] / "rail01.txt", "--output",
-                          out, "--wheel-rotate-deg", "0.1", "--smoothing-um", "8")
+    code, told, err = run(
+        "check",
+        "--batch",
+        f"{files[0]}/*[0d].txt",
+        files[1] / "rail01.txt",
+        "--output",
+        out,
+        "--wheel-rotate-deg",
+        "0.1",
+        "--smoothing-um",
+        "8",
+    )
     assert code == 1 and "damaged.txt" in told and f"report written to {out / 'report.html'}" in told
     assert "1 pair of 1 wheel and 1 rail: 1 usable" in told
-    assert "profile" not in err         # remarks stand in the report
+    assert "profile" not in err  # remarks stand in the report
     drawn = (out / "pairs" / "wheel00__rail01.png").read_bytes()
     assert drawn.startswith(b"\x89PNG") and len(drawn) > 100_000
     row = json.loads((out / "fleet.jsonl").read_text(encoding="utf-8"))["row"]
@@ -310,12 +342,15 @@ def test_command(run, files, tmp_path):
 
 
 def test_command_refuses_in_a_sentence(run, tmp_path):
-    for words, told in ((("--pictures", "all"), "--pictures"), (("--scheduler", "tcp://a:1"), "--scheduler"),
-                        (("--batch", "S1002", "60E1", "--wheel", "S1002"), "--batch"),
-                        (("--batch", "S1002", "60E1", "--json", tmp_path / "a.json"), "--json"),
-                        (("--batch", "S1002", "--output", tmp_path / "o"), "permitted are wheels and rails"),
-                        (("--wheel", "S1002", "60E1"), "check takes no '60E1'"),
-                        (("--batch", tmp_path / "none", "60E1", "--output", tmp_path / "o"), "none")):
+    for words, told in (
+        (("--pictures", "all"), "--pictures"),
+        (("--scheduler", "tcp://a:1"), "--scheduler"),
+        (("--batch", "S1002", "60E1", "--wheel", "S1002"), "--batch"),
+        (("--batch", "S1002", "60E1", "--json", tmp_path / "a.json"), "--json"),
+        (("--batch", "S1002", "--output", tmp_path / "o"), "permitted are wheels and rails"),
+        (("--wheel", "S1002", "60E1"), "check takes no '60E1'"),
+        (("--batch", tmp_path / "none", "60E1", "--output", tmp_path / "o"), "none"),
+    ):
         code, _, err = run("check", *words)
         assert code == 2 and err.startswith("wrcontact: ") and err.count("\n") == 1 and told in err
 
@@ -332,12 +367,14 @@ def test_processes_give_the_same_files(fleet, files, folder, tmp_path):
 def test_a_script_without_the_question_for_its_name_is_told(files, tmp_path):
     """Its processes run it again as they start.  The second is late here, and must leave no pool behind."""
     script = tmp_path / "fleet.py"
-    script.write_text("import multiprocessing, time\n"
-                      "from concurrent.futures import ProcessPoolExecutor\n"
-                      "import wrcontact\n"
-                      "if multiprocessing.current_process().name == 'SpawnProcess-2':\n"
-                      "    ProcessPoolExecutor.submit = lambda *arguments: time.sleep(60)\n"
-                      f"wrcontact.check_fleet({str(files[0])!r}, {str(files[1])!r}, processes=2)\n")
+    script.write_text(
+        "import multiprocessing, time\n"
+        "from concurrent.futures import ProcessPoolExecutor\n"
+        "import wrcontact\n"
+        "if multiprocessing.current_process().name == 'SpawnProcess-2':\n"
+        "    ProcessPoolExecutor.submit = lambda *arguments: time.sleep(60)\n"
+        f"wrcontact.check_fleet({str(files[0])!r}, {str(files[1])!r}, processes=2)\n"
+    )
     done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=120, check=False)
     assert done.returncode == 1 and "a process of 2 has ended early" in done.stderr.splitlines()[-1]
     assert "leaked" not in done.stderr
@@ -346,10 +383,11 @@ def test_a_script_without_the_question_for_its_name_is_told(files, tmp_path):
 @pytest.mark.full
 def test_a_scheduler_gives_the_same_rows(fleet, files):
     distributed = pytest.importorskip("distributed")
-    with distributed.Client(processes=False, n_workers=1, threads_per_worker=1,
-                            dashboard_address=None) as client:
+    with distributed.Client(
+        processes=False, n_workers=1, threads_per_worker=1, dashboard_address=None
+    ) as client:
         shared = wrcontact.check_fleet(*files, scheduler=client, gauge=1.436)
-        assert client.status == "running"     # it is the caller's
+        assert client.status == "running"  # it is the caller's
     assert [{**row, "json": ""} for row in fleet] == list(shared)
 
 

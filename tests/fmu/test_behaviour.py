@@ -38,8 +38,10 @@ ONLY_PYTHON = pytest.mark.parametrize("kind", ["python"])
 #: Inputs, and words of the sentence on them.
 SITUATIONS = {
     **{name: (case, [variable, value]) for name, (case, _, variable, value) in INVALID_INPUTS.items()},
-    "far yaw": ({"yaw": 0.3}, ["yaw"]), "end of the profile": ({"lateral_shift": 0.0149, "yaw": 0.11}, []),
-    "minus infinity": ({"normal_force": -math.inf}, ["-inf"]), "no load": ({"normal_force": 0.0}, []),
+    "far yaw": ({"yaw": 0.3}, ["yaw"]),
+    "end of the profile": ({"lateral_shift": 0.0149, "yaw": 0.11}, []),
+    "minus infinity": ({"normal_force": -math.inf}, ["-inf"]),
+    "no load": ({"normal_force": 0.0}, []),
     "left lifted": ({"load_transfer": 1.0}, []),
 }
 PRESSED = {
@@ -63,8 +65,9 @@ def outcomes(request, run):
     if mode == "compliant":
         situations |= PRESSED
         valid["vertical_shift_input"] = 0.25e-3
-    answers = run("outcomes", cases={name: case for name, (case, _) in situations.items()}, valid=valid,
-                  start=start)
+    answers = run(
+        "outcomes", cases={name: case for name, (case, _) in situations.items()}, valid=valid, start=start
+    )
     lines, wanted = [], {}
     made = session(lines, **start)
     for name, (case, _) in situations.items():
@@ -86,7 +89,7 @@ def test_outcomes_and_sentences_are_those_of_the_package(outcomes):
         assert len(lines) == len(answer["again"]) == (outputs["status"] != 0) and answer["rest"] == [], name
         assert answer["before"]["status"] == answer["after"]["status"] == 0, name
         assert_same(answer["after"], answer["before"], WARM_START)
-        if answer["during"]["status"] > 1:      # of compliant contact the equilibrium is another pose's
+        if answer["during"]["status"] > 1:  # of compliant contact the equilibrium is another pose's
             changed = {of for of, value in answer["before"].items() if value != answer["during"][of]}
             equilibrium = {"equilibrium.vertical_shift", "equilibrium.roll"} if mode == "compliant" else set()
             assert {"status"} <= changed <= {"status"} | equilibrium, f"{name}: outputs are not kept"
@@ -106,7 +109,14 @@ def test_statuses_and_empty_patches(outcomes):
         assert left["roll"] == pytest.approx(answers["left lifted"]["before"]["roll"], abs=1e-9)
         return
     assert {name: answers[name]["during"]["status"] for name in PRESSED} == {
-        "lifted": 1, "far": 1, "deep": 2, "deeper": 2, "steep": 2, "far roll": 2, "no roll": 4}
+        "lifted": 1,
+        "far": 1,
+        "deep": 2,
+        "deeper": 2,
+        "steep": 2,
+        "far roll": 2,
+        "no roll": 4,
+    }
     lifted = answers["lifted"]["during"]
     assert lifted["left.normal_force"] == lifted["right.area"] == lifted["force.z"] == 0.0
     assert lifted["vertical_shift"] == -1e-3
@@ -121,16 +131,23 @@ def test_an_unusual_load_is_told_once_and_with_the_sentence_of_the_package(run):
     stepped(made, {**valid, **cases["kN"]})
     assert len(lines) == 1 and "normal_force is 78.5 N; usual is 500 ... 1e+06 N" in lines[0]
     assert [answers[name]["log"] for name in cases] == [[], [[WARNING, "logStatusWarning", lines[0]]], []]
-    pressed = run("outcomes", cases=cases, valid={**valid, "vertical_shift_input": 0.25e-3},
-                  start={"contact_mode": "compliant"})
+    pressed = run(
+        "outcomes",
+        cases=cases,
+        valid={**valid, "vertical_shift_input": 0.25e-3},
+        start={"contact_mode": "compliant"},
+    )
     assert all(answer["log"] == [] for answer in pressed.values())
 
 
 REFUSED = {
     **{name: start for name, (start, _) in WRONG_PARAMETERS.items()},
-    "other kind": {"rail_profile": "S1002"}, "quote": {"load": "it's"}, "tolerance": {"tolerance": 2e-4},
+    "other kind": {"rail_profile": "S1002"},
+    "quote": {"load": "it's"},
+    "tolerance": {"tolerance": 2e-4},
     "tolerance of a model": {"tolerance": 0.003, "normal_model": "analyn_strip"},
-    "infinite": {"youngs_modulus": math.inf}, "offline": {"normal_model": "halfspace"},
+    "infinite": {"youngs_modulus": math.inf},
+    "offline": {"normal_model": "halfspace"},
     "tiny": {"rail_inclination": 1e-5 - 1e-3},
 }
 
@@ -154,7 +171,7 @@ def test_the_fmus_read_no_file_of_the_host(run, kind, tmp_path):
     names = {"root": str(file), "upwards": "/".join([*[".."] * 40, *file.parts[1:]])}
     answers = run("refusals", cases={way: {"wheel_profile": name} for way, name in names.items()})
     for way, answer in answers.items():
-        (_, _, sentence), = answer["log"]
+        ((_, _, sentence),) = answer["log"]
         told = "has" if kind != "python" and len(names[way]) > 255 else "is"
         assert answer["refused"] and sentence.startswith(f"wheel_profile {told} "), way
         assert answer["after"]["status"] == 0, way
@@ -162,10 +179,18 @@ def test_the_fmus_read_no_file_of_the_host(run, kind, tmp_path):
 
 def test_numbers_have_a_point_in_a_locale_with_commas(run, run_alone, comma):
     """In statuses and in refusals, short numbers and long ones; the host prints with a comma."""
-    cases = {"status": {"lateral_shift": 0.0812}, "small": {"normal_force": -1.25e-7},
-             "large": {"lateral_shift": -1.5e300}, "transfer": {"load_transfer": 1.5}}
-    wrong = {"gauge": {"gauge": 14.35}, "long": {"gauge": 0.12345678901234567},
-             "tolerance": {"tolerance": 2.5e-4}, "large": {"youngs_modulus": 2.5e25}}
+    cases = {
+        "status": {"lateral_shift": 0.0812},
+        "small": {"normal_force": -1.25e-7},
+        "large": {"lateral_shift": -1.5e300},
+        "transfer": {"load_transfer": 1.5},
+    }
+    wrong = {
+        "gauge": {"gauge": 14.35},
+        "long": {"gauge": 0.12345678901234567},
+        "tolerance": {"tolerance": 2.5e-4},
+        "large": {"youngs_modulus": 2.5e25},
+    }
     valid = {name: START[name] for name in REAL_INPUT_NAMES}
     for scenario, given in (("outcomes", {"cases": cases, "valid": valid}), ("refusals", {"cases": wrong})):
         seen = run_alone("localised", locale_name=comma, inner=scenario, arguments=given)
@@ -226,8 +251,12 @@ def test_reset(run):
 
 
 def test_instances_in_turn_and_in_threads(run):
-    parameters = [{}, {"normal_model": "hertz"}, {"rail_profile": "54E1", "gauge": 1.44},
-                  {"nominal_radius": 0.5, "rail_inclination": 0.05}]
+    parameters = [
+        {},
+        {"normal_model": "hertz"},
+        {"rail_profile": "54E1", "gauge": 1.44},
+        {"nominal_radius": 0.5, "rail_inclination": 0.05},
+    ]
     seen = run("instances", parameters=parameters, rows=poses(20))
     assert seen["together"] == seen["alone"] == seen["parallel"]
     assert all(one != other for one, other in zip(seen["together"], seen["together"][1:]))
@@ -236,8 +265,9 @@ def test_instances_in_turn_and_in_threads(run):
 @pytest.mark.parametrize("kind", KINDS[:2])
 @pytest.mark.turns(2)
 def test_memory_stays_flat(run_alone, kind, entries):
-    compiled = any(Path(name).suffix in (".so", ".dll", ".dylib") for name in entries
-                   if name.startswith("resources/"))
+    compiled = any(
+        Path(name).suffix in (".so", ".dll", ".dylib") for name in entries if name.startswith("resources/")
+    )
     grown = run_alone("endurance", steps=100_000 if compiled or kind == 2 else 2_000)
     assert grown["resident"] < 2e6, grown  # [bytes]
     # objects of Python; one lost per saved state would be 1000, per step 100 000
@@ -268,8 +298,9 @@ def test_lazy(run_alone):
 def test_runs_its_own_code(run_alone, tmp_path):
     modules = run_alone("modules")
     assert "wrcontact" not in modules and len(modules) > 20
-    assert all(Path(file).is_relative_to(tmp_path / "unpacked" / "resources")
-               for file in modules.values()), modules
+    assert all(Path(file).is_relative_to(tmp_path / "unpacked" / "resources") for file in modules.values()), (
+        modules
+    )
 
 
 @ONLY_PYTHON

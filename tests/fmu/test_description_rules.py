@@ -11,8 +11,10 @@ pytestmark = pytest.mark.check
 
 NAME = r"[A-Za-z_]\w*(\[\d+\])?"
 #: Where unknowns are, and what they are found by.
-UNKNOWNS = {2: (("Outputs/Unknown", "InitialUnknowns/Unknown"), "index"),
-            3: (("Output", "InitialUnknown"), "valueReference")}
+UNKNOWNS = {
+    2: (("Outputs/Unknown", "InitialUnknowns/Unknown"), "index"),
+    3: (("Output", "InitialUnknown"), "valueReference"),
+}
 
 
 @pytest.fixture(params=(2, 3))
@@ -41,8 +43,10 @@ def test_units_starts_and_variabilities(described):
     """A display unit belongs to its unit; a start is within its limits, and no output that is computed has
     one; what is not Real or Float64 is discrete or fixed."""
     _, root, found = described
-    units = {unit.get("name"): {one.get("name") for one in unit.iter("DisplayUnit")}
-             for unit in root.find("UnitDefinitions")}
+    units = {
+        unit.get("name"): {one.get("name") for one in unit.iter("DisplayUnit")}
+        for unit in root.find("UnitDefinitions")
+    }
     for kind, one, _ in found:
         name = one["name"]
         assert one.get("displayUnit") in {None, *units.get(one.get("unit"), ())}, name

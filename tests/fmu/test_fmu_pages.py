@@ -29,8 +29,10 @@ def archives():
     """Everything but the program, of the three kinds of FMU."""
     starts, profiles = native.packed_profiles()
     described = {"modelDescription.xml": build.model_description("", "", "1", {})}
-    return {"python": {**build.documentation({}), **described},
-            **{version: native.uncompiled(version, starts, profiles, list(PLATFORMS)) for version in (2, 3)}}
+    return {
+        "python": {**build.documentation({}), **described},
+        **{version: native.uncompiled(version, starts, profiles, list(PLATFORMS)) for version in (2, 3)},
+    }
 
 
 def described_variables(entries):
@@ -56,10 +58,12 @@ def test_terminals_are_those_of_fmi_3(archives, kind):
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_input_and_output_is_in_one_terminal(archives, kind):
     variables = described_variables(archives[kind])
-    members = [member.get("variableName")
-               for member in terminals(archives[kind]).iter("TerminalMemberVariable")]
-    assert sorted(members) == sorted(v.get("name") for v in variables
-                                     if v.get("causality") in ("input", "output"))
+    members = [
+        member.get("variableName") for member in terminals(archives[kind]).iter("TerminalMemberVariable")
+    ]
+    assert sorted(members) == sorted(
+        v.get("name") for v in variables if v.get("causality") in ("input", "output")
+    )
 
 
 def test_terminals_of_left_and_right_match(archives):
@@ -68,8 +72,7 @@ def test_terminals_of_left_and_right_match(archives):
         members = [member.get("memberName") for member in terminal]
         assert len(set(members)) == len(members)
         groups[terminal.get("name")] = (terminal.get("terminalKind"), members)
-    assert list(groups) == ["pose", "load", "rails", "motion", "friction", "wheelset", "left",
-                            "right"]
+    assert list(groups) == ["pose", "load", "rails", "motion", "friction", "wheelset", "left", "right"]
     assert groups["left"] == groups["right"] and "pressure" in groups["left"][1]
     assert {"roll", "vertical_shift"} <= set(groups["pose"][1]) & set(groups["wheelset"][1])
 
@@ -80,7 +83,7 @@ def test_terminals_of_left_and_right_match(archives):
 def test_icon_is_in_every_fmu(archives):
     for kind, entries in archives.items():
         assert {"terminalsAndIcons/icon.png", "terminalsAndIcons/icon.svg"} <= set(entries)
-        assert ("model.png" in entries) == (kind != 3)      # where FMI 2 has it
+        assert ("model.png" in entries) == (kind != 3)  # where FMI 2 has it
         # [bytes]
         assert sum(len(entries[f"terminalsAndIcons/icon.{suffix}"]) for suffix in ("png", "svg")) < 20_000
 
@@ -88,11 +91,11 @@ def test_icon_is_in_every_fmu(archives):
 def test_icon_shows_wheels_rails_and_contacts_on_a_clear_ground(archives):
     icon = imread(io.BytesIO(archives[3]["terminalsAndIcons/icon.png"]))
     assert icon.shape == (200, 200, 4)
-    assert np.allclose(icon[..., 3], icon[:, ::-1, 3], atol=0.02)       # left is right
+    assert np.allclose(icon[..., 3], icon[:, ::-1, 3], atol=0.02)  # left is right
     drawn = icon[..., 3] > 0.99
     assert 0.2 < drawn.mean() < 0.5 and not icon[0, 0, 3]
     colours, counts = np.unique((255 * icon[drawn][:, :3]).round().astype(int), axis=0, return_counts=True)
-    assert len(colours[counts > 200]) == 4      # axle, wheels, rails, contact points
+    assert len(colours[counts > 200]) == 4  # axle, wheels, rails, contact points
 
 
 def test_icon_is_what_its_script_draws(tmp_path):
@@ -155,8 +158,9 @@ def test_page_has_every_variable_with_its_reference(archives, kind):
     rows = {without_size(row[0]): row for row in page.rows}
     wanted = {}
     for variable in described_variables(archives[kind]):
-        wanted.setdefault(without_size(folded(variable.get("name"))),
-                          set()).add(int(variable.get("valueReference")))
+        wanted.setdefault(without_size(folded(variable.get("name"))), set()).add(
+            int(variable.get("valueReference"))
+        )
     for name, numbers in wanted.items():
         assert references(rows[name][1]) == numbers, name
 
@@ -167,7 +171,7 @@ def test_page_shows_what_the_model_description_declares(archives, kind):
     root = ElementTree.fromstring(archives[kind]["modelDescription.xml"])
     rows = Page(text).rows
     kinds = {"ModelExchange": "model exchange", "CoSimulation": "co-simulation"}
-    assert [element.tag for element in root if element.tag in kinds] == list(kinds)[kind == "python":]
+    assert [element.tag for element in root if element.tag in kinds] == list(kinds)[kind == "python" :]
     for element in (element for element in root if element.tag in kinds):
         for ability, value in element.attrib.items():
             assert ability == "modelIdentifier" or [kinds[element.tag], ability, value] in rows
@@ -209,8 +213,10 @@ def test_licences_of_all_that_is_packed(archives):
     for kind, entries in archives.items():
         assert b"MIT" in entries["documentation/licenses/license.txt"]
         if kind != "python":
-            assert (b"Redistribution and use in source and binary forms"
-                    in entries["documentation/licenses/fmi.txt"])
+            assert (
+                b"Redistribution and use in source and binary forms"
+                in entries["documentation/licenses/fmi.txt"]
+            )
     assert b"numpy" in archives["python"]["documentation/externalDependencies.txt"]
 
 

@@ -22,12 +22,25 @@ from wrcontact import ContactSystem
 from wrcontact.interface.variables import OUTPUT, REAL, VARIABLES
 
 SAME = 1e-9  # [relative]
-ARRAYS = ("station[", "half_length[", "pressure[", "shear[", "slip[", "wheel_place[", "rail_place[", "power[",
-          "patch_of[")  # FMI 3 has arrays
-NAMES = [v.name for v in VARIABLES if v.causality == OUTPUT and v.type == REAL
-         and not any(a in v.name for a in ARRAYS)]
-pytestmark = pytest.mark.skipif(not has_compiler(),
-                                reason="a native FMU is built by a C compiler, and none is here")
+ARRAYS = (
+    "station[",
+    "half_length[",
+    "pressure[",
+    "shear[",
+    "slip[",
+    "wheel_place[",
+    "rail_place[",
+    "power[",
+    "patch_of[",
+)  # FMI 3 has arrays
+NAMES = [
+    v.name
+    for v in VARIABLES
+    if v.causality == OUTPUT and v.type == REAL and not any(a in v.name for a in ARRAYS)
+]
+pytestmark = pytest.mark.skipif(
+    not has_compiler(), reason="a native FMU is built by a C compiler, and none is here"
+)
 
 
 @pytest.fixture(scope="session")
@@ -44,23 +57,40 @@ def assert_near(seen, wanted):
         assert_same(dict(zip(NAMES, found, strict=True)), dict(zip(NAMES, expected)), SAME)
 
 
-@pytest.mark.parametrize("importer, version", [
-    pytest.param(name, version, marks=needs_importer(name))
-    for name, version in (("libcosimpy", 2), ("ecospy", 2), ("ecospy", 3))])
+@pytest.mark.parametrize(
+    "importer, version",
+    [
+        pytest.param(name, version, marks=needs_importer(name))
+        for name, version in (("libcosimpy", 2), ("ecospy", 2), ("ecospy", 3))
+    ],
+)
 def test_importer(fmus, wanted, importer, version, tmp_path):
     rows, expected = wanted
-    last = in_process(tmp_path, str(HELPERS / "importer_process.py"), importer, str(fmus[version]),
-                      question=json.dumps({"rows": rows, "names": NAMES}))
+    last = in_process(
+        tmp_path,
+        str(HELPERS / "importer_process.py"),
+        importer,
+        str(fmus[version]),
+        question=json.dumps({"rows": rows, "names": NAMES}),
+    )
     assert_near(json.loads(last)["seen"], expected)
 
 
 def in_process(folder, *words, question=None):
     """The last line that Python says, run with these words in a folder."""
-    libraries = os.pathsep.join(filter(None,
-                                       [str(Path(sys.prefix, "lib")), os.environ.get("LD_LIBRARY_PATH")]))
-    environment = {**os.environ, "LD_LIBRARY_PATH": libraries}      # Ecos looks for its tbb there
-    done = subprocess.run([sys.executable, *words], text=True, input=question, capture_output=True,
-                          cwd=folder, timeout=300, env=environment)
+    libraries = os.pathsep.join(
+        filter(None, [str(Path(sys.prefix, "lib")), os.environ.get("LD_LIBRARY_PATH")])
+    )
+    environment = {**os.environ, "LD_LIBRARY_PATH": libraries}  # Ecos looks for its tbb there
+    done = subprocess.run(
+        [sys.executable, *words],
+        text=True,
+        input=question,
+        capture_output=True,
+        cwd=folder,
+        timeout=300,
+        env=environment,
+    )
     assert done.returncode == 0, f"{done.stdout[-2000:]}\n{done.stderr[-2000:]}"
     return done.stdout.strip().splitlines()[-1]
 
@@ -70,7 +100,7 @@ PAGE = (ROOT / "docs" / "guides" / "importers.md").read_text(encoding="utf-8")
 
 def example(kind, word, version):
     """The example of the page that has this word, for this version of FMI."""
-    code, = (block for block in re.findall(rf"```{kind}\n(.*?)```", PAGE, re.DOTALL) if word in block)
+    (code,) = (block for block in re.findall(rf"```{kind}\n(.*?)```", PAGE, re.DOTALL) if word in block)
     return code.replace("fmi2", f"fmi{version}")
 
 
@@ -82,14 +112,18 @@ def pages_case():
     return pytest.approx([state.force.y, state.status], rel=SAME)
 
 
-@pytest.mark.parametrize("importer, version", [
-    pytest.param(name, version, marks=needs_importer(name))
-    for name, version in (("libcosimpy", 2), ("ecospy", 2), ("ecospy", 3))])
+@pytest.mark.parametrize(
+    "importer, version",
+    [
+        pytest.param(name, version, marks=needs_importer(name))
+        for name, version in (("libcosimpy", 2), ("ecospy", 2), ("ecospy", 3))
+    ],
+)
 def test_example_of_the_page(fmus, importer, version, tmp_path):
     """It sets Strings, and prints the force and the status."""
     shutil.copy(fmus[version], tmp_path)
     code = example("python", f"from {importer}", version)
-    ending = "\nimport os\nos.sys.stdout.flush()\nos._exit(0)\n"     # without what importers do at the end
+    ending = "\nimport os\nos.sys.stdout.flush()\nos._exit(0)\n"  # without what importers do at the end
     last = in_process(tmp_path, "-c", code + ending)
     assert [float(word) for word in last.split()] == pages_case()
 
@@ -117,14 +151,24 @@ def test_container(fmus, wanted, version, tmp_path):
     rows, expected = wanted
     shutil.copy(fmus[version], tmp_path)
     ports = [f"OUTPUT;{fmus[version].name};{name};;{name}" for name in NAMES]
-    (tmp_path / "container.csv").write_text("\n".join(["rule;from_fmu;from_port;to_fmu;to_port",
-                                                       f"FMU;{fmus[version].name};;;", *ports]) + "\n")
+    (tmp_path / "container.csv").write_text(
+        "\n".join(["rule;from_fmu;from_port;to_fmu;to_port", f"FMU;{fmus[version].name};;;", *ports]) + "\n"
+    )
     # it takes no arrays whose length is a structural parameter
     only = ["-no-auto-output"] if version == 3 else []
-    tool("fmucontainer", "-fmu-directory", ".", "-container", "container.csv:0.001", "-auto-parameter", *only,
-         folder=tmp_path)
-    seen = run_scenario("trajectory", tmp_path / "container.fmu", tmp_path / "unpacked",
-                        {"rows": rows, "names": NAMES})["seen"]
+    tool(
+        "fmucontainer",
+        "-fmu-directory",
+        ".",
+        "-container",
+        "container.csv:0.001",
+        "-auto-parameter",
+        *only,
+        folder=tmp_path,
+    )
+    seen = run_scenario(
+        "trajectory", tmp_path / "container.fmu", tmp_path / "unpacked", {"rows": rows, "names": NAMES}
+    )["seen"]
     assert_near([[found[name] for name in NAMES] for found in seen], expected)
 
 
@@ -136,6 +180,8 @@ def test_container_of_the_page(fmus, version, tmp_path):
     (tmp_path / "contact.csv").write_text(example("csv", "START", version))
     words = re.search(r"^    fmucontainer (.*)$", PAGE, re.MULTILINE)[1].split()
     tool("fmucontainer", *words, folder=tmp_path)
-    code = ("import fmpy\nresult = fmpy.simulate_fmu('contact.fmu', stop_time=3e-3, step_size=1e-3, "
-            "output=['force.y', 'status'])\nprint(result['force.y'][-1], result['status'][-1])")
+    code = (
+        "import fmpy\nresult = fmpy.simulate_fmu('contact.fmu', stop_time=3e-3, step_size=1e-3, "
+        "output=['force.y', 'status'])\nprint(result['force.y'][-1], result['status'][-1])"
+    )
     assert [float(word) for word in in_process(tmp_path, "-c", code).split()] == pages_case()

@@ -10,18 +10,48 @@ from tests.helpers.cases import poses
 from tests.helpers.fmus import needs_compiler
 
 OK, WARNING, DISCARD, ERROR = range(4)
-STEPS = {"step before", "step inside", "step back", "step nan", "step at infinity", "beyond the stop",
-         "step after"}
-GOOD = {"good times", "wrong parameter", "right parameter", "enter", "output inside", "leave", "step",
-        "last step", "unset", "terminate", "read after", "reset", "enter again", "leave again", "step again"}
+STEPS = {
+    "step before",
+    "step inside",
+    "step back",
+    "step nan",
+    "step at infinity",
+    "beyond the stop",
+    "step after",
+}
+GOOD = {
+    "good times",
+    "wrong parameter",
+    "right parameter",
+    "enter",
+    "output inside",
+    "leave",
+    "step",
+    "last step",
+    "unset",
+    "terminate",
+    "read after",
+    "reset",
+    "enter again",
+    "leave again",
+    "step again",
+}
 #: Part of the sentence.
 NAMED = {
-    "step before": "has not been initialised", "output before": "roll is an output and cannot be read before",
-    "enter refused": "gauge is 14.35;", "start nan": "startTime is nan s", "stop nan": "stopTime nan s",
-    "fixed parameter": "gauge is fixed at 1.435", "fixed text": "cannot become 'a ##7 %",
-    "half a list": "roll is an output", "unknown reference": "4711 does not exist",
-    "step nan": "a step of nan s", "beyond the stop": "ends after the stopTime 1.1 s",
-    "step after": "has been terminated", "set after": "yaw cannot be set", "enter twice": " once, ",
+    "step before": "has not been initialised",
+    "output before": "roll is an output and cannot be read before",
+    "enter refused": "gauge is 14.35;",
+    "start nan": "startTime is nan s",
+    "stop nan": "stopTime nan s",
+    "fixed parameter": "gauge is fixed at 1.435",
+    "fixed text": "cannot become 'a ##7 %",
+    "half a list": "roll is an output",
+    "unknown reference": "4711 does not exist",
+    "step nan": "a step of nan s",
+    "beyond the stop": "ends after the stopTime 1.1 s",
+    "step after": "has been terminated",
+    "set after": "yaw cannot be set",
+    "enter twice": " once, ",
 }
 
 
@@ -29,7 +59,7 @@ def assert_lines(answers):
     """Refused calls have one line each, with status and category; all others have none."""
     assert {name for name, (_, lines) in answers.items() if not lines} == GOOD & set(answers)
     for name in answers.keys() - GOOD:
-        (status, category, sentence), = answers[name][1]
+        ((status, category, sentence),) = answers[name][1]
         assert (status, category) == (ERROR, "logStatusError"), f"{name}: {answers[name]}"
         assert NAMED.get(name, "") in sentence, name
 
@@ -50,8 +80,9 @@ def test_native_fmu_refuses_with_the_sentences_of_the_python_fmu(hosts, version)
     assert_lines(seen["answers"])
     assert all(status == (OK if name in GOOD else ERROR) for name, (status, _) in seen["answers"].items())
     if version == 2:
-        assert ({name: lines for name, (_, lines) in seen["answers"].items()}
-                == {name: lines for name, (_, lines) in wanted["answers"].items()})
+        assert {name: lines for name, (_, lines) in seen["answers"].items()} == {
+            name: lines for name, (_, lines) in wanted["answers"].items()
+        }
     assert seen["after"] == pytest.approx(wanted["after"], abs=1e-12)
 
 
@@ -77,13 +108,13 @@ def test_refusals_reach_the_log_without_debug_logging(run, kind):
     """But those of the Python FMU: PythonFMU's log is off then. Its simulations end at their start, without
     values."""
     seen = run("unlogged")
-    assert seen["status"] == []     # a physical situation is a matter of debug logging
+    assert seen["status"] == []  # a physical situation is a matter of debug logging
     if kind == "python":
         assert seen["parameter"] == []
         assert {tuple(row[1:]) for row in seen["simulated"]} == {("nan", "4")}
         assert {float(row[0]) for row in seen["simulated"]} == {0.0}
         return
-    (status, category, sentence), = seen["parameter"]
+    ((status, category, sentence),) = seen["parameter"]
     assert (status, category) == (ERROR, "logStatusError") and "gauge is 14.35;" in sentence
     assert seen["simulated"] == ERROR and "gauge is 14.35;" in seen["printed"]
 

@@ -35,30 +35,41 @@ TABLES = 3e6
 
 pytestmark = pytest.mark.full
 complete = pytest.mark.complete
-needs_library = pytest.mark.skipif(not default_kernel().compiled,
-                                   reason="the source alone would walk for hours")
+needs_library = pytest.mark.skipif(
+    not default_kernel().compiled, reason="the source alone would walk for hours"
+)
 
 
 @pytest.fixture(scope="session")
 def hosts(fmus, tmp_path_factory):
     """The program native_host with the library of each version of FMI."""
-    return {version: native_host(fmu, version, tmp_path_factory.mktemp("host"))
-            for version, fmu in fmus.items()}
+    return {
+        version: native_host(fmu, version, tmp_path_factory.mktemp("host")) for version, fmu in fmus.items()
+    }
 
 
 def together(*commands, given=None):
     """What programs print as JSON, all at once."""
-    running = [subprocess.Popen(list(map(str, command)), text=True, stdin=subprocess.PIPE,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE) for command in commands]
+    running = [
+        subprocess.Popen(
+            list(map(str, command)),
+            text=True,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
+        for command in commands
+    ]
     if given:
-        for program, text in zip(running, given):       # before the first is waited for
+        for program, text in zip(running, given):  # before the first is waited for
             program.stdin.write(text)
             program.stdin.close()
             program.stdin = None
     answers = [program.communicate(timeout=7200) for program in running]
     for program, (out, errors) in zip(running, answers):
         assert program.returncode == 0, (
-            f"{program.args} ended with {program.returncode}:\n{out[-2000:]}\n{errors[-2000:]}")
+            f"{program.args} ended with {program.returncode}:\n{out[-2000:]}\n{errors[-2000:]}"
+        )
     return [json.loads(out) for out, _ in answers]
 
 
@@ -75,15 +86,17 @@ def assert_sound(walk):
     if walk["steps"] >= WARM:
         before, least, most = walk["resident"]
         room = CLASS * walk["made"] + TABLES if walk.get("made") else 0.0
-        assert (least > (1.0 - FLAT) * before - room
-                and most < (1.0 + FLAT) * before + room), (walk["resident"], room)
+        assert least > (1.0 - FLAT) * before - room and most < (1.0 + FLAT) * before + room, (
+            walk["resident"],
+            room,
+        )
     return walk["digest"]
 
 
 def assert_home(walk):
     """The first answer is the package's, which took no other way."""
     fresh = ContactSystem().evaluate(*HOME[:2], *HOME[3:])
-    values = np.append(fresh.values, np.zeros(STATUS - FIRST_WEAR))     # no outputs of wear are asked for
+    values = np.append(fresh.values, np.zeros(STATUS - FIRST_WEAR))  # no outputs of wear are asked for
     assert np.max(np.abs(walk["home"] - values[[v.index for v in REALS]]) / NOMINAL) < SCATTER
 
 
@@ -91,8 +104,9 @@ def assert_home(walk):
 
 
 @needs_glibc
-@pytest.mark.parametrize("version, steps",
-                         [(2, 100_000), (3, 10_000), pytest.param(2, 10_000_000, marks=complete)])
+@pytest.mark.parametrize(
+    "version, steps", [(2, 100_000), (3, 10_000), pytest.param(2, 10_000_000, marks=complete)]
+)
 @pytest.mark.turns(2)
 def test_a_native_walk_repeats_itself_and_resumes(hosts, version, steps):
     [walk], [resumed] = together(*([hosts[version], way, SEED, steps, 0] for way in ("walk", "resumed")))
@@ -116,9 +130,15 @@ ELASTIC, RIGID = 1, 21
 
 
 @needs_glibc
-@pytest.mark.parametrize("variant, steps", [
-    (ELASTIC, 3_000), (RIGID, 5_000), pytest.param(ELASTIC, 30_000, marks=complete),
-    pytest.param(RIGID, 1_000_000, marks=complete)])
+@pytest.mark.parametrize(
+    "variant, steps",
+    [
+        (ELASTIC, 3_000),
+        (RIGID, 5_000),
+        pytest.param(ELASTIC, 30_000, marks=complete),
+        pytest.param(RIGID, 1_000_000, marks=complete),
+    ],
+)
 @pytest.mark.turns(2)
 def test_a_native_walk_with_motion_and_creep_forces(hosts, variant, steps):
     """Two different sides, rails that are displaced, lean and move, speeds of either sign, friction.
@@ -129,14 +149,16 @@ def test_a_native_walk_with_motion_and_creep_forces(hosts, variant, steps):
     [walk], [resumed] = together(*([hosts[2], way, SEED, steps, variant] for way in ("walk", "resumed")))
     assert walk["bad"] == resumed["bad"] < 0.02 * steps, walk["first_bad"]
     assert walk["digest"] == resumed["digest"] and resumed["partings"] > steps / 1000
-    assert walk["same_bits"] == 1       # no two motions are alike, at the same place
+    assert walk["same_bits"] == 1  # no two motions are alike, at the same place
 
 
 @needs_glibc
 @pytest.mark.parametrize("steps", [5_000, pytest.param(1_250_000, marks=complete)])
 def test_eight_native_walks_in_eight_threads(hosts, steps):
-    [threads], *alone = together([hosts[2], "walks", SEED, steps, 8]), *(
-        together([hosts[2], "walk", SEED + k, steps, 0])[0] for k in range(8))
+    [threads], *alone = (
+        together([hosts[2], "walks", SEED, steps, 8]),
+        *(together([hosts[2], "walk", SEED + k, steps, 0])[0] for k in range(8)),
+    )
     assert [walk["digest"] for walk in threads] == [walk["digest"] for [walk] in alone]
     assert len({walk["digest"] for walk in threads}) == 8 and not any(walk["bad"] for walk in threads)
 
@@ -149,8 +171,9 @@ def test_eight_native_walks_in_eight_threads(hosts, steps):
 def test_a_walk_of_the_python_fmu_repeats_itself_and_resumes(fmu, tmp_path, steps):
     ways = [{"seed": SEED, "steps": steps, "resumed": resumed} for resumed in (False, True)]
     commands = [command(fmu, tmp_path / f"unpacked {k}") for k in range(2)]
-    walk, resumed = (answer["answer"] for answer in
-                     together(*commands, given=[question("walk", way) for way in ways]))
+    walk, resumed = (
+        answer["answer"] for answer in together(*commands, given=[question("walk", way) for way in ways])
+    )
     assert assert_sound(walk) == assert_sound(resumed)
     assert resumed["partings"] > steps / 1000
     assert_home(walk)
@@ -162,8 +185,11 @@ def test_a_walk_of_the_python_fmu_repeats_itself_and_resumes(fmu, tmp_path, step
 def test_eight_walks_of_the_package_in_eight_threads(way, steps):
     """Steppers of their own, and one system whose threads evaluate."""
     system = ContactSystem()
-    alone = [digest_of(system, way, SEED + k, steps) for k in range(8)] if way == "stepper" else [
-        in_threads(system, way, 1, steps, SEED + k)[0] for k in range(8)]
+    alone = (
+        [digest_of(system, way, SEED + k, steps) for k in range(8)]
+        if way == "stepper"
+        else [in_threads(system, way, 1, steps, SEED + k)[0] for k in range(8)]
+    )
     assert in_threads(system, way, 8, steps, SEED) == alone and len(set(alone)) == 8
 
 
@@ -185,8 +211,7 @@ def digest_of(system, way, seed, steps):
     digest, stepper = hashlib.blake2b(digest_size=8), system.stepper()
     for lateral_shift, yaw, roll_guess, normal_force, load_transfer in Walker(seed).rows(steps):
         if way == "evaluate":
-            state = system.evaluate(lateral_shift, yaw, normal_force, load_transfer,
-                                    roll_guess=roll_guess)
+            state = system.evaluate(lateral_shift, yaw, normal_force, load_transfer, roll_guess=roll_guess)
             status, values = state.status, state.values
         else:
             stepper.inputs[:5] = lateral_shift, yaw, roll_guess, normal_force, load_transfer

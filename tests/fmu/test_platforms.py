@@ -46,17 +46,32 @@ WINE = shutil.which("wine") or shutil.which("wine64")
 # --- names ----------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("system, machine, python, name, library", [
-    ("linux", "x86_64", "linux-x86_64", "x86_64-linux", "_wrcontact_kernel-x86_64-linux.so"),
-    ("linux", "aarch64", "linux-aarch64", "aarch64-linux", "_wrcontact_kernel-aarch64-linux.so"),
-    ("linux", "riscv64", "linux-riscv64", "riscv64-linux", "_wrcontact_kernel-riscv64-linux.so"),
-    ("win32", "AMD64", "win-amd64", "x86_64-windows", "_wrcontact_kernel-x86_64-windows.dll"),
-    # emulated there
-    ("win32", "ARM64", "win-amd64", "x86_64-windows", "_wrcontact_kernel-x86_64-windows.dll"),
-    ("win32", "AMD64", "win32", "x86-windows", "_wrcontact_kernel-x86-windows.dll"),
-    ("darwin", "arm64", "macosx-11.0-universal2", "aarch64-darwin", "_wrcontact_kernel-aarch64-darwin.dylib"),
-    ("darwin", "x86_64", "macosx-11.0-universal2", "x86_64-darwin", "_wrcontact_kernel-x86_64-darwin.dylib"),
-])
+@pytest.mark.parametrize(
+    "system, machine, python, name, library",
+    [
+        ("linux", "x86_64", "linux-x86_64", "x86_64-linux", "_wrcontact_kernel-x86_64-linux.so"),
+        ("linux", "aarch64", "linux-aarch64", "aarch64-linux", "_wrcontact_kernel-aarch64-linux.so"),
+        ("linux", "riscv64", "linux-riscv64", "riscv64-linux", "_wrcontact_kernel-riscv64-linux.so"),
+        ("win32", "AMD64", "win-amd64", "x86_64-windows", "_wrcontact_kernel-x86_64-windows.dll"),
+        # emulated there
+        ("win32", "ARM64", "win-amd64", "x86_64-windows", "_wrcontact_kernel-x86_64-windows.dll"),
+        ("win32", "AMD64", "win32", "x86-windows", "_wrcontact_kernel-x86-windows.dll"),
+        (
+            "darwin",
+            "arm64",
+            "macosx-11.0-universal2",
+            "aarch64-darwin",
+            "_wrcontact_kernel-aarch64-darwin.dylib",
+        ),
+        (
+            "darwin",
+            "x86_64",
+            "macosx-11.0-universal2",
+            "x86_64-darwin",
+            "_wrcontact_kernel-x86_64-darwin.dylib",
+        ),
+    ],
+)
 def test_names_of_platforms(monkeypatch, system, machine, python, name, library):
     monkeypatch.setattr(sys, "platform", system)
     monkeypatch.setattr(platform, "machine", lambda: machine)
@@ -70,8 +85,7 @@ def test_a_platform_for_a_wheel_is_known_or_refused(monkeypatch):
     monkeypatch.setenv("WRCONTACT_PLATFORM", "x86_64-windows")
     assert chosen_platform() == "x86_64-windows" and requirements() == ["ziglang"]
     monkeypatch.setenv("WRCONTACT_PLATFORM", "amiga")
-    with pytest.raises(CompilerProblem,
-                       match="WRCONTACT_PLATFORM is 'amiga'; permitted are x86_64-linux, "):
+    with pytest.raises(CompilerProblem, match="WRCONTACT_PLATFORM is 'amiga'; permitted are x86_64-linux, "):
         requirements()
 
 
@@ -125,8 +139,9 @@ def share(names, chosen):
 
 def library_of(folder, version, name):
     place = PLATFORMS[name]
-    return folder / "binaries" / (place.fmi2 if version == 2
-                                  else place.name) / f"WheelsetContact{place.suffix}"
+    return (
+        folder / "binaries" / (place.fmi2 if version == 2 else place.name) / f"WheelsetContact{place.suffix}"
+    )
 
 
 @pytest.mark.full
@@ -160,12 +175,30 @@ def run_on(tmp_path_factory):
         if name not in made:
             made[name] = folder / f"{name} host.exe"
             headers = ["-I", str(Path(fmpy.__file__).parent / "c-code"), "-I", str(KERNEL / "native")]
-            subprocess.run([*compiler_for(PLATFORMS[name]), *headers, str(HELPERS / "library_host.c"), "-o",
-                            str(made[name]), *([] if name.endswith("windows") else ["-ldl"])], check=True)
-        quiet = {"WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml=", "DISPLAY": "",
-                 "WINEPREFIX": str(folder / "wine")}
-        done = subprocess.run([*emulator, str(made[name]), *map(str, arguments)], text=True,
-                              capture_output=True, timeout=600, env={**os.environ, **quiet})
+            subprocess.run(
+                [
+                    *compiler_for(PLATFORMS[name]),
+                    *headers,
+                    str(HELPERS / "library_host.c"),
+                    "-o",
+                    str(made[name]),
+                    *([] if name.endswith("windows") else ["-ldl"]),
+                ],
+                check=True,
+            )
+        quiet = {
+            "WINEDEBUG": "-all",
+            "WINEDLLOVERRIDES": "mscoree,mshtml=",
+            "DISPLAY": "",
+            "WINEPREFIX": str(folder / "wine"),
+        }
+        done = subprocess.run(
+            [*emulator, str(made[name]), *map(str, arguments)],
+            text=True,
+            capture_output=True,
+            timeout=600,
+            env={**os.environ, **quiet},
+        )
         assert done.returncode == 0, done.stderr
         return done.stdout.splitlines()
 
@@ -208,16 +241,28 @@ def plan_of(description, rows):
     """What the host reads: the references of an FMU's inputs and outputs, and rows of inputs."""
     variables = {v.name: v for v in description.modelVariables}
     outputs = [v for v in variables.values() if v.causality == "output" and v.type in ("Real", "Float64")]
-    words = listed([variables[name].valueReference
-                    for name in REAL_INPUT_NAMES]) + listed([v.valueReference for v in outputs])
+    words = listed([variables[name].valueReference for name in REAL_INPUT_NAMES]) + listed(
+        [v.valueReference for v in outputs]
+    )
     count = len([v for v in VARIABLES if v.causality == OUTPUT and v.type == REAL])
-    return " ".join([*words, f"{count:x}", f"{variables['status'].valueReference:x}", f"{len(rows):x}",
-                     *bits(sum(rows, []))])
+    return " ".join(
+        [
+            *words,
+            f"{count:x}",
+            f"{variables['status'].valueReference:x}",
+            f"{len(rows):x}",
+            *bits(sum(rows, [])),
+        ]
+    )
 
 
-SETTINGS = [{}, {"contact_mode": "elastic", "load": "vertical"}, {"normal_model": "analyn_strip"},
-            {"normal_model": "hertz"},
-            {"lateral_curvature": "smooth", "separation": "equidistant", "rail_profile": "54E1"}]
+SETTINGS = [
+    {},
+    {"contact_mode": "elastic", "load": "vertical"},
+    {"normal_model": "analyn_strip"},
+    {"normal_model": "hertz"},
+    {"lateral_curvature": "smooth", "separation": "equidistant", "rail_profile": "54E1"},
+]
 
 
 @pytest.mark.full
@@ -235,9 +280,18 @@ def test_values_on_other_machines(fmus, run_on, tmp_path, name, version, setting
     rows = {run: rows_of(run, REAL_INPUT_NAMES) for run in RUNS}
     plan.write_text(plan_of(description, sum(rows.values(), [])))
     (ours, our_status), (theirs, status) = (
-        answers(run_on(place, f"fmi{version}", library_of(fmus[version], version, place), description.guid,
-                       plan, *texts))
-        for place in (REFERENCE, name))
+        answers(
+            run_on(
+                place,
+                f"fmi{version}",
+                library_of(fmus[version], version, place),
+                description.guid,
+                plan,
+                *texts,
+            )
+        )
+        for place in (REFERENCE, name)
+    )
     assert len(ours) == sum(map(len, rows.values())) and status == our_status and set(status) <= {0, 1}
     np.testing.assert_array_equal(theirs.view(np.int64), ours.view(np.int64))
 
@@ -259,8 +313,11 @@ def packed_kernel(folder):
 @pytest.mark.full
 @needs_zig
 def test_python_fmu_carries_the_kernel_of_each_platform_that_loads_it(python_fmu, kernels):
-    carried = {file.name: file.read_bytes() for file in packed_kernel(python_fmu).iterdir()
-               if file.is_file() and file.suffix != ".py"}
+    carried = {
+        file.name: file.read_bytes()
+        for file in packed_kernel(python_fmu).iterdir()
+        if file.is_file() and file.suffix != ".py"
+    }
     places = {place.fmi2: name for name, place in PLATFORMS.items()}
     names = {places[folder.name] for folder in python_fmu.joinpath("binaries").iterdir()} | {host_platform()}
     assert {"x86_64-linux", "x86_64-windows"} <= names
@@ -283,15 +340,24 @@ print(kernel.compiled, kernel.compiled and kernel.library._name)
 @needs(sys.platform != "win32", "the machine's name has another source there")
 def test_python_fmu_loads_the_kernel_of_its_platform(python_fmu):
     kernel = packed_kernel(python_fmu)
-    loads = [sys.executable, "-I", "-W", "always", "-c", LOAD, str(python_fmu / "resources"),
-             kernel.parent.name]
+    loads = [
+        sys.executable,
+        "-I",
+        "-W",
+        "always",
+        "-c",
+        LOAD,
+        str(python_fmu / "resources"),
+        kernel.parent.name,
+    ]
     here = subprocess.run(loads, text=True, capture_output=True, check=True)
     assert here.stdout.split(maxsplit=1) == ["True", f"{kernel / LIBRARY_NAME}\n"] and not here.stderr
     elsewhere = subprocess.run([*loads, "riscv64"], text=True, capture_output=True, check=True)
     assert elsewhere.stdout.split() == ["False", "False"]
     assert elsewhere.stderr.count("RuntimeWarning: The contact kernel runs uncompiled") == 1
-    assert (f"there is no {LIBRARY_NAME.replace(platform.machine(), 'riscv64')} in {kernel}"
-            in elsewhere.stderr)
+    assert (
+        f"there is no {LIBRARY_NAME.replace(platform.machine(), 'riscv64')} in {kernel}" in elsewhere.stderr
+    )
 
 
 @pytest.mark.full

@@ -44,8 +44,9 @@ def imported(source):
 def test_command_line_prints_the_path_of_an_archive_with_the_same_bytes(fmu, tmp_path):
     """Built by another process, in another folder, with other hashes of texts."""
     command = [sys.executable, str(ROOT / "build_fmu.py"), "--output", str(tmp_path / "out")]
-    done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path,
-                          env={**os.environ, "PYTHONHASHSEED": "7"})
+    done = subprocess.run(
+        command, capture_output=True, text=True, cwd=tmp_path, env={**os.environ, "PYTHONHASHSEED": "7"}
+    )
     assert done.returncode == 0, done.stderr
     assert Path(done.stdout.strip()) == tmp_path / "out" / fmu.name
     assert os.listdir(tmp_path / "out") == ["WheelsetContact.fmu"]
@@ -66,7 +67,7 @@ def test_equal_sources_are_compiled_to_equal_bytes(tmp_path):
 
 
 def test_other_contents_give_another_name_and_guid(description, fmu, kept, tmp_path):
-    other, = kept("python", wheel=profile_file(tmp_path, "wheel"))
+    (other,) = kept("python", wheel=profile_file(tmp_path, "wheel"))
     assert read_model_description(str(other)).guid != description.guid
     assert unique_names(other).isdisjoint(unique_names(fmu))
 

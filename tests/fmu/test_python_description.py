@@ -23,7 +23,11 @@ def test_description_has_every_variable_of_the_table(description):
     for variable in VARIABLES:
         found = described[variable.name]
         assert (found.valueReference, found.type, found.causality, found.variability) == (
-            REFERENCE[variable.name], variable.type, variable.causality, variable.variability)
+            REFERENCE[variable.name],
+            variable.type,
+            variable.causality,
+            variable.variability,
+        )
         assert found.description == variable.description
         assert found.initial == {INPUT: "exact", PARAMETER: "exact", OUTPUT: "calculated"}[variable.causality]
 
@@ -40,16 +44,34 @@ def test_units_are_si_and_shown_as_engineers_read_them(description):
     units = description.unitDefinitions
     bases = ("kg", "m", "s", "A", "K", "mol", "cd", "rad")
     exponents = {u.name: {b: getattr(u.baseUnit, b) for b in bases if getattr(u.baseUnit, b)} for u in units}
-    assert exponents == {"m": {"m": 1}, "rad": {"rad": 1}, "N": {"kg": 1, "m": 1, "s": -2},
-                         "N.m": {"kg": 1, "m": 2, "s": -2}, "W": {"kg": 1, "m": 2, "s": -3},
-                         "Pa": {"kg": 1, "m": -1, "s": -2}, "m2": {"m": 2}, "1/m": {"m": -1}, "1": {},
-                         "m/s": {"m": 1, "s": -1}, "rad/s": {"rad": 1, "s": -1}, "s/m": {"m": -1, "s": 1},
-                         "s": {"s": 1},
-                         "N/m": {"kg": 1, "s": -2}, "N.s/m": {"kg": 1, "s": -1},
-                         "W/m": {"kg": 1, "m": 1, "s": -3}}
+    assert exponents == {
+        "m": {"m": 1},
+        "rad": {"rad": 1},
+        "N": {"kg": 1, "m": 1, "s": -2},
+        "N.m": {"kg": 1, "m": 2, "s": -2},
+        "W": {"kg": 1, "m": 2, "s": -3},
+        "Pa": {"kg": 1, "m": -1, "s": -2},
+        "m2": {"m": 2},
+        "1/m": {"m": -1},
+        "1": {},
+        "m/s": {"m": 1, "s": -1},
+        "rad/s": {"rad": 1, "s": -1},
+        "s/m": {"m": -1, "s": 1},
+        "s": {"s": 1},
+        "N/m": {"kg": 1, "s": -2},
+        "N.s/m": {"kg": 1, "s": -1},
+        "W/m": {"kg": 1, "m": 1, "s": -3},
+    }
     shown = {d.name: float(d.factor) for u in units for d in u.displayUnits}
-    assert shown == {"mm": 1e3, "deg": 180 / math.pi, "kN": 1e-3, "kN.m": 1e-3, "kW": 1e-3, "MPa": 1e-6,
-                     "mm2": 1e6}
+    assert shown == {
+        "mm": 1e3,
+        "deg": 180 / math.pi,
+        "kN": 1e-3,
+        "kN.m": 1e-3,
+        "kW": 1e-3,
+        "MPa": 1e-6,
+        "mm2": 1e6,
+    }
 
 
 def test_start_values_lie_within_their_limits(description):
@@ -63,8 +85,15 @@ def test_dependencies(description):
     assert set(follows) == set(OUTPUT_NAMES)
     # declared once for all methods: in elastic contact all that is read moves everything, velocities and
     # friction too, where friction carries a part of a vertical load
-    read = {"lateral_shift", "yaw", "normal_force", "load_transfer", "vertical_shift_input", "roll_input",
-            *(row.name for row in (*RAILS, *MOTION, *FRICTION, *RATES, TIME_STEP, *DEFLECTIONS))}
+    read = {
+        "lateral_shift",
+        "yaw",
+        "normal_force",
+        "load_transfer",
+        "vertical_shift_input",
+        "roll_input",
+        *(row.name for row in (*RAILS, *MOTION, *FRICTION, *RATES, TIME_STEP, *DEFLECTIONS)),
+    }
     for name, inputs in follows.items():
         given = {"vertical_shift_input", "roll_input"} if name.startswith("equilibrium.") else set()
         assert inputs == read - given, name
@@ -88,15 +117,25 @@ GEOMETRY = ("contact.", "contact_angle", "rolling_radius", "curvature_")
 
 def is_geometry(name):
     """Whether the output is one of rigid contact's geometry."""
-    return (name in ("roll", "vertical_shift") or "patch[" not in name
-            and name.partition(".")[2].startswith(GEOMETRY))
+    return (
+        name in ("roll", "vertical_shift")
+        or "patch[" not in name
+        and name.partition(".")[2].startswith(GEOMETRY)
+    )
 
 
 #: What an output of each contact mode does not follow: inputs, and the outputs that this is said of.
-FREE = {"rigid": {"roll_guess": lambda name: True, "normal_force": is_geometry, "load_transfer": is_geometry,
-                  "vertical_shift_input": lambda name: True, "roll_input": lambda name: True},
-        "elastic": {name: lambda name: True for name in ("roll_guess", "vertical_shift_input", "roll_input")},
-        "compliant": {name: lambda name: True for name in ("roll_guess", "normal_force", "load_transfer")}}
+FREE = {
+    "rigid": {
+        "roll_guess": lambda name: True,
+        "normal_force": is_geometry,
+        "load_transfer": is_geometry,
+        "vertical_shift_input": lambda name: True,
+        "roll_input": lambda name: True,
+    },
+    "elastic": {name: lambda name: True for name in ("roll_guess", "vertical_shift_input", "roll_input")},
+    "compliant": {name: lambda name: True for name in ("roll_guess", "normal_force", "load_transfer")},
+}
 
 OF_WHEELS = {row.name for row in RATES}
 MOVING = {row.name for row in MOTION} | OF_WHEELS
@@ -104,29 +143,47 @@ RUBBING = {row.name for row in FRICTION}
 #: Read where rails stand on springs (tests/fmu/test_springs.py).
 SPRUNG = {row.name for row in (TIME_STEP, *DEFLECTIONS)}
 #: Words in the names of what creep forces change, while friction carries no part of the load.
-OF_CREEP = ("tangential.", "stick_share", "max_shear", "friction_power", "saturation", "wear_number",
-            "shear[", "slip[", "driving_torque", "derailment_quotient",
-            "force.x", "force.y", "force.z", "moment.x", "moment.y",
-            "moment.z")
+OF_CREEP = (
+    "tangential.",
+    "stick_share",
+    "max_shear",
+    "friction_power",
+    "saturation",
+    "wear_number",
+    "shear[",
+    "slip[",
+    "driving_torque",
+    "derailment_quotient",
+    "force.x",
+    "force.y",
+    "force.z",
+    "moment.x",
+    "moment.y",
+    "moment.z",
+)
 #: Methods under which dependencies are tried: contact mode, and others.
-METHODS = {"rigid": {}, "elastic": {}, "compliant": {},
-           "rigid, creep forces": {"tangential_model": "polach"},
-           "elastic, creep forces": {"tangential_model": "polach"},
-           "compliant, creep forces": {"tangential_model": "polach"},
-           "rigid, vertical load": {"tangential_model": "polach", "load": "vertical"},
-           "rigid, independent wheels": {"tangential_model": "polach", "independent_wheels": True},
-           "elastic, vertical load": {"tangential_model": "polach", "load": "vertical"}}
+METHODS = {
+    "rigid": {},
+    "elastic": {},
+    "compliant": {},
+    "rigid, creep forces": {"tangential_model": "polach"},
+    "elastic, creep forces": {"tangential_model": "polach"},
+    "compliant, creep forces": {"tangential_model": "polach"},
+    "rigid, vertical load": {"tangential_model": "polach", "load": "vertical"},
+    "rigid, independent wheels": {"tangential_model": "polach", "independent_wheels": True},
+    "elastic, vertical load": {"tangential_model": "polach", "load": "vertical"},
+}
 
 
 def does_not_follow(mode, methods, moved, name):
     """Whether the output ``name`` has nothing of the input ``moved``."""
     creep = "tangential_model" in methods
     if moved in SPRUNG:
-        return True         # the rails are rigid
+        return True  # the rails are rigid
     if moved in ("vertical_velocity", "roll_rate") and mode != "compliant":
-        return True         # they follow from contact
+        return True  # they follow from contact
     if moved in ({"wheel_rate"} if "independent_wheels" in methods else OF_WHEELS):
-        return True         # it is not read
+        return True  # it is not read
     if moved in MOVING | RUBBING:
         creepage = ".creepage." in name and moved in MOVING
         rubbed = creep and any(word in name for word in OF_CREEP) and "normal." not in name
@@ -142,25 +199,45 @@ def test_declared_dependencies_hold(case):
     does change something."""
     mode, methods = case.partition(",")[0], METHODS[case]
     system = ContactSystem(contact_mode=mode, **methods)
-    pose = {"lateral_shift": 1.3e-3, "yaw": 2e-3, "roll_guess": 0.0, "normal_force": 78.5e3,
-            "load_transfer": 0.05, "vertical_shift_input": 0.2e-3, "roll_input": -7e-5, "speed": 20.0,
-            **dict.fromkeys((row.name for row in (*MOTION[1:], *RAILS, *RATES)), 0.0),
-            **dict.fromkeys(SPRUNG, 0.0),
-            "free_rolling": 1.0,
-            **dict.fromkeys(RUBBING, 0.3)}
-    changes = {"lateral_shift": 1e-4, "yaw": 1e-3, "roll_guess": 1e-3, "normal_force": 1e3,
-               "load_transfer": 0.01, "vertical_shift_input": 1e-6, "roll_input": 1e-6,
-               **{row.name: 0.1 * row.nominal for row in (*MOTION, *RAILS, *FRICTION, *RATES, TIME_STEP,
-                                                     *DEFLECTIONS)},
-               "free_rolling": -1.0}
+    pose = {
+        "lateral_shift": 1.3e-3,
+        "yaw": 2e-3,
+        "roll_guess": 0.0,
+        "normal_force": 78.5e3,
+        "load_transfer": 0.05,
+        "vertical_shift_input": 0.2e-3,
+        "roll_input": -7e-5,
+        "speed": 20.0,
+        **dict.fromkeys((row.name for row in (*MOTION[1:], *RAILS, *RATES)), 0.0),
+        **dict.fromkeys(SPRUNG, 0.0),
+        "free_rolling": 1.0,
+        **dict.fromkeys(RUBBING, 0.3),
+    }
+    changes = {
+        "lateral_shift": 1e-4,
+        "yaw": 1e-3,
+        "roll_guess": 1e-3,
+        "normal_force": 1e3,
+        "load_transfer": 0.01,
+        "vertical_shift_input": 1e-6,
+        "roll_input": 1e-6,
+        **{
+            row.name: 0.1 * row.nominal
+            for row in (*MOTION, *RAILS, *FRICTION, *RATES, TIME_STEP, *DEFLECTIONS)
+        },
+        "free_rolling": -1.0,
+    }
     assert set(changes) == set(INPUT_NAMES)
     present = evaluated(pose, system.stepper())
     assert present["status"] == 0
     for name, change in changes.items():
         changed = evaluated({**pose, name: pose[name] + change}, system.stepper())
         outputs = VARIABLES[variables.FIRST_OUTPUT : variables.FIRST_WEAR]
-        free = [v.name for v in outputs
-                if name not in v.depends_on or does_not_follow(mode, methods, name, v.name)]
+        free = [
+            v.name
+            for v in outputs
+            if name not in v.depends_on or does_not_follow(mode, methods, name, v.name)
+        ]
         assert_same({v: changed[v] for v in free}, {v: present[v] for v in free}, WARM_START)
         seen = ".creepage." if name in MOVING else ".tangential." if name in RUBBING else ".area"
         moved = [v for v in present if seen in v]

@@ -22,20 +22,49 @@ def test_first_instant(run):
 
 
 PARAMETER_SETS = {
-    "strip, elastic": {"normal_model": "analyn_strip", "contact_mode": "elastic", "load": "vertical",
-                       "tolerance": 0.02},
-    "hertz, basic": {"normal_model": "hertz", "longitudinal_curvature": "basic", "rail_profile": "54E1",
-                     "rail_inclination": 0.05},
-    "rough, vertical": {"lateral_curvature": "rough", "separation": "vertical", "curvature_step": 1e-3,
-                        "gauge": 1.43},
-    "rough, equidistant": {"lateral_curvature": "rough", "separation": "equidistant", "curvature_step": 1e-3,
-                           "curvature_reach": 2e-3},
-    "smooth, equidistant": {"lateral_curvature": "smooth", "separation": "equidistant",
-                            "curvature_step": 1e-3, "curvature_reach": 2e-3},
-    "smooth, chord": {"lateral_curvature": "smooth", "separation": "equidistant_chord",
-                      "curvature_reach": 2e-3},
-    "material": {"youngs_modulus": 2e11, "poisson_ratio": 0.3, "nominal_radius": 0.5,
-                 "running_circle_distance": 1.51, "gauge_depth": 0.012, "tolerance": 0.0015},
+    "strip, elastic": {
+        "normal_model": "analyn_strip",
+        "contact_mode": "elastic",
+        "load": "vertical",
+        "tolerance": 0.02,
+    },
+    "hertz, basic": {
+        "normal_model": "hertz",
+        "longitudinal_curvature": "basic",
+        "rail_profile": "54E1",
+        "rail_inclination": 0.05,
+    },
+    "rough, vertical": {
+        "lateral_curvature": "rough",
+        "separation": "vertical",
+        "curvature_step": 1e-3,
+        "gauge": 1.43,
+    },
+    "rough, equidistant": {
+        "lateral_curvature": "rough",
+        "separation": "equidistant",
+        "curvature_step": 1e-3,
+        "curvature_reach": 2e-3,
+    },
+    "smooth, equidistant": {
+        "lateral_curvature": "smooth",
+        "separation": "equidistant",
+        "curvature_step": 1e-3,
+        "curvature_reach": 2e-3,
+    },
+    "smooth, chord": {
+        "lateral_curvature": "smooth",
+        "separation": "equidistant_chord",
+        "curvature_reach": 2e-3,
+    },
+    "material": {
+        "youngs_modulus": 2e11,
+        "poisson_ratio": 0.3,
+        "nominal_radius": 0.5,
+        "running_circle_distance": 1.51,
+        "gauge_depth": 0.012,
+        "tolerance": 0.0015,
+    },
 }
 
 
@@ -63,8 +92,11 @@ def test_contact_modes_arrive(run):
     """Elastic: height and roll follow the load; compliant: they are inputs, and the loads follow."""
     start = {"lateral_shift": 3e-3, "yaw": 1e-3, "contact_mode": "elastic", "load": "vertical"}
     elastic = run("first_instant", start=start)["after_initialisation"]
-    assert_same(elastic, evaluated(start, ContactSystem(contact_mode="elastic", load="vertical").stepper()),
-                WARM_START)
+    assert_same(
+        elastic,
+        evaluated(start, ContactSystem(contact_mode="elastic", load="vertical").stepper()),
+        WARM_START,
+    )
     assert elastic["status"] == 0 and elastic["force.z"] == pytest.approx(-2 * 78.5e3, rel=1e-6)
     given = {"vertical_shift_input": elastic["vertical_shift"], "roll_input": elastic["roll"]}
     start = {**start, **given, "contact_mode": "compliant", "normal_force": 1.0}
@@ -101,9 +133,11 @@ RIGID = {"roll": 2e-12, "contact_angle": 1e-7, "curvature": math.inf}
 POSITION = 1.2e-9  # [m] measured 8e-10
 #: Means of a run's deviations from the complete theory may be so many times what is measured [%].
 MARGIN = 1.3
-MEAN = {"hunting": {"penetration": 0.49, "area": 1.01, "max_pressure": 1.07},
-        "jumps": {"penetration": 0.73, "area": 2.20, "max_pressure": 1.32},
-        "load": {"penetration": 0.32, "area": 0.37, "max_pressure": 0.37}}
+MEAN = {
+    "hunting": {"penetration": 0.49, "area": 1.01, "max_pressure": 1.07},
+    "jumps": {"penetration": 0.73, "area": 2.20, "max_pressure": 1.32},
+    "load": {"penetration": 0.32, "area": 0.37, "max_pressure": 0.37},
+}
 #: Largest deviations: measured 0.179, 0.160, 0.264, by ANALYN at 6.2548 ... 6.2638 mm, where the patch
 #: reaches around the flange root (0.112, 0.157, 0.251 when model and reference had planes). The wheels of
 #: "hunting" and "load" stay within 0.031, 0.065 and 0.127.
@@ -136,7 +170,7 @@ def test_trajectory_by_simulate_fmu(hosts, kind, name):
     made = session()
     for row, found in zip(rows, seen[1:]):
         wanted = stepped(made, row)
-        for output in expected[0]:      # another history: the warm start's last digits
+        for output in expected[0]:  # another history: the warm start's last digits
             assert found[output] == pytest.approx(wanted[output], rel=1e-9, abs=1e-12), output
 
 
@@ -149,7 +183,8 @@ def assert_near(seen, expected, run):
             if value is not None:
                 difference = abs(found[name] - value)
                 assert difference <= allowance(name, value, resting), (
-                    f"row {k}: {name} is {found[name]!r}, expected {value!r}")
+                    f"row {k}: {name} is {found[name]!r}, expected {value!r}"
+                )
                 last = name.split(".")[-1]
                 if last in WORST and value:
                     deviations[last].append(100 * difference / abs(value))

@@ -44,11 +44,19 @@ def test_equal_archives_from_other_folders_and_an_empty_cache(tmp_path):
     for folder, processor, caches in (("one", "Haswell", {}), ("an other", "Prescott", cache)):
         place = tmp_path / folder
         (place / "scratch").mkdir(parents=True)
-        subprocess.run([sys.executable, "-c", BUILD, "out", *PLATFORMS], cwd=place, check=True,
-                       stderr=subprocess.DEVNULL,
-                       env={**clean, **caches,
-                            "PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.path)),
-                            "TMPDIR": str(place / "scratch"), "OPENBLAS_CORETYPE": processor})
+        subprocess.run(
+            [sys.executable, "-c", BUILD, "out", *PLATFORMS],
+            cwd=place,
+            check=True,
+            stderr=subprocess.DEVNULL,
+            env={
+                **clean,
+                **caches,
+                "PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.path)),
+                "TMPDIR": str(place / "scratch"),
+                "OPENBLAS_CORETYPE": processor,
+            },
+        )
         made.append({file.name: file.read_bytes() for file in sorted((place / "out").iterdir())})
     assert len(made[0]) == 3
     assert made[0].keys() == made[1].keys()
@@ -62,8 +70,18 @@ def test_equal_archives_from_other_folders_and_an_empty_cache(tmp_path):
 def sources(tmp_path_factory):
     """A copy of the checkout, with a library in it that belongs to no wheel."""
     copy = tmp_path_factory.mktemp("sources") / "wrcontact"
-    ignored = (".git", ".venv", "build", "dist", "out", "*.egg-info", "__pycache__", "*.so", "*.dll",
-               "*.dylib")
+    ignored = (
+        ".git",
+        ".venv",
+        "build",
+        "dist",
+        "out",
+        "*.egg-info",
+        "__pycache__",
+        "*.so",
+        "*.dll",
+        "*.dylib",
+    )
     shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*ignored))
     (copy / "wrcontact" / "kernel" / "_wrcontact_kernel-amiga.so").write_bytes(b"a stray one")
     return copy
@@ -74,19 +92,29 @@ PACK = [sys.executable, "-m", "build", "--no-isolation"]
 
 def built_wheel(sources, folder, **settings):
     """``python -m build --wheel`` with these settings; the wheel."""
-    clean = {key: value for key, value in os.environ.items()
-             if key not in ("WRCONTACT_PLATFORM", "WRCONTACT_KERNEL")}
-    done = subprocess.run([*PACK, "--wheel", "--outdir", str(folder), str(sources)], text=True,
-                          capture_output=True, env={**clean, **settings})
+    clean = {
+        key: value
+        for key, value in os.environ.items()
+        if key not in ("WRCONTACT_PLATFORM", "WRCONTACT_KERNEL")
+    }
+    done = subprocess.run(
+        [*PACK, "--wheel", "--outdir", str(folder), str(sources)],
+        text=True,
+        capture_output=True,
+        env={**clean, **settings},
+    )
     assert done.returncode == 0, done.stdout + done.stderr
-    wheel, = folder.iterdir()
+    (wheel,) = folder.iterdir()
     return wheel
 
 
 def libraries_in(wheel):
     with zipfile.ZipFile(wheel) as archive:
-        return {name: archive.read(name) for name in archive.namelist()
-                if name.endswith((".so", ".dll", ".dylib"))}
+        return {
+            name: archive.read(name)
+            for name in archive.namelist()
+            if name.endswith((".so", ".dll", ".dylib"))
+        }
 
 
 def install(wheel, folder):
@@ -94,11 +122,15 @@ def install(wheel, folder):
     subprocess.run([sys.executable, "-m", "venv", "--without-pip", str(folder)], check=True)
     python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
     pip = [sys.executable, "-m", "pip", "--python", str(python)]
-    subprocess.run([*pip, "install", "-q", "--no-deps", "--no-index", str(wheel)], check=True,
-                   env={**os.environ, "PATH": ""})
+    subprocess.run(
+        [*pip, "install", "-q", "--no-deps", "--no-index", str(wheel)],
+        check=True,
+        env={**os.environ, "PATH": ""},
+    )
     where = "import sysconfig; print(sysconfig.get_path('purelib'))"
-    site = Path(subprocess.run([str(python), "-c", where], text=True, capture_output=True,
-                               check=True).stdout.strip())
+    site = Path(
+        subprocess.run([str(python), "-c", where], text=True, capture_output=True, check=True).stdout.strip()
+    )
     theirs = [sysconfig.get_path(name) for name in ("purelib", "platlib")]
     site.joinpath("theirs.pth").write_text("".join(f"{path}\n" for path in theirs))
     return python
@@ -116,8 +148,13 @@ print(library.__file__, kernel.compiled, state.right.penetration.hex())
 @pytest.mark.full
 @needs_zig
 @needs_build
-@pytest.mark.parametrize("name", ("x86_64-linux", *(pytest.param(name, marks=pytest.mark.complete)
-                                                    for name in PLATFORMS if name != "x86_64-linux")))
+@pytest.mark.parametrize(
+    "name",
+    (
+        "x86_64-linux",
+        *(pytest.param(name, marks=pytest.mark.complete) for name in PLATFORMS if name != "x86_64-linux"),
+    ),
+)
 def test_wheel_for_a_platform(sources, tmp_path, name):
     """Its tag and its library, the right one alone, its version, and nothing of others that the list of
     licences does not name; this machine's is installed without a compiler and runs compiled."""
@@ -125,8 +162,9 @@ def test_wheel_for_a_platform(sources, tmp_path, name):
     place = PLATFORMS[name]
     assert wheel.name.endswith(f"-py3-none-{place.wheel}.whl")
     with zipfile.ZipFile(wheel) as archive:
-        metadata = archive.read(next(entry for entry in archive.namelist()
-                                     if entry.endswith(".dist-info/WHEEL"))).decode()
+        metadata = archive.read(
+            next(entry for entry in archive.namelist() if entry.endswith(".dist-info/WHEEL"))
+        ).decode()
     assert f"-{wrcontact.__version__}-py3-" in wheel.name
     theirs = {"compiler-rt", "mingw-w64"} if name == "x86_64-windows" else {"compiler-rt"}
     assert {part.name for part in bill.parts_in(wheel)} == theirs
@@ -138,13 +176,20 @@ def test_wheel_for_a_platform(sources, tmp_path, name):
         check_library(*found.values(), name, f"_wrcontact_kernel-{name}", KERNEL_EXPORTS)
     if name == host_platform():
         python = install(wheel, tmp_path / "environment")
-        done = subprocess.run([str(python), "-I", "-W", "error", "-c", EVALUATE], cwd=tmp_path, text=True,
-                              capture_output=True, env={"PATH": "", "WRCONTACT_KERNEL": "auto"})
+        done = subprocess.run(
+            [str(python), "-I", "-W", "error", "-c", EVALUATE],
+            cwd=tmp_path,
+            text=True,
+            capture_output=True,
+            env={"PATH": "", "WRCONTACT_KERNEL": "auto"},
+        )
         assert done.returncode == 0, done.stderr
         file, compiled, penetration = done.stdout.split()
         assert Path(file).is_relative_to(tmp_path / "environment") and compiled == "True"
-        assert float.fromhex(penetration) == ContactSystem().evaluate(lateral_shift=5e-3,
-                                                                      yaw=1e-3).right.penetration
+        assert (
+            float.fromhex(penetration)
+            == ContactSystem().evaluate(lateral_shift=5e-3, yaw=1e-3).right.penetration
+        )
 
 
 @pytest.mark.full
@@ -161,9 +206,10 @@ def test_wheel_of_this_machine(sources, tmp_path):
 @pytest.mark.full
 @needs_build
 def test_source_archive_has_no_library(sources, tmp_path):
-    subprocess.run([*PACK, "--sdist", "--outdir", str(tmp_path), str(sources)], check=True,
-                   capture_output=True)
-    made, = tmp_path.iterdir()
+    subprocess.run(
+        [*PACK, "--sdist", "--outdir", str(tmp_path), str(sources)], check=True, capture_output=True
+    )
+    (made,) = tmp_path.iterdir()
     theirs = {part.name: entries for part, entries in bill.parts_in(made).items()}
     assert set(theirs) == {"benchmark of EN 15302", "reference output of CONTACT"}
     with tarfile.open(made) as archive:

@@ -31,20 +31,34 @@ def halfspace(**parameters):
 
 
 def stand_of(row):
-    return {"lateral_shift": row["lateral_shift_mm"] * 1e-3, "yaw": math.radians(row["yaw_deg"]),
-            "vertical_shift_input": row["vertical_shift_mm"] * 1e-3, "roll_input": row["roll_rad"]}
+    return {
+        "lateral_shift": row["lateral_shift_mm"] * 1e-3,
+        "yaw": math.radians(row["yaw_deg"]),
+        "vertical_shift_input": row["vertical_shift_mm"] * 1e-3,
+        "roll_input": row["roll_rad"],
+    }
 
 
-@pytest.mark.parametrize("index", [9, pytest.param(0, marks=pytest.mark.full),
-                                   pytest.param(6, marks=pytest.mark.full),
-                                   pytest.param(7, marks=pytest.mark.full)])
+@pytest.mark.parametrize(
+    "index",
+    [
+        9,
+        pytest.param(0, marks=pytest.mark.full),
+        pytest.param(6, marks=pytest.mark.full),
+        pytest.param(7, marks=pytest.mark.full),
+    ],
+)
 def test_the_independent_program_has_the_same_contact(index):
     """At the same height and roll, on its own grid of 110 cells or more: the same theory, from printed
     profiles and by root search. It finds the edge along x only."""
     row = ROWS[index]
     stand = stand_of(row)
-    truth = conformal_reference.lowered_contact(brute_force.track(), brute_force.Pose(*(
-        stand[name] for name in ("lateral_shift", "yaw", "roll_input", "vertical_shift_input"))))
+    truth = conformal_reference.lowered_contact(
+        brute_force.track(),
+        brute_force.Pose(
+            *(stand[name] for name in ("lateral_shift", "yaw", "roll_input", "vertical_shift_input"))
+        ),
+    )
     found = halfspace(contact_mode="compliant").evaluate(**stand).right
     assert found.normal_force == pytest.approx(truth.force, rel=1e-3)
     assert found.max_pressure == pytest.approx(truth.max_pressure, rel=2e-3)
@@ -58,25 +72,35 @@ def test_rigid_contact_is_compliant_contact_at_the_height_it_sinks_to():
     rigid_state = halfspace().evaluate(shift, yaw, force, side="right")
     side = rigid_state.right
     height = rigid_state.vertical_shift + side.penetration / math.cos(side.contact_angle)
-    pressed = halfspace(contact_mode="compliant").evaluate(
-        lateral_shift=shift, yaw=yaw, vertical_shift_input=height, roll_input=rigid_state.roll).right
+    pressed = (
+        halfspace(contact_mode="compliant")
+        .evaluate(lateral_shift=shift, yaw=yaw, vertical_shift_input=height, roll_input=rigid_state.roll)
+        .right
+    )
     assert pressed.normal_force == pytest.approx(force, rel=1e-3)
     assert pressed.max_pressure == pytest.approx(side.max_pressure, rel=1e-3)
     assert pressed.area == pytest.approx(side.area, rel=5e-3)
 
 
-@pytest.mark.parametrize("shift, yaw, load", [
-    (6.25e-3, 0.0, "normal"), pytest.param(5.5e-3, 0.5, "vertical", marks=pytest.mark.full),
-    pytest.param(-6.15e-3, -0.5, "vertical", marks=pytest.mark.full)])
+@pytest.mark.parametrize(
+    "shift, yaw, load",
+    [
+        (6.25e-3, 0.0, "normal"),
+        pytest.param(5.5e-3, 0.5, "vertical", marks=pytest.mark.full),
+        pytest.param(-6.15e-3, -0.5, "vertical", marks=pytest.mark.full),
+    ],
+)
 def test_elastic_contact_is_compliant_contact_at_its_height_and_roll(shift, yaw, load):
     """Both wheels carry their loads there: to the equality of the heights, 2e-4 of the penetration."""
     loads, transfer = np.array([7e4, 7e4]), 0.1
     pose = {"lateral_shift": shift, "yaw": math.radians(yaw)}
-    state = halfspace(contact_mode="elastic", load=load).evaluate(**pose, normal_force=7e4,
-                                                                  load_transfer=transfer)
+    state = halfspace(contact_mode="elastic", load=load).evaluate(
+        **pose, normal_force=7e4, load_transfer=transfer
+    )
     assert state.status == Status.VALID
     back = halfspace(contact_mode="compliant").evaluate(
-        **pose, vertical_shift_input=state.vertical_shift, roll_input=state.roll)
+        **pose, vertical_shift_input=state.vertical_shift, roll_input=state.roll
+    )
     carried = {"normal": lambda side: side.normal_force, "vertical": lambda side: -side.force.z}[load]
     loads = loads * [1.0 - transfer, 1.0 + transfer]
     np.testing.assert_allclose([carried(side) for side in (state.left, state.right)], loads, rtol=1e-6)
@@ -105,8 +129,9 @@ def test_unloaded_wheels_of_elastic_and_compliant_wheelsets():
     assert one.status == Status.UNLOADED and one.left.normal_force == 0.0
     assert one.right.normal_force == pytest.approx(1e5, rel=1e-6)
     # the left wheel just touches: under a newton the roll is nearly the same
-    both = halfspace(contact_mode="elastic").evaluate(lateral_shift=2e-3, normal_force=5e4,
-                                                      load_transfer=1.0 - 2e-5)
+    both = halfspace(contact_mode="elastic").evaluate(
+        lateral_shift=2e-3, normal_force=5e4, load_transfer=1.0 - 2e-5
+    )
     assert one.roll == pytest.approx(both.roll, abs=1e-7)
 
 
@@ -117,8 +142,14 @@ def pair_of(index, system=None):
     """Wheel and rail of a row of conformal.csv."""
     tables = tables_of(system or halfspace())
     stand = stand_of(ROWS[index])
-    return wheel_on_rail(tables, 1, lateral_shift=stand["lateral_shift"], yaw=stand["yaw"],
-                         roll=stand["roll_input"], vertical_shift=stand["vertical_shift_input"])
+    return wheel_on_rail(
+        tables,
+        1,
+        lateral_shift=stand["lateral_shift"],
+        yaw=stand["yaw"],
+        roll=stand["roll_input"],
+        vertical_shift=stand["vertical_shift_input"],
+    )
 
 
 @pytest.mark.parametrize("index", (0, 6, 7))
@@ -182,8 +213,9 @@ def test_turning_wheel_and_rail_together_changes_nothing(turn):
     """Force, peak and area at the same place; the force turns with them."""
     pair = pair_of(9)
     settings = Settings(layout.Tables.at(tables_of(halfspace())).contact_modulus, 0.2, False, 5e-3)
-    one, other = (press(each.lowered(-2e-4), settings, penetration=2e-4)
-                  for each in (pair, turned(pair, turn)))
+    one, other = (
+        press(each.lowered(-2e-4), settings, penetration=2e-4) for each in (pair, turned(pair, turn))
+    )
     assert other.contact.force == pytest.approx(one.contact.force, rel=2e-4)
     assert other.contact.max_pressure == pytest.approx(one.contact.max_pressure, rel=1e-3)
     assert other.contact.area == pytest.approx(one.contact.area, rel=5e-3)
@@ -229,7 +261,8 @@ def test_error_falls_with_the_cells():
     errors = []
     for count in (12, 24, 48):
         found = solve_grid(problem, *centres(box, (count, count)))
-        errors.append([abs(getattr(found, name) / getattr(fine, name) - 1.0)
-                       for name in ("force", "max_pressure")])
+        errors.append(
+            [abs(getattr(found, name) / getattr(fine, name) - 1.0) for name in ("force", "max_pressure")]
+        )
     rates = np.log2(np.divide(errors[0], errors[2])) / 2
     assert np.all(rates > 1.3), errors

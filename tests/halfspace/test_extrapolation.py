@@ -1,6 +1,5 @@
 """Extrapolated forces against another program's, and how the grid's error falls."""
 
-
 import numpy as np
 import pytest
 
@@ -16,8 +15,12 @@ TOLERANCE = 2e-3
 
 
 def check(case, found):
-    apart = errors(found, [case[name] for name in ("Fx", "Fy", "Mz")], case["mu"] * case["N"],
-                   1e-3 * np.sqrt(case["a"] * case["b"]))
+    apart = errors(
+        found,
+        [case[name] for name in ("Fx", "Fy", "Mz")],
+        case["mu"] * case["N"],
+        1e-3 * np.sqrt(case["a"] * case["b"]),
+    )
     assert np.hypot(*apart[:2]) < TOLERANCE and abs(apart[2]) < TOLERANCE, (case["aob"], case["set"], apart)
 
 
@@ -39,9 +42,22 @@ def test_the_error_is_of_first_order():
     """Forces on 16, 32 and 64 cells of a partly slipping patch: the differences halve (1.6 ... 2.4: stick
     and slip change cell by cell), and the extrapolated force moves by 0.3 % of the friction limit at most."""
     outline = Outline.of_ellipse(6e-3, 5e-3, 8e4)
-    found = np.array([forces(rolling_contact(
-        outline.on_grid(cells, cells), creepage_x=-9e-4, creepage_y=-7e-4, spin=-0.2, friction=0.3,
-        shear_modulus=82e9, poisson_ratio=0.28)) for cells in (16, 32, 64)])
+    found = np.array(
+        [
+            forces(
+                rolling_contact(
+                    outline.on_grid(cells, cells),
+                    creepage_x=-9e-4,
+                    creepage_y=-7e-4,
+                    spin=-0.2,
+                    friction=0.3,
+                    shear_modulus=82e9,
+                    poisson_ratio=0.28,
+                )
+            )
+            for cells in (16, 32, 64)
+        ]
+    )
     first, second = np.diff(found, axis=0)
     assert np.all((1.6 < first / second) & (first / second < 2.4)), first / second
     moved = (found[2] + second) - (found[1] + first)

@@ -22,8 +22,10 @@ def test_influence_is_the_integral_over_the_cell():
     dx, ds = 1e-4, 3e-4
     influence = deflection.influence(dx * np.arange(3), ds * np.arange(3), contact_modulus=MODULUS)
     for i, j in ((1, 0), (0, 1), (2, 1)):
+
         def distance(s, x, i=i, j=j):
             return 1.0 / math.hypot(x - i * dx, s - j * ds)
+
         integral = dblquad(distance, -dx / 2, dx / 2, -ds / 2, ds / 2, epsrel=1e-11)[0]
         assert influence[i, j] == pytest.approx(integral / (math.pi * MODULUS), rel=1e-10)
 
@@ -47,8 +49,9 @@ def test_hertz(ratio, force):
     """Ellipses up to 1:8, nanometres to a millimetre of penetration: 0.1 % in peak
     pressure, 0.5 % in area."""
     penetration, a, b, pressure = hertz(1.087, 1.087 * ratio, force)
-    found = contact.solve_contact(paraboloid(1.087, 1.087 * ratio), WIDE, contact_modulus=MODULUS,
-                                    force=force)
+    found = contact.solve_contact(
+        paraboloid(1.087, 1.087 * ratio), WIDE, contact_modulus=MODULUS, force=force
+    )
     assert found.penetration == pytest.approx(penetration, rel=3e-4)
     assert found.max_pressure == pytest.approx(pressure, rel=1e-3)
     assert found.area == pytest.approx(math.pi * a * b, rel=5e-3)
@@ -81,8 +84,11 @@ def test_area_of_an_exact_pressure_field(aspect):
         field = edge.edge_field(np.sqrt(np.maximum(square, 0.0)))
         # the correction belongs to solved pressures, not to exact ones
         bias = edge.EDGE_BIAS * 2 * math.pi * 15
-        errors.append((edge.edge_area(field) + bias * (30 / aspect / 15 + 1) / 2) / area - 1 if aspect > 1
-                      else (edge.edge_area(field) + bias) / area - 1)
+        errors.append(
+            (edge.edge_area(field) + bias * (30 / aspect / 15 + 1) / 2) / area - 1
+            if aspect > 1
+            else (edge.edge_area(field) + bias) / area - 1
+        )
     assert np.max(np.abs(errors)) < 4e-3
 
 
@@ -151,7 +157,7 @@ def test_cells_over_a_patch_do_not_hang_on_rounding():
         (x0, s0), (dx, ds) = random.uniform(-1e-2, 1e-2, 2), random.uniform(1e-5, 1e-3, 2)
         pressure = np.zeros((24, 24))
         wide, long = random.integers(1, 20, 2)
-        pressure[2:2 + wide, 3:3 + long] = 1.0
+        pressure[2 : 2 + wide, 3 : 3 + long] = 1.0
         found = SimpleNamespace(x=x0 + dx * np.arange(24), s=s0 + ds * np.arange(24), pressure=pressure)
         bounds, cells = window.fit_window(found)
         assert cells == (window.PATCH_CELLS + 2 * window.MARGIN_CELLS,) * 2, (x0, s0, dx, ds, wide, long)
@@ -163,8 +169,9 @@ def test_cells_over_a_patch_do_not_hang_on_rounding():
 def test_cells_over_two_patches_are_those_of_the_narrow_one():
     pressure = np.zeros((24, 24))
     pressure[4:14, 3:9] = pressure[4:14, 15:18] = 1.0
-    _, cells = window.fit_window(SimpleNamespace(x=1e-3 * np.arange(24), s=1e-3 * np.arange(24),
-                                                 pressure=pressure))
+    _, cells = window.fit_window(
+        SimpleNamespace(x=1e-3 * np.arange(24), s=1e-3 * np.arange(24), pressure=pressure)
+    )
     assert cells == (20 + 4, 20 * 15 // 3 + 4)
 
 
@@ -174,8 +181,9 @@ def test_estimated_error_bounds_the_real_one(ratio):
     penetration, a, b, pressure = hertz(1.0, ratio, 1e4)
     sizes = []
     for tolerance in (0.05, 0.01, 3e-3, 1e-3):
-        found = contact.solve_contact(paraboloid(1.0, ratio), WIDE, contact_modulus=MODULUS, force=1e4,
-                                        tolerance=tolerance)
+        found = contact.solve_contact(
+            paraboloid(1.0, ratio), WIDE, contact_modulus=MODULUS, force=1e4, tolerance=tolerance
+        )
         assert max(found.error.values()) <= tolerance
         assert abs(found.area / (math.pi * a * b) - 1) < tolerance
         assert abs(found.penetration / penetration - 1) < tolerance
@@ -186,8 +194,14 @@ def test_estimated_error_bounds_the_real_one(ratio):
 
 def test_prescribed_penetration_is_the_inverse_on_a_grid():
     found, _ = on_hertz(1.0, 3.0, 4e4, 40)
-    back = one_grid.solve(found.x, found.s, paraboloid(1.0, 3.0)(found.x, found.s), contact_modulus=MODULUS,
-                           penetration=found.penetration, precision=1e-8)
+    back = one_grid.solve(
+        found.x,
+        found.s,
+        paraboloid(1.0, 3.0)(found.x, found.s),
+        contact_modulus=MODULUS,
+        penetration=found.penetration,
+        precision=1e-8,
+    )
     assert back.force == pytest.approx(4e4, rel=1e-7)
     np.testing.assert_allclose(back.pressure, found.pressure, atol=1e-4 * found.max_pressure)
 
@@ -195,10 +209,18 @@ def test_prescribed_penetration_is_the_inverse_on_a_grid():
 def test_a_guess_changes_the_cost_and_not_the_answer():
     plain, _ = on_hertz(1.0, 3.0, 4e4, 40)
     gap = paraboloid(1.0, 3.0)(plain.x, plain.s)
-    warm = one_grid.solve(plain.x, plain.s, gap, contact_modulus=MODULUS, force=4e4, guess=plain.pressure,
-                          precision=1e-8)
-    bad = one_grid.solve(plain.x, plain.s, gap, contact_modulus=MODULUS, force=4e4, precision=1e-8,
-                          guess=np.random.default_rng(2).random(gap.shape))
+    warm = one_grid.solve(
+        plain.x, plain.s, gap, contact_modulus=MODULUS, force=4e4, guess=plain.pressure, precision=1e-8
+    )
+    bad = one_grid.solve(
+        plain.x,
+        plain.s,
+        gap,
+        contact_modulus=MODULUS,
+        force=4e4,
+        precision=1e-8,
+        guess=np.random.default_rng(2).random(gap.shape),
+    )
     assert warm.iterations <= 2 < plain.iterations < bad.iterations
     assert bad.penetration == pytest.approx(plain.penetration, rel=1e-8)
 
@@ -206,9 +228,15 @@ def test_a_guess_changes_the_cost_and_not_the_answer():
 def test_scaling_with_size():
     """All lengths times k, the load times k^2: the same pressures on the same cells, to the
     residual that is left."""
-    one, large = (contact.solve_contact(lambda x, s, k=k: paraboloid(1.0, 3.0)(x / k, s / k) * k,
-                                          np.array(WIDE) * k, contact_modulus=MODULUS, force=1e4 * k**2)
-                  for k in (1.0, 32.0))
+    one, large = (
+        contact.solve_contact(
+            lambda x, s, k=k: paraboloid(1.0, 3.0)(x / k, s / k) * k,
+            np.array(WIDE) * k,
+            contact_modulus=MODULUS,
+            force=1e4 * k**2,
+        )
+        for k in (1.0, 32.0)
+    )
     assert large.pressure.shape == one.pressure.shape
     np.testing.assert_allclose(large.pressure, one.pressure, atol=2e-5 * one.max_pressure)
     assert large.penetration == pytest.approx(32.0 * one.penetration, rel=1e-6)
@@ -216,11 +244,13 @@ def test_scaling_with_size():
 
 
 def test_force_rises_with_penetration():
-    loads = [contact.solve_contact(paraboloid(1.0, 3.0), WIDE, contact_modulus=MODULUS,
-                                     penetration=depth).force
-             for depth in np.geomspace(1e-9, 1e-4, 11)]
-    np.testing.assert_allclose(np.diff(np.log(loads)) / np.diff(np.log(np.geomspace(1e-9, 1e-4, 11))), 1.5,
-                               atol=2e-3)
+    loads = [
+        contact.solve_contact(paraboloid(1.0, 3.0), WIDE, contact_modulus=MODULUS, penetration=depth).force
+        for depth in np.geomspace(1e-9, 1e-4, 11)
+    ]
+    np.testing.assert_allclose(
+        np.diff(np.log(loads)) / np.diff(np.log(np.geomspace(1e-9, 1e-4, 11))), 1.5, atol=2e-3
+    )
 
 
 def test_no_load_and_no_contact():
@@ -228,8 +258,9 @@ def test_no_load_and_no_contact():
     gap = paraboloid(1.0, 1.0)(x, x) + 1e-6
     empty = one_grid.solve(x, x, gap, contact_modulus=MODULUS, force=0.0)
     assert (empty.force, empty.area, empty.penetration) == (0.0, 0.0, pytest.approx(1e-6))
-    apart = contact.solve_contact(lambda x, s: paraboloid(1.0, 1.0)(x, s) + 1e-6, WIDE,
-                                    contact_modulus=MODULUS, penetration=5e-7)
+    apart = contact.solve_contact(
+        lambda x, s: paraboloid(1.0, 1.0)(x, s) + 1e-6, WIDE, contact_modulus=MODULUS, penetration=5e-7
+    )
     assert apart.force == 0.0 and not apart.pressure.any() and apart.clearance.min() >= 5e-7 - 1e-15
 
 
@@ -239,20 +270,29 @@ def test_no_load_and_no_contact():
 GRID = (np.linspace(0, 1e-3, 5), np.linspace(0, 1e-3, 4), np.zeros((5, 4)))
 
 
-@pytest.mark.parametrize("arguments, load, words", [
-    (GRID, {}, "force is None N and penetration is None m; permitted is exactly one of them"),
-    (GRID, {"force": 1.0, "penetration": 1e-6}, "force is 1.0 N and penetration is 1e-06 m"),
-    (GRID, {"force": -1.0}, "force is -1.0 N; permitted is force >= 0 N"),
-    (GRID, {"force": math.nan}, "force is nan N"),
-    (GRID, {"penetration": math.inf}, "penetration is inf m; permitted are finite"),
-    (GRID, {"force": 1.0, "contact_modulus": 0.0},
-     "contact_modulus is 0.0 Pa; permitted is contact_modulus > 0 Pa"),
-    ((GRID[0][::-1], *GRID[1:]), {"force": 1.0}, "x has shape (5,); permitted are two or more rising"),
-    ((GRID[0], np.array([0.0, 1e-3, 3e-3, 4e-3]), GRID[2]), {"force": 1.0},
-     "s has shape (4,); permitted are"),
-    ((*GRID[:2], np.zeros((4, 5))), {"force": 1.0}, "gap has shape (4, 5); permitted is (5, 4)"),
-    ((*GRID[:2], np.full((5, 4), np.nan)), {"force": 1.0}, "gap holds nan"),
-])
+@pytest.mark.parametrize(
+    "arguments, load, words",
+    [
+        (GRID, {}, "force is None N and penetration is None m; permitted is exactly one of them"),
+        (GRID, {"force": 1.0, "penetration": 1e-6}, "force is 1.0 N and penetration is 1e-06 m"),
+        (GRID, {"force": -1.0}, "force is -1.0 N; permitted is force >= 0 N"),
+        (GRID, {"force": math.nan}, "force is nan N"),
+        (GRID, {"penetration": math.inf}, "penetration is inf m; permitted are finite"),
+        (
+            GRID,
+            {"force": 1.0, "contact_modulus": 0.0},
+            "contact_modulus is 0.0 Pa; permitted is contact_modulus > 0 Pa",
+        ),
+        ((GRID[0][::-1], *GRID[1:]), {"force": 1.0}, "x has shape (5,); permitted are two or more rising"),
+        (
+            (GRID[0], np.array([0.0, 1e-3, 3e-3, 4e-3]), GRID[2]),
+            {"force": 1.0},
+            "s has shape (4,); permitted are",
+        ),
+        ((*GRID[:2], np.zeros((4, 5))), {"force": 1.0}, "gap has shape (4, 5); permitted is (5, 4)"),
+        ((*GRID[:2], np.full((5, 4), np.nan)), {"force": 1.0}, "gap holds nan"),
+    ],
+)
 def test_wrong_grids_and_loads_are_refused_in_a_sentence(arguments, load, words):
     with pytest.raises(ValueError) as refusal:
         one_grid.solve(*arguments, **{"contact_modulus": MODULUS, **load})

@@ -26,8 +26,10 @@ def by_quadrature(x, y, dx, dy, points=60):
     for x_low, x_high in zip(cuts_x, cuts_x[1:]):
         for y_low, y_high in zip(cuts_y, cuts_y[1:]):
             # two triangles that meet in the corner next to the place (Duffy 1982)
-            near = [low if abs(low - at) <= abs(high - at) else high
-                    for low, high, at in ((x_low, x_high, x), (y_low, y_high, y))]
+            near = [
+                low if abs(low - at) <= abs(high - at) else high
+                for low, high, at in ((x_low, x_high, x), (y_low, y_high, y))
+            ]
             far = [x_low + x_high - near[0], y_low + y_high - near[1]]
             size = (far[0] - near[0]) * (far[1] - near[1])
             u, v = t[:, None], t[None, :]
@@ -37,14 +39,16 @@ def by_quadrature(x, y, dx, dy, points=60):
     return total
 
 
-@pytest.mark.parametrize("place", [(0.0, 0.0), (1.0, 0.0), (0.0, 2.0), (-1.0, 1.0), (3.0, -2.0), (20.0, 7.0)],
-                         ids=str)
+@pytest.mark.parametrize(
+    "place", [(0.0, 0.0), (1.0, 0.0), (0.0, 2.0), (-1.0, 1.0), (3.0, -2.0), (20.0, 7.0)], ids=str
+)
 @pytest.mark.parametrize("dx, dy", [(1.0, 1.0), (1.0, 0.3), (0.2, 1.0)])
 def test_displacements_are_cerrutis(place, dx, dy):
     """1e-9 of the cell's own displacement: rounding of differences over four corners, and the quadrature."""
     x, y = place[0] * dx, place[1] * dy
-    corners = corner_displacements(*np.meshgrid([x - 0.5 * dx, x + 0.5 * dx], [y - 0.5 * dy, y + 0.5 * dy]),
-                                   POISSON_RATIO)
+    corners = corner_displacements(
+        *np.meshgrid([x - 0.5 * dx, x + 0.5 * dx], [y - 0.5 * dy, y + 0.5 * dy]), POISSON_RATIO
+    )
     found = corners[:, 1, 1] - corners[:, 0, 1] - corners[:, 1, 0] + corners[:, 0, 0]
     own = by_quadrature(0.0, 0.0, dx, dy)
     assert np.abs(found - by_quadrature(x, y, dx, dy)).max() < 1e-9 * own.max(), place

@@ -46,13 +46,16 @@ def measured(ratio, nu, cells):
     c11, c22, c23 = wanted = creep_coefficients(a, b, nu)
     found = []
     for level in LEVELS:
-        limit = level * 0.3         # N and G are 1, sqrt(ab) too
+        limit = level * 0.3  # N and G are 1, sqrt(ab) too
         material = {"friction": 0.3, "shear_modulus": 1.0, "poisson_ratio": nu, "cells": cells}
-        along, across, spin = (roll_ellipse(a, b, 1.0, creepage_x=xi, creepage_y=eta, spin=phi, **material)
-                               for xi, eta, phi in ((-limit / c11, 0.0, 0.0), (0.0, -limit / c22, 0.0),
-                                                    (0.0, 0.0, -limit / c23)))
-        found.append(np.array([along.force_x * c11, across.force_y * c22, spin.force_y * c23,
-                               -across.moment * c22]) / limit)
+        along, across, spin = (
+            roll_ellipse(a, b, 1.0, creepage_x=xi, creepage_y=eta, spin=phi, **material)
+            for xi, eta, phi in ((-limit / c11, 0.0, 0.0), (0.0, -limit / c22, 0.0), (0.0, 0.0, -limit / c23))
+        )
+        found.append(
+            np.array([along.force_x * c11, across.force_y * c22, spin.force_y * c23, -across.moment * c22])
+            / limit
+        )
     return 2.0 * found[1] - found[0], np.append(wanted, c23)
 
 
@@ -67,8 +70,13 @@ def everywhere():
     ratios = (0.1, 0.015), (0.3, 0.01), (1.0, 0.01), (10 / 3, 0.01), (10.0, 0.015)
     for i, (ratio, tolerance) in enumerate(ratios):
         for j, nu in enumerate(POISSON_NODES):
-            yield pytest.param(ratio, tolerance, nu, id=f"a/b {ratio:.1f}, nu {nu}",
-                               marks=pytest.mark.full if i % 3 == j else pytest.mark.complete)
+            yield pytest.param(
+                ratio,
+                tolerance,
+                nu,
+                id=f"a/b {ratio:.1f}, nu {nu}",
+                marks=pytest.mark.full if i % 3 == j else pytest.mark.complete,
+            )
 
 
 @pytest.mark.parametrize("ratio, tolerance, nu", [*everywhere()])

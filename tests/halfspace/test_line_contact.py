@@ -26,9 +26,10 @@ def middle_row(columns, creepage_x, creepage_y, spin, poisson_ratio=POISSON_RATI
     outline = Outline.of_stations(np.linspace(-WIDE, WIDE, 5) * A, np.full(5, A), np.full(5, PRESSURE))
     field = outline.on_grid(columns, ROWS)
     slip = rigid_slip(field, creepage_x, creepage_y, spin)
-    slip[0] = creepage_x        # plane: spin moves the strip sideways only
-    found = contact_of_slip(field, slip, friction=FRICTION, shear_modulus=SHEAR_MODULUS,
-                            poisson_ratio=poisson_ratio)
+    slip[0] = creepage_x  # plane: spin moves the strip sideways only
+    found = contact_of_slip(
+        field, slip, friction=FRICTION, shear_modulus=SHEAR_MODULUS, poisson_ratio=poisson_ratio
+    )
     row = ROWS // 2
     limit = FRICTION * PRESSURE * 0.5 * np.pi * A
     return found.line_loads()[:, row] / limit, np.mean(~found.slips[row])
@@ -48,7 +49,7 @@ def test_creepage_is_carters(d, angle, nu):
     unit = 2.0 * FRICTION * PRESSURE * d / SHEAR_MODULUS
     load, sticks = extrapolated_row(-(1.0 - nu) * unit * e[0], -unit * e[1], 0.0, nu)
     assert load == pytest.approx(e * (1.0 - (1.0 - d) ** 2), abs=TOLERANCE)
-    assert sticks == pytest.approx(1.0 - d, abs=2.0 / COLUMNS)      # counted in cells
+    assert sticks == pytest.approx(1.0 - d, abs=2.0 / COLUMNS)  # counted in cells
 
 
 def test_beyond_carters_limit_all_slips():

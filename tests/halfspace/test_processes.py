@@ -13,9 +13,14 @@ SYSTEM = wrcontact.ContactSystem(normal_model="halfspace", tolerance=0.1)
 SHIFTS, TRANSFERS = np.array([1e-3, 0.0, 2e-3, 0.2, -3e-3]), np.array([0.0, 0.1, 1.0, 0.0, 0.0])
 
 
-@pytest.mark.parametrize("wanted", [
-    {}, pytest.param({"outputs": ["right.area", "roll"]}, marks=pytest.mark.full),
-    pytest.param({"side": "left", "penetration": 5e-5}, marks=pytest.mark.full)])
+@pytest.mark.parametrize(
+    "wanted",
+    [
+        {},
+        pytest.param({"outputs": ["right.area", "roll"]}, marks=pytest.mark.full),
+        pytest.param({"side": "left", "penetration": 5e-5}, marks=pytest.mark.full),
+    ],
+)
 def test_rows_are_those_of_one_process(wanted):
     """In the same order, with the same bits."""
     alone = SYSTEM.evaluate_many(SHIFTS, load_transfer=TRANSFERS, **wanted)
@@ -55,13 +60,15 @@ def test_a_script_without_the_question_for_its_name_is_told(tmp_path):
     second process is late here: it is stopped while it works, and must not leave a pool behind, whose
     semaphores are then reported below the sentence."""
     script = tmp_path / "table.py"
-    script.write_text("import multiprocessing, time\n"
-                      "from concurrent.futures import ProcessPoolExecutor\n"
-                      "import wrcontact\n"
-                      "if multiprocessing.current_process().name == 'SpawnProcess-2':\n"
-                      "    ProcessPoolExecutor.map = lambda *arguments: time.sleep(60)\n"
-                      "system = wrcontact.ContactSystem(normal_model='halfspace', tolerance=0.1)\n"
-                      "system.evaluate_many([1e-3, 0.0, 2e-3], processes=2)\n")
+    script.write_text(
+        "import multiprocessing, time\n"
+        "from concurrent.futures import ProcessPoolExecutor\n"
+        "import wrcontact\n"
+        "if multiprocessing.current_process().name == 'SpawnProcess-2':\n"
+        "    ProcessPoolExecutor.map = lambda *arguments: time.sleep(60)\n"
+        "system = wrcontact.ContactSystem(normal_model='halfspace', tolerance=0.1)\n"
+        "system.evaluate_many([1e-3, 0.0, 2e-3], processes=2)\n"
+    )
     done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=120, check=False)
     assert done.returncode == 1 and "processes is 2; permitted" in done.stderr.splitlines()[-1]
     assert "leaked" not in done.stderr

@@ -28,28 +28,37 @@ def test_forces_are_contacts_on_its_cells(case):
     creep, truth = case["creep"], case["contact"]
     field = contact_cells(a, b, truth["FN"])
     slip = rigid_slip(field, creep["xi"], creep["eta"], 1e3 * creep["phi_per_mm"], OFFSET)
-    found = contact_of_slip(field, slip, friction=meta["mu"], shear_modulus=1e6 * meta["G_MPa"],
-                            poisson_ratio=meta["nu"])
+    found = contact_of_slip(
+        field, slip, friction=meta["mu"], shear_modulus=1e6 * meta["G_MPa"], poisson_ratio=meta["nu"]
+    )
     wanted = [truth[name] for name in ("Fx", "Fy", "Mz")]
     apart = errors(found, wanted, meta["mu"] * truth["FN"], np.sqrt(a * b))
     assert max(np.hypot(*apart[:2]), abs(apart[2])) < TOLERANCE, (name(case), apart)
 
 
-@pytest.mark.parametrize("number", [pytest.param(number, marks=[pytest.mark.complete] if number % 4 else [])
-                                    for number in range(len(PATCHES["patches"][0]["cases"]))])
+@pytest.mark.parametrize(
+    "number",
+    [
+        pytest.param(number, marks=[pytest.mark.complete] if number % 4 else [])
+        for number in range(len(PATCHES["patches"][0]["cases"]))
+    ],
+)
 @pytest.mark.parametrize("patch", PATCHES["patches"], ids="{0[y_shift_mm]} mm".format)
 def test_forces_on_contacts_own_pressures(patch, number):
     """Both solve the same finite problem, on the same pressures: the bar is CONTACT's stopping criterion and
     its seven printed digits."""
     meta, grid = PATCHES["meta"], patch["grid"]
-    field = PressureField.of_cells(1e-3 * (grid["x_first"] + grid["dx"] * np.arange(grid["nx"])),
-                                   1e-3 * (grid["y_first"] + grid["dy"] * np.arange(grid["ny"])),
-                                   1e6 * np.array(patch["pressure_MPa"]))
+    field = PressureField.of_cells(
+        1e-3 * (grid["x_first"] + grid["dx"] * np.arange(grid["nx"])),
+        1e-3 * (grid["y_first"] + grid["dy"] * np.arange(grid["ny"])),
+        1e6 * np.array(patch["pressure_MPa"]),
+    )
     case = patch["cases"][number]
     truth = case["contact"]
     slip = rigid_slip(field, case["xi"], case["eta"], 1e3 * case["phi_per_mm"], OFFSET)
-    found = contact_of_slip(field, slip, friction=meta["mu"], shear_modulus=1e6 * meta["G_MPa"],
-                            poisson_ratio=meta["nu"])
+    found = contact_of_slip(
+        field, slip, friction=meta["mu"], shear_modulus=1e6 * meta["G_MPa"], poisson_ratio=meta["nu"]
+    )
     wanted = [truth[name] for name in ("Fx", "Fy", "Mz")]
     apart = errors(found, wanted, meta["mu"] * truth["FN"], 5e-3)
     assert np.abs(apart).max() < SAME_PROBLEM, (patch["y_shift_mm"], case["xi"], case["eta"], apart)

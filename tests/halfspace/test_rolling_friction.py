@@ -15,8 +15,13 @@ MATERIAL = {"friction": 0.3, "shear_modulus": 82e9, "poisson_ratio": 0.28}
 OUTLINE = Outline.of_ellipse(6e-3, 4e-3, 8e4)
 LIMIT = 0.3 * 8e4
 #: Creepages (xi, eta, phi [1/m]) from little to much slip.
-MOTIONS = {"mostly stick": (-4e-4, 3e-4, 0.05), "half": (-1.5e-3, -1e-3, -0.4), "spin": (0.0, 0.0, 1.5),
-           "opposed": (2e-4, 3e-3, -1.2), "all slips": (6e-3, -4e-3, 2.0)}
+MOTIONS = {
+    "mostly stick": (-4e-4, 3e-4, 0.05),
+    "half": (-1.5e-3, -1e-3, -0.4),
+    "spin": (0.0, 0.0, 1.5),
+    "opposed": (2e-4, 3e-3, -1.2),
+    "all slips": (6e-3, -4e-3, 2.0),
+}
 
 
 def motion(values):
@@ -62,14 +67,21 @@ def test_reversed_motion_reverses_the_forces(values):
 
 @pytest.mark.parametrize("values", MOTIONS.values(), ids=MOTIONS)
 def test_a_mirrored_patch_has_mirrored_forces(values):
-    outline = Outline.of_stations([-3e-3, -1e-3, 0.0, 2e-3, 5e-3], [0.0, 3e-3, 4e-3, 5e-3, 0.0],
-                                  [0.0, 8e8, 9e8, 6e8, 0.0], [1e-3, 0.0, 0.0, -5e-4, 0.0])
-    mirrored = Outline(-outline.station[::-1], *(each[::-1] for each in (
-        outline.half_length, outline.pressure, outline.middle)))
+    outline = Outline.of_stations(
+        [-3e-3, -1e-3, 0.0, 2e-3, 5e-3],
+        [0.0, 3e-3, 4e-3, 5e-3, 0.0],
+        [0.0, 8e8, 9e8, 6e8, 0.0],
+        [1e-3, 0.0, 0.0, -5e-4, 0.0],
+    )
+    mirrored = Outline(
+        -outline.station[::-1],
+        *(each[::-1] for each in (outline.half_length, outline.pressure, outline.middle)),
+    )
     xi, eta, phi = values
     allowed = 1e-5 * 0.3 * outline.normal_force
     assert forces(solve((xi, -eta, -phi), mirrored)) == pytest.approx(
-        forces(solve(values, outline)) * (1.0, -1.0, -1.0), abs=allowed)
+        forces(solve(values, outline)) * (1.0, -1.0, -1.0), abs=allowed
+    )
 
 
 def test_another_origin_is_the_same_motion():
@@ -88,8 +100,12 @@ def test_only_ratios_count():
     values = MOTIONS["half"]
     larger = Outline.of_ellipse(18e-3, 12e-3, 1.6e5)
     scale = (1.6e5 * 0.15) / (8e4 * 0.3) * 82e9 / 40e9 / 9.0
-    other = solve((scale * values[0], scale * values[1], scale / 3.0 * values[2]), larger,
-                  friction=0.15, shear_modulus=40e9)
+    other = solve(
+        (scale * values[0], scale * values[1], scale / 3.0 * values[2]),
+        larger,
+        friction=0.15,
+        shear_modulus=40e9,
+    )
     assert forces(other) == pytest.approx(forces(solve(values)) * (1.0, 1.0, 3.0), abs=1e-5 * LIMIT)
 
 
@@ -98,8 +114,9 @@ def test_a_field_of_creepage_along_x():
     part, is a linear slope over the rows."""
     field = OUTLINE.on_grid(24, 24)
     slope = rolling_contact(field, creepage_x=-1e-3 + 0.2 * field.y, creepage_y=0.0, spin=0.0, **MATERIAL)
-    stations = roll_outline(OUTLINE, creepage_x=-1e-3 + 0.2 * OUTLINE.station, creepage_y=0.0, spin=0.0,
-                            **MATERIAL)
+    stations = roll_outline(
+        OUTLINE, creepage_x=-1e-3 + 0.2 * OUTLINE.station, creepage_y=0.0, spin=0.0, **MATERIAL
+    )
     assert forces(stations.coarse) == pytest.approx(forces(slope), abs=1e-5 * LIMIT)
     even = rolling_contact(field, creepage_x=-1e-3, creepage_y=0.0, spin=0.0, **MATERIAL)
     assert slope.moment != pytest.approx(even.moment, abs=0.01 * LIMIT * 5e-3)
@@ -112,19 +129,25 @@ def test_without_creepage_there_is_no_force():
     assert np.all(forces(solve((0.0, 0.0, 0.0))) == 0.0)
 
 
-@pytest.mark.parametrize("name, value", [("friction", 0.0), ("friction", float("nan")),
-                                         ("shear_modulus", -1.0), ("poisson_ratio", 0.6)])
+@pytest.mark.parametrize(
+    "name, value",
+    [("friction", 0.0), ("friction", float("nan")), ("shear_modulus", -1.0), ("poisson_ratio", 0.6)],
+)
 def test_wrong_material_is_refused(name, value):
     with pytest.raises(ValueError, match=name):
         solve(MOTIONS["half"], **{name: value})
 
 
-@pytest.mark.parametrize("x, y, pressure, match", [
-    ([0.0, 1.0, 3.0], [0.0, 1.0], np.ones((2, 3)), "x"),
-    ([0.0, 1.0], [1.0, 0.0], np.ones((2, 2)), "y"),
-    ([0.0, 1.0, 2.0], [0.0, 1.0], np.ones((3, 2)), "shape"),
-    ([0.0, 1.0], [0.0, 1.0], np.zeros((2, 2)), "positive"),
-    ([0.0, 1.0], [0.0, 1.0], [[1.0, -1.0], [1.0, 1.0]], "positive")])
+@pytest.mark.parametrize(
+    "x, y, pressure, match",
+    [
+        ([0.0, 1.0, 3.0], [0.0, 1.0], np.ones((2, 3)), "x"),
+        ([0.0, 1.0], [1.0, 0.0], np.ones((2, 2)), "y"),
+        ([0.0, 1.0, 2.0], [0.0, 1.0], np.ones((3, 2)), "shape"),
+        ([0.0, 1.0], [0.0, 1.0], np.zeros((2, 2)), "positive"),
+        ([0.0, 1.0], [0.0, 1.0], [[1.0, -1.0], [1.0, 1.0]], "positive"),
+    ],
+)
 def test_wrong_pressures_are_refused(x, y, pressure, match):
     with pytest.raises(ValueError, match=match):
         PressureField.of_cells(x, y, pressure)

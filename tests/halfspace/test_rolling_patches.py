@@ -10,8 +10,14 @@ from wrcontact.halfspace.rolling import Outline, outline_of_patch, roll_ellipse,
 from wrcontact.kernel import layout
 
 A, B, FORCE = 6e-3, 4e-3, 8e4
-MOTION = {"creepage_x": -1e-3, "creepage_y": -5e-4, "spin": -0.3, "friction": 0.3, "shear_modulus": 82e9,
-          "poisson_ratio": 0.28}
+MOTION = {
+    "creepage_x": -1e-3,
+    "creepage_y": -5e-4,
+    "spin": -0.3,
+    "friction": 0.3,
+    "shear_modulus": 82e9,
+    "poisson_ratio": 0.28,
+}
 
 
 def solved_ellipse(rule, count=41, station=3e-3, slant=0.0):
@@ -70,17 +76,19 @@ def test_patches_of_the_models(model, shift, yaw):
     stepper.inputs[[layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_NORMAL_FORCE]] = shift, yaw, 78.5e3
     assert stepper.step() == Status.VALID
     work = work_of(stepper)
-    side = work.sides[1]        # the strips are those of the wheel that was solved last
+    side = work.sides[1]  # the strips are those of the wheel that was solved last
     assert side.patch_count > 0
-    for patch in side.patches[:side.patch_count]:
+    for patch in side.patches[: side.patch_count]:
         field, totals = outline_of_patch(work.contact.strips, patch).on_grid(60, 60), patch.totals
         assert field.normal_force == pytest.approx(totals.load, rel=1e-9)
-        assert field.y[[0, -1]] + totals.centroid == pytest.approx([totals.start, totals.stop],
-                                                                   abs=totals.width / 60)
+        assert field.y[[0, -1]] + totals.centroid == pytest.approx(
+            [totals.start, totals.stop], abs=totals.width / 60
+        )
         assert field.cover.sum() * field.cell_area == pytest.approx(totals.area, rel=0.02)
         assert field.pressure.max() == pytest.approx(totals.max_pressure, rel=0.02)
         assert np.average(field.y, weights=field.pressure.sum(axis=1)) == pytest.approx(
-            0.0, abs=0.01 * totals.width)
+            0.0, abs=0.01 * totals.width
+        )
 
 
 def test_a_patch_without_load_is_refused():
@@ -104,9 +112,15 @@ def test_pressures_on_the_grid_are_those_of_the_ellipse():
     assert np.all((field.cover >= 0.0) & (field.cover <= 1.0 + 1e-12))
 
 
-@pytest.mark.parametrize("station, half_length, match", [
-    ([0.0, 1.0], [1.0, 1.0], "station"), ([0.0, 2.0, 1.0], [1.0, 1.0, 1.0], "station"),
-    ([0.0, 1.0, 2.0], [0.0, 0.0, 0.0], "half_length"), ([0.0, 1.0, 2.0], [0.0, -1.0, 0.0], "half_length")])
+@pytest.mark.parametrize(
+    "station, half_length, match",
+    [
+        ([0.0, 1.0], [1.0, 1.0], "station"),
+        ([0.0, 2.0, 1.0], [1.0, 1.0, 1.0], "station"),
+        ([0.0, 1.0, 2.0], [0.0, 0.0, 0.0], "half_length"),
+        ([0.0, 1.0, 2.0], [0.0, -1.0, 0.0], "half_length"),
+    ],
+)
 def test_wrong_outlines_are_refused(station, half_length, match):
     with pytest.raises(ValueError, match=match):
-        Outline.of_stations(station, half_length, [0.0, 1e9, 0.0][:len(station)])
+        Outline.of_stations(station, half_length, [0.0, 1e9, 0.0][: len(station)])

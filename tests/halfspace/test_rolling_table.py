@@ -38,7 +38,7 @@ def table(request):
 
 def check_line(table, line):
     found = nodes.solve_line(line, float(table["poisson_ratio"]))
-    wanted = table["forces"][line][:len(found)]
+    wanted = table["forces"][line][: len(found)]
     assert found[:, :3] == pytest.approx(wanted[:, :3], abs=TOLERANCE), line
     assert found[:, 3] == pytest.approx(wanted[:, 3], abs=STICK), line
 
@@ -62,8 +62,11 @@ def test_the_table_is_complete(table):
     assert forces.shape == (9, 6, 13, 10, 4) and np.all(np.isfinite(forces))
     for name in ("ratio", "beta", "alpha", "rho"):
         assert table[name] == pytest.approx(getattr(nodes, name.upper()))
-    assert table["creep_coefficients"] == pytest.approx(np.array(
-        [nodes.creep_coefficients(ratio, 1.0, float(table["poisson_ratio"])) for ratio in nodes.RATIO]))
+    assert table["creep_coefficients"] == pytest.approx(
+        np.array(
+            [nodes.creep_coefficients(ratio, 1.0, float(table["poisson_ratio"])) for ratio in nodes.RATIO]
+        )
+    )
     size = np.hypot(forces[..., 0], forces[..., 1])
     assert size.max() < 1.0 + TOLERANCE
     assert np.all((0.0 <= forces[..., 3]) & (forces[..., 3] <= 1.0))
@@ -75,8 +78,8 @@ def test_lines_of_symmetry(table):
     assert np.all(forces[:, :-1, -1] == forces[:, :-1, 0] * np.float32([1, -1, -1, 1]))
     assert np.all(forces[:, -1] == forces[:, -1, :1])
     assert np.abs(forces[:, -1, :, :, 1:3]).max() < TOLERANCE
-    assert np.abs(forces[:, 0, :, :, 0]).max() < TOLERANCE       # without s1 no force along x
-    assert np.all(np.diff(forces[:, -1, 0, :, 0], axis=1) > 0.0)       # more creepage, more force
+    assert np.abs(forces[:, 0, :, :, 0]).max() < TOLERANCE  # without s1 no force along x
+    assert np.all(np.diff(forces[:, -1, 0, :, 0], axis=1) > 0.0)  # more creepage, more force
 
 
 def test_a_node_is_what_its_words_say(table):
@@ -88,11 +91,17 @@ def test_a_node_is_what_its_words_say(table):
     limit = friction * force
     s1, s2 = rho * np.sin(beta), rho * np.cos(beta) * np.cos(alpha)
     s3 = rho * np.cos(beta) * np.sin(alpha) / np.sqrt(1.0 + 0.66 * ratio**-2.7)
-    found = roll_ellipse(mean * np.sqrt(ratio), mean / np.sqrt(ratio), force,
-                         creepage_x=-s1 * limit / (mean**2 * shear * c11),
-                         creepage_y=-s2 * limit / (mean**2 * shear * c22),
-                         spin=-s3 * limit / (mean**3 * shear * c23),
-                         friction=friction, shear_modulus=shear, poisson_ratio=nu)
+    found = roll_ellipse(
+        mean * np.sqrt(ratio),
+        mean / np.sqrt(ratio),
+        force,
+        creepage_x=-s1 * limit / (mean**2 * shear * c11),
+        creepage_y=-s2 * limit / (mean**2 * shear * c22),
+        spin=-s3 * limit / (mean**3 * shear * c23),
+        friction=friction,
+        shear_modulus=shear,
+        poisson_ratio=nu,
+    )
     shares = np.array([found.force_x, found.force_y, found.moment / mean]) / limit
     assert shares == pytest.approx(table["forces"][k, i, j, m, :3], abs=TOLERANCE)
 
@@ -112,8 +121,12 @@ def test_poissons_ratio_changes_the_forces_evenly():
 def test_the_tool_goes_on_where_it_was_interrupted(tmp_path, monkeypatch):
     """Two ratios, two angles each, on few cells: interrupted after two lines, with half a row written."""
     module = tool()
-    for name, values in (("RATIO", nodes.RATIO[[0, 4]]), ("BETA", nodes.BETA[[0, 5]]),
-                         ("ALPHA", nodes.ALPHA[[0, 6, 12]]), ("RHO", nodes.RHO[[2, 8]])):
+    for name, values in (
+        ("RATIO", nodes.RATIO[[0, 4]]),
+        ("BETA", nodes.BETA[[0, 5]]),
+        ("ALPHA", nodes.ALPHA[[0, 6, 12]]),
+        ("RHO", nodes.RHO[[2, 8]]),
+    ):
         monkeypatch.setattr(nodes, name, values)
     solved, solve = [], nodes.solve_line
 
@@ -143,6 +156,9 @@ def test_the_tool_goes_on_where_it_was_interrupted(tmp_path, monkeypatch):
 def test_the_tool_compares_a_few_nodes(capsys):
     tool().compare(0.28, 10, FOLDER)
     words = capsys.readouterr().out.split()
-    apart = [float(words[place + 1].rstrip(",")) for place, word in enumerate(words)
-             if word in ("force_x", "force_y", "moment")]
+    apart = [
+        float(words[place + 1].rstrip(","))
+        for place, word in enumerate(words)
+        if word in ("force_x", "force_y", "moment")
+    ]
     assert len(apart) == 3 and max(apart) < TOLERANCE

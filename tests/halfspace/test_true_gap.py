@@ -29,23 +29,27 @@ from wrcontact.methods import Halfspace
 def test_complete_theory_on_the_planar_gap(case):
     """CONTACT on the same h = x^2/2R + g(s) with cells of 0.1 mm: measured 4.1e-5 in penetration, 0.083 % in
     peak pressure, 0.40 % in area (theirs is larger by about 0.05 cells along the edge)."""
-    s_given, height = np.array(case["s_mm"]) * 1e-3, CubicSpline(np.array(case["s_mm"]) * 1e-3,
-                                                                 np.array(case["g_mm"]) * 1e-3)
+    s_given, height = (
+        np.array(case["s_mm"]) * 1e-3,
+        CubicSpline(np.array(case["s_mm"]) * 1e-3, np.array(case["g_mm"]) * 1e-3),
+    )
 
     def gap(x, s):
         across = np.where((s >= s_given[0]) & (s <= s_given[-1]), height(s), np.inf)
         return x[:, None] ** 2 / (2e-3 * case["R_x_mm"]) + across
 
-    found = contact.solve_contact(gap, (-0.02, 0.02, s_given[0], s_given[-1]), contact_modulus=MODULUS,
-                                    force=78.5e3)
+    found = contact.solve_contact(
+        gap, (-0.02, 0.02, s_given[0], s_given[-1]), contact_modulus=MODULUS, force=78.5e3
+    )
     truth = case["solution"]
     assert found.penetration == pytest.approx(truth["penetration_mm"] * 1e-3, rel=6e-5)
     assert found.max_pressure == pytest.approx(truth["pmax_MPa"] * 1e6, rel=1.2e-3)
     assert found.area == pytest.approx(truth["area_fit_mm2"] * 1e-6, rel=6e-3)
     loads = sorted((region["fn_N"] for region in truth["regions"]), reverse=True)
     cell = (found.x[1] - found.x[0]) * (found.s[1] - found.s[0])
-    np.testing.assert_allclose([p.sum() * cell for p in outputs.split_patches(found)], loads,
-                               rtol=5e-6)       # measured 3.2e-6
+    np.testing.assert_allclose(
+        [p.sum() * cell for p in outputs.split_patches(found)], loads, rtol=5e-6
+    )  # measured 3.2e-6
 
 
 POSES = {  # lateral shift [m], yaw [deg], force [N], side
@@ -61,8 +65,9 @@ POSES = {  # lateral shift [m], yaw [deg], force [N], side
 def sunk_as_deep(track, state, side):
     """``sunk_pose`` for the independent wheel without steps: as far below where that one touches."""
     sunk = sunk_pose(state, side)
-    touching = conformal_reference.remaining_gap(track, dataclasses.replace(
-        sunk, vertical_shift=state.vertical_shift))
+    touching = conformal_reference.remaining_gap(
+        track, dataclasses.replace(sunk, vertical_shift=state.vertical_shift)
+    )
     return dataclasses.replace(sunk, vertical_shift=sunk.vertical_shift + touching)
 
 
@@ -70,30 +75,42 @@ def sunk_pose(state, side):
     """The independent program's pose of a wheel, as a right one, that has moved straight down from rigid
     contact (which tests/search compares with its own search)."""
     wheel = getattr(state, side)
-    pose = brute_force.Pose(state["lateral_shift"], state["yaw"], state.roll, state.vertical_shift
-                            + wheel.penetration / math.cos(wheel.contact_angle))
+    pose = brute_force.Pose(
+        state["lateral_shift"],
+        state["yaw"],
+        state.roll,
+        state.vertical_shift + wheel.penetration / math.cos(wheel.contact_angle),
+    )
     return pose if side == "right" else pose.mirrored()
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.full] if k else [])
-                                  for k, name in enumerate(POSES)])
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.full] if k else []) for k, name in enumerate(POSES)]
+)
 def test_true_gap_is_that_of_the_independent_program(system, track, name):
     """Along the same normals, wherever the gap is below 2 mm: to 1e-13 m, or 1.2e-7 m across the printed
     steps of S1002, which both take out in their own ways (wrcontact/profiles/compiled.py; without_steps)."""
     shift, yaw, force, side = POSES[name]
     pose = sunk_pose(wrcontact.ContactSystem().evaluate(shift, math.radians(yaw), force), side)
-    pair = wheel_on_rail(tables_of(system), 1, lateral_shift=pose.lateral_shift, yaw=pose.yaw, roll=pose.roll,
-                         vertical_shift=pose.vertical_shift)
+    pair = wheel_on_rail(
+        tables_of(system),
+        1,
+        lateral_shift=pose.lateral_shift,
+        yaw=pose.yaw,
+        roll=pose.roll,
+        vertical_shift=pose.vertical_shift,
+    )
     ours = turning_gap(pair, 0.0)
     x, s = np.linspace(-0.02, 0.02, 21), np.linspace(0.002, 0.04, 97)
-    for reach in (2e-3, 4e-4):      # closer together where the wheel is pressed in
+    for reach in (2e-3, 4e-4):  # closer together where the wheel is pressed in
         row, column = np.unravel_index(np.argmin(ours.gap(x, s)), (len(x), len(s)))
         more = reach * np.linspace(-1, 1, 20)
         x, s = np.sort(np.r_[x, x[row] + more]), np.sort(np.r_[s, s[column] + more])
     gap = ours.gap(x, s)
     wheel = halfspace_reference.without_steps(track.wheel)
     theirs = conformal_reference.Lowered(dataclasses.replace(track, wheel=wheel), pose).gap(
-        conformal_reference.Curve(ours.curve.s, ours.curve.y, ours.curve.z, ours.curve.angle), x, s)
+        conformal_reference.Curve(ours.curve.s, ours.curve.y, ours.curve.z, ours.curve.angle), x, s
+    )
     near = np.isfinite(gap) & (gap < 2e-3)
     assert np.count_nonzero(near) > 300 and gap.min() < 0.0
     away = np.abs(gap - theirs)[near]
@@ -104,8 +121,9 @@ def test_true_gap_is_that_of_the_independent_program(system, track, name):
     assert np.min(theirs[np.isinf(gap)], initial=1.0) > 2.5e-4
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.full] * (name != "flange_root"))
-                                  for name in POSES])
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.full] * (name != "flange_root")) for name in POSES]
+)
 def test_the_independent_program_agrees(system, track, name):
     """At the height to which the wheel sinks, on its grid of 110 cells or more: as much force, to 5e-4 (3e-4
     in penetration); 0.2 % in peak pressure, 1 % in area, whose edge it finds along x only."""
@@ -156,9 +174,12 @@ def test_left_is_the_mirror_image(system):
     frame, of lateral forces, and of moments about x and z; to the residual of the pressures, 5e-6 of the
     largest deflection."""
     shift, yaw = 5.1e-3, 0.012
-    right = system.evaluate(shift, yaw, 6e4).values[layout.OUT_RIGHT:].copy()
-    left = system.evaluate(MIRROR[0] * shift, MIRROR[1] * yaw,
-                           6e4).values[layout.OUT_LEFT:layout.OUT_RIGHT].copy()
+    right = system.evaluate(shift, yaw, 6e4).values[layout.OUT_RIGHT :].copy()
+    left = (
+        system.evaluate(MIRROR[0] * shift, MIRROR[1] * yaw, 6e4)
+        .values[layout.OUT_LEFT : layout.OUT_RIGHT]
+        .copy()
+    )
     left *= side_signs()
     np.testing.assert_allclose(left, right, rtol=5e-6, atol=1e-9)
 
@@ -181,7 +202,7 @@ def test_outputs_of_a_wheel_fit_together(system):
     outline = side.outline
     width = outline.station[-1] - outline.station[0]
     assert width == pytest.approx(side.patch_width, rel=1e-9)
-    assert np.any(outline.half_length[1:-1] == 0.0)                                     # between the two
+    assert np.any(outline.half_length[1:-1] == 0.0)  # between the two
     assert 2 * outline.half_length.max() == pytest.approx(side.patch_length, rel=0.02)  # 31 stations
     one = system.evaluate(3e-3).right
     outline = one.outline
@@ -207,8 +228,10 @@ def test_prescribed_penetration_is_the_inverse(system):
         by_force = system.evaluate(shift, yaw, force)
         depths = by_force.left.penetration, by_force.right.penetration
         back = system.evaluate(shift, yaw, penetration=depths)
-        for one, other, depth in ((by_force.left, back.left, depths[0]),
-                                  (by_force.right, back.right, depths[1])):
+        for one, other, depth in (
+            (by_force.left, back.left, depths[0]),
+            (by_force.right, back.right, depths[1]),
+        ):
             assert other.penetration == depth
             assert other.normal_force == pytest.approx(one.normal_force, rel=5e-4), (shift, yaw, force)
     assert system.evaluate(1e-3).right.normal_force == pytest.approx(78.5e3)
@@ -262,8 +285,11 @@ def test_tolerance_decides_the_grid(system):
         for given, allowed in ((coarse, 0.03), (system, contact.TOLERANCE)):
             side = given.evaluate(shift).right
             for name in ("penetration", "area", "max_pressure"):
-                assert (getattr(side, name)
-                        == pytest.approx(getattr(truth, name), rel=allowed)), (shift, name, allowed)
+                assert getattr(side, name) == pytest.approx(getattr(truth, name), rel=allowed), (
+                    shift,
+                    name,
+                    allowed,
+                )
 
 
 # --- patches that a first grid steps over ---------------------------------------------------------
@@ -273,9 +299,12 @@ def test_area_where_bodies_graze():
     """Row 41 of the stored hunting run: p^2 continued from coarse cells ended outside the
     loaded ones, 3 % too large."""
     pose = 7.92637e-4, -0.010910954, 78500.0, 0.026074
-    coarse, fine = (wrcontact.ContactSystem(normal_model="halfspace",
-                                            tolerance=tolerance).evaluate(*pose, side="left").left
-                    for tolerance in (0.01, 2e-3))
+    coarse, fine = (
+        wrcontact.ContactSystem(normal_model="halfspace", tolerance=tolerance)
+        .evaluate(*pose, side="left")
+        .left
+        for tolerance in (0.01, 2e-3)
+    )
     assert coarse.area == pytest.approx(fine.area, rel=0.01)
 
 
@@ -295,14 +324,24 @@ def test_the_resultant_is_that_of_the_patches(system, shift, yaw):
     for sign, p in patches:
         size = math.hypot(p.force.y, p.force.z)
         assert 0.97 * p.normal_force < size < p.normal_force
-        np.testing.assert_allclose([p.force.y, p.force.z], [-sign * size * math.sin(p.contact_angle),
-                                                            -size * math.cos(p.contact_angle)], rtol=1e-9)
-    np.testing.assert_allclose(state.values[layout.OUT_FORCE:layout.OUT_DRIVING_TORQUE],
-                               near.values[layout.OUT_FORCE:layout.OUT_DRIVING_TORQUE], atol=0.02 * 78.5e3)
-    assert np.linalg.norm(state.values[layout.OUT_MOMENT:layout.OUT_LEFT]) > 1e4
-    other = system.evaluate(-shift, -yaw).values[layout.OUT_FORCE:layout.OUT_DRIVING_TORQUE]
-    np.testing.assert_allclose(other * np.tile(MIRRORED, 2),
-                               state.values[layout.OUT_FORCE:layout.OUT_DRIVING_TORQUE], rtol=1e-4, atol=1.0)
+        np.testing.assert_allclose(
+            [p.force.y, p.force.z],
+            [-sign * size * math.sin(p.contact_angle), -size * math.cos(p.contact_angle)],
+            rtol=1e-9,
+        )
+    np.testing.assert_allclose(
+        state.values[layout.OUT_FORCE : layout.OUT_DRIVING_TORQUE],
+        near.values[layout.OUT_FORCE : layout.OUT_DRIVING_TORQUE],
+        atol=0.02 * 78.5e3,
+    )
+    assert np.linalg.norm(state.values[layout.OUT_MOMENT : layout.OUT_LEFT]) > 1e4
+    other = system.evaluate(-shift, -yaw).values[layout.OUT_FORCE : layout.OUT_DRIVING_TORQUE]
+    np.testing.assert_allclose(
+        other * np.tile(MIRRORED, 2),
+        state.values[layout.OUT_FORCE : layout.OUT_DRIVING_TORQUE],
+        rtol=1e-4,
+        atol=1.0,
+    )
 
 
 def test_the_resultant_follows_a_prescribed_penetration(system):
@@ -310,11 +349,12 @@ def test_the_resultant_follows_a_prescribed_penetration(system):
     state = system.evaluate(1e-3, penetration=(5e-5, 0.0))
     left = state.left
     # the normals of a patch on the tread differ by 3 deg
-    assert state.force.z == pytest.approx(-left.normal_force * math.cos(left.patches[0].contact_angle),
-                                          rel=1e-3)
+    assert state.force.z == pytest.approx(
+        -left.normal_force * math.cos(left.patches[0].contact_angle), rel=1e-3
+    )
     for wanted in ({"side": "right"}, {"outputs": "geometry"}):
         some = system.evaluate(1e-3, **wanted)
-        assert np.all(np.isnan(some.values[layout.OUT_FORCE:layout.OUT_LEFT])) and np.isfinite(some.roll)
+        assert np.all(np.isnan(some.values[layout.OUT_FORCE : layout.OUT_LEFT])) and np.isfinite(some.roll)
 
 
 def test_only_what_is_wanted_is_there(system):
@@ -324,8 +364,9 @@ def test_only_what_is_wanted_is_there(system):
         outline = getattr(short, side).outline
         assert np.all(np.isnan(outline.station)) and np.all(np.isnan(outline.pressure))
         for name in ("penetration", "area", "max_pressure", "patch_length"):
-            assert getattr(getattr(short, side), name) == pytest.approx(getattr(getattr(plain, side), name),
-                                                                        rel=1e-9)
+            assert getattr(getattr(short, side), name) == pytest.approx(
+                getattr(getattr(plain, side), name), rel=1e-9
+            )
     state = system.evaluate(1e-3, outputs="geometry")
     assert np.isnan(state.right.area) and np.isfinite(state.right.contact_angle)
 

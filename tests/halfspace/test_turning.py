@@ -52,8 +52,10 @@ def test_influence_is_that_of_forces_on_two_half_spaces(wheel, rail):
     pressure = np.zeros(SHAPE)
     pressure[0, 4] = 3e8
     bent = operator(pressure)
-    normal, tangent = (np.stack([0.0 * ANGLES, first, second], axis=-1) for first, second in
-                       ((-np.sin(ANGLES), -np.cos(ANGLES)), (np.cos(ANGLES), -np.sin(ANGLES))))
+    normal, tangent = (
+        np.stack([0.0 * ANGLES, first, second], axis=-1)
+        for first, second in ((-np.sin(ANGLES), -np.cos(ANGLES)), (np.cos(ANGLES), -np.sin(ANGLES)))
+    )
     for i, j in ((6, 0), (5, 1), (6, 4)):
         away = np.array([i * DX, 0.0, 0.0]) + (j - 4) * DS * tangent[4]
         force = 3e8 * DX * DS
@@ -79,8 +81,9 @@ def test_convolution_is_the_sum(coupling):
     row, column = (k.ravel() for k in np.indices(SHAPE))
     apart = both[6 + row[:, None] - row, 4 + column[:, None] - column]
     turn = ANGLES[column][:, None] - ANGLES[column]
-    np.testing.assert_allclose(matrix, np.cos(turn) * apart.real + np.sin(turn) * np.imag(apart),
-                               atol=1e-13 * matrix.max())
+    np.testing.assert_allclose(
+        matrix, np.cos(turn) * apart.real + np.sin(turn) * np.imag(apart), atol=1e-13 * matrix.max()
+    )
 
 
 @pytest.mark.parametrize("coupling", [0.0, 0.5, -0.5])
@@ -104,8 +107,9 @@ def test_influence_of_a_wave_on_a_cylinder(coupling):
     bent = operator(envelope * np.cos(wave * s))
     expected = ((1.0 + coupling) / (wave + curvature) + (1.0 - coupling) / (wave - curvature)) / MODULUS
     middle = slice(count // 2 - 8, count // 2 + 8)
-    np.testing.assert_allclose(bent[75, middle], expected * (envelope[75] * np.cos(wave * s))[middle],
-                               atol=5e-3 * expected)
+    np.testing.assert_allclose(
+        bent[75, middle], expected * (envelope[75] * np.cos(wave * s))[middle], atol=5e-3 * expected
+    )
     # without the turn: the difference is what is tested
     flat = 2.0 / (wave * MODULUS)
     assert abs(expected / flat - 1.0) > 0.03
@@ -145,9 +149,11 @@ def test_a_plane_is_a_constant_angle():
     gap, slope = paraboloid(1.0, 3.0), 0.9
     level = contact.solve_contact(gap, WIDE, contact_modulus=MODULUS, force=1e4)
     inclined = Turned(gap, lambda s: np.full(len(s), slope))
-    for load in ({"force": 1e4, "penetration": None},
-                 {"force": None, "penetration": level.penetration / math.cos(slope)},
-                 {"force": 1e4 * math.cos(slope), "penetration": None, "vertical": True}):
+    for load in (
+        {"force": 1e4, "penetration": None},
+        {"force": None, "penetration": level.penetration / math.cos(slope)},
+        {"force": 1e4 * math.cos(slope), "penetration": None, "vertical": True},
+    ):
         found = contact.solve_problem(Problem(inclined, WIDE, MODULUS, precision=5e-6, **load))
         assert found.penetration * math.cos(slope) == pytest.approx(level.penetration, rel=1e-4)
         assert found.force == pytest.approx(1e4, rel=2e-4)
@@ -164,15 +170,28 @@ def test_a_contact_that_is_known_beforehand(prescribed, coupling):
     pressure = 1e9 * np.sqrt(np.maximum(1.0 - (x[:, None] / 3e-3) ** 2 - (s / 4.5e-3) ** 2, 0.0))
     angle = 0.6 - 120.0 * s
     depth, share = 7e-5, np.cos(angle)
-    bent = Deflection(pressure.shape, x[1] - x[0], s[1] - s[0], MODULUS, angle=angle,
-                      coupling=coupling)(pressure)
+    bent = Deflection(pressure.shape, x[1] - x[0], s[1] - s[0], MODULUS, angle=angle, coupling=coupling)(
+        pressure
+    )
     gap = depth * share - bent + np.where(pressure > 0.0, 0.0, 2e-6)
     cell = (x[1] - x[0]) * (s[1] - s[0])
-    load = {"penetration": {"penetration": depth, "force": None},
-            "force": {"penetration": None, "force": pressure.sum() * cell},
-            "vertical": {"penetration": None, "force": (pressure @ share).sum() * cell, "vertical": True}}
-    found = solve_grid(Problem(Turned(lambda *_: gap, lambda _: angle), None, MODULUS, precision=1e-8,
-                               coupling=coupling, **load[prescribed]), x, s)
+    load = {
+        "penetration": {"penetration": depth, "force": None},
+        "force": {"penetration": None, "force": pressure.sum() * cell},
+        "vertical": {"penetration": None, "force": (pressure @ share).sum() * cell, "vertical": True},
+    }
+    found = solve_grid(
+        Problem(
+            Turned(lambda *_: gap, lambda _: angle),
+            None,
+            MODULUS,
+            precision=1e-8,
+            coupling=coupling,
+            **load[prescribed],
+        ),
+        x,
+        s,
+    )
     np.testing.assert_allclose(found.pressure, pressure, atol=1e3)
     assert found.penetration == pytest.approx(depth, rel=1e-7)
     assert found.iterations < 40

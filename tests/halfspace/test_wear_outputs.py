@@ -12,8 +12,9 @@ POSE = {"lateral_shift": 6.2e-3, "yaw": 0.01, "speed": 20.0, "lateral_velocity":
 @pytest.mark.parametrize("model", ["none", "strips", "halfspace"])
 def test_stations_and_strips_have_all_the_power(model, mode):
     """And they lie where those of strips of the kernel do: patches differ by some hundredths of mm."""
-    state = ContactSystem(normal_model="halfspace", tolerance=0.03, tangential_model=model, contact_mode=mode,
-                          wear_outputs=True).evaluate(**POSE)
+    state = ContactSystem(
+        normal_model="halfspace", tolerance=0.03, tangential_model=model, contact_mode=mode, wear_outputs=True
+    ).evaluate(**POSE)
     other = ContactSystem(normal_model="analyn_strip", contact_mode=mode, wear_outputs=True).evaluate(**POSE)
     for wheel, known in ((state.left, other.left), (state.right, other.right)):
         line, power = wheel.outline, wheel.friction_power
@@ -38,5 +39,6 @@ def test_the_complete_theory_on_the_kernel_s_patches():
     known = ContactSystem(tangential_model="strips", wear_outputs=True).evaluate(**POSE).right
     np.testing.assert_array_equal(line.wheel_place, known.outline.wheel_place)
     # between the outermost strips, which have the value of the nearest row of cells
-    np.testing.assert_allclose(wheel.strips[0].power[1:-1], known.strips[0].power[1:-1],
-                               atol=0.01 * known.strips[0].power.max())
+    np.testing.assert_allclose(
+        wheel.strips[0].power[1:-1], known.strips[0].power[1:-1], atol=0.01 * known.strips[0].power.max()
+    )

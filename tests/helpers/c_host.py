@@ -11,8 +11,12 @@ import pytest
 from tests.helpers.fmus import header_functions
 
 HOOKS = ["-Dmalloc=hooked_malloc", "-Dcalloc=hooked_calloc", "-Drealloc=hooked_realloc"]
-SANITIZERS = ("-O1", "-DWRCONTACT_CHECK_BOUNDS", "-fsanitize=address,undefined,float-cast-overflow",
-              "-fno-sanitize-recover=all")
+SANITIZERS = (
+    "-O1",
+    "-DWRCONTACT_CHECK_BOUNDS",
+    "-fsanitize=address,undefined,float-cast-overflow",
+    "-fno-sanitize-recover=all",
+)
 RACES = ("-O1", "-fsanitize=thread")
 
 
@@ -42,5 +46,6 @@ def fuzz(program, version, seed, calls):
     assert counted["calls"] == calls and counted["odd_lines"] == counted["damage_accepted"] == 0
     assert counted["valid_steps"] > 0.03 * calls and counted["lines"] > 0.1 * calls
     assert set(counted["functions"]) == set(header_functions(version)), (
-        "every function of the standard is called")
+        "every function of the standard is called"
+    )
     return counted

@@ -1,6 +1,5 @@
 """Named cases that several test files and the benchmarks share."""
 
-
 import csv
 import json
 import math
@@ -25,15 +24,18 @@ def pressed_poses(count):
     """Poses with the height and roll at which they carry their loads."""
     system = ContactSystem(contact_mode="elastic")
     states = [system.evaluate(**row) for row in poses(count)]
-    return [{**row, "vertical_shift_input": state.vertical_shift, "roll_input": state.roll}
-            for row, state in zip(poses(count), states)]
+    return [
+        {**row, "vertical_shift_input": state.vertical_shift, "roll_input": state.roll}
+        for row, state in zip(poses(count), states)
+    ]
 
 
 def stored(name):
     """Times, inputs and expected outputs of a stored trajectory; empty cells are left out."""
     with open(TRAJECTORIES / f"{name}.csv", newline="", encoding="utf-8") as file:
-        table = [{key: float(cell) for key, cell in row.items() if cell.strip()}
-                 for row in csv.DictReader(file)]
+        table = [
+            {key: float(cell) for key, cell in row.items() if cell.strip()} for row in csv.DictReader(file)
+        ]
     times = [row["time"] for row in table]
     # others keep their start values
     rows = [{key: row[key] for key in INPUT_NAMES if key in row} for row in table]
@@ -75,19 +77,25 @@ def profile_file(folder, kind):
 
 
 WRONG_PARAMETERS = {
-    "contact_mode": ({"contact_mode": "elastisch"},
-                     ["contact_mode", "elastisch", "rigid", "elastic", "compliant"]),
+    "contact_mode": (
+        {"contact_mode": "elastisch"},
+        ["contact_mode", "elastisch", "rigid", "elastic", "compliant"],
+    ),
     "load": ({"contact_mode": "elastic", "load": "lateral"}, ["load", "lateral", "normal", "vertical"]),
     "normal_model": ({"normal_model": "kalker"}, ["normal_model", "kalker", "analyn", "hertz"]),
     "wheel": ({"wheel_profile": "S1003"}, ["wheel_profile is 'S1003'; permitted are S1002, cone20, cone40"]),
-    "left rail": ({"left_rail_profile": "UIC61"},
-                  ["left_rail_profile is 'UIC61'; permitted are UIC60, 60E1, 54E1"]),
+    "left rail": (
+        {"left_rail_profile": "UIC61"},
+        ["left_rail_profile is 'UIC61'; permitted are UIC60, 60E1, 54E1"],
+    ),
     "gauge": ({"gauge": 14.35}, ["gauge", "14.35", "m"]),
     "nominal_radius": ({"nominal_radius": math.nan}, ["nominal_radius", "nan", "m"]),
     "poisson_ratio": ({"poisson_ratio": 0.7}, ["poisson_ratio", "0.7"]),
     "spring": ({"rail_lateral_stiffness": 2.5e7}, ["rail_lateral_stiffness", "N/m", "contact_mode", "rigid"]),
-    "damper": ({"contact_mode": "compliant", "left_rail_lateral_damping": 3.5},
-               ["left_rail_lateral_damping", "3.5", "without left_rail_lateral_stiffness"]),
+    "damper": (
+        {"contact_mode": "compliant", "left_rail_lateral_damping": 3.5},
+        ["left_rail_lateral_damping", "3.5", "without left_rail_lateral_stiffness"],
+    ),
 }
 
 
@@ -95,7 +103,7 @@ def planar_cases():
     return json.loads((DATA / "contact_planar.json").read_text())["cases"]
 
 
-FORCE = 78.5e3   # per wheel [N]
+FORCE = 78.5e3  # per wheel [N]
 MODELS = CHOICES["normal_model"]
 #: Models of creep forces, and those of them that follow tractions strip by strip.
 CREEP_MODELS = CHOICES["tangential_model"][1:]
@@ -124,32 +132,60 @@ def system(**parameters):
 
 def input_row(*first):
     """Inputs in the kernel's order: the first ones as given, all others at their starts."""
-    return np.array([*first, *(float(v.start) for v in VARIABLES[len(first):len(INPUT_NAMES)])])
+    return np.array([*first, *(float(v.start) for v in VARIABLES[len(first) : len(INPUT_NAMES)])])
 
 
 MM = 1e-3
 
 #: A left side of its own, as FMUs' parameters.
-LEFT_SIDE = {"left_wheel_profile": "cone40", "left_rail_profile": "54E1", "left_nominal_radius": 0.4595,
-             "left_rail_inclination": 0.05}
+LEFT_SIDE = {
+    "left_wheel_profile": "cone40",
+    "left_rail_profile": "54E1",
+    "left_nominal_radius": 0.4595,
+    "left_rail_inclination": 0.05,
+}
 
 
 def moving_track(count, compliant=False):
     """Poses of :func:`poses` over rails that are displaced, lean and move, with all velocities; with
     ``compliant`` also the height and roll at which a wheelset with LEFT_SIDE carries their loads."""
-    sides = {name: (LEFT_SIDE[f"left_{name}{'_profile' * (name in ('wheel', 'rail'))}"], right)
-             for name, right in (("wheel", "S1002"), ("rail", "UIC60"), ("nominal_radius", 0.46),
-                                 ("rail_inclination", 1 / 40))}
+    sides = {
+        name: (LEFT_SIDE[f"left_{name}{'_profile' * (name in ('wheel', 'rail'))}"], right)
+        for name, right in (
+            ("wheel", "S1002"),
+            ("rail", "UIC60"),
+            ("nominal_radius", 0.46),
+            ("rail_inclination", 1 / 40),
+        )
+    }
     made, rows = system(contact_mode="elastic", **sides), []
     for k, pose in enumerate(poses(count)):
         turn = 0.4 * k + np.arange(20)
-        pose |= {f"{side}.rail_{part}{kind}": size * float(np.sin(turn[3 * i + j + 6 * m] + 0.1))
-                 for i, side in enumerate(("left", "right"))
-                 for j, (part, size) in enumerate((("lateral", 1e-3), ("vertical", 1.2e-3), ("roll", 0.01)))
-                 for m, kind in enumerate(("", "_velocity"))}
+        pose |= {
+            f"{side}.rail_{part}{kind}": size * float(np.sin(turn[3 * i + j + 6 * m] + 0.1))
+            for i, side in enumerate(("left", "right"))
+            for j, (part, size) in enumerate((("lateral", 1e-3), ("vertical", 1.2e-3), ("roll", 0.01)))
+            for m, kind in enumerate(("", "_velocity"))
+        }
         state = made.evaluate(**{name.replace(".", "_"): value for name, value in pose.items()})
-        moving = {"speed": 25.0, "lateral_velocity": 0.04, "vertical_velocity": -0.02, "yaw_rate": 0.05,
-                  "roll_rate": 0.03, "wheel_rate": 54.0, "track_curvature": 2e-3}
-        rows.append({**pose, **moving, **({"vertical_shift_input": state.vertical_shift,
-                                           "roll_input": state.roll} if compliant else {})})
+        moving = {
+            "speed": 25.0,
+            "lateral_velocity": 0.04,
+            "vertical_velocity": -0.02,
+            "yaw_rate": 0.05,
+            "roll_rate": 0.03,
+            "wheel_rate": 54.0,
+            "track_curvature": 2e-3,
+        }
+        rows.append(
+            {
+                **pose,
+                **moving,
+                **(
+                    {"vertical_shift_input": state.vertical_shift, "roll_input": state.roll}
+                    if compliant
+                    else {}
+                ),
+            }
+        )
     return rows

@@ -8,14 +8,23 @@ import sys
 import numpy as np
 
 #: A process sees the package that this one sees, and no display.
-OUTSIDE = {**{k: v for k, v in os.environ.items() if k not in ("DISPLAY", "MPLBACKEND")},
-           "PYTHONPATH": os.pathsep.join(sys.path), "MPLBACKEND": "Agg"}
+OUTSIDE = {
+    **{k: v for k, v in os.environ.items() if k not in ("DISPLAY", "MPLBACKEND")},
+    "PYTHONPATH": os.pathsep.join(sys.path),
+    "MPLBACKEND": "Agg",
+}
 
 
 def start(*words, folder):
     """Run Python with these words in a process of its own."""
-    settings = {"cwd": folder, "env": OUTSIDE, "capture_output": True, "text": True, "encoding": "utf-8",
-                "timeout": 300}
+    settings = {
+        "cwd": folder,
+        "env": OUTSIDE,
+        "capture_output": True,
+        "text": True,
+        "encoding": "utf-8",
+        "timeout": 300,
+    }
     return subprocess.run([sys.executable, *words], **settings)
 
 

@@ -37,8 +37,13 @@ def cone_system(slope, **parameters):
     """Cones on round heads; Hertz's patch has its centre at the contact point."""
     wheel = Profile("cone", "wheel", (Polynomial(-70, 60, (0.0, -slope)),))
     rail = Profile("head", "rail", (Arc(-60, 60, 1e3 * HEAD, 0.0, 1e3 * HEAD, -1),))
-    return wrcontact.ContactSystem(wheel=wheel, rail=rail, rail_inclination=0.0,
-                                   gauge_depth=5.5e-3, **{"normal_model": "hertz", **parameters})
+    return wrcontact.ContactSystem(
+        wheel=wheel,
+        rail=rail,
+        rail_inclination=0.0,
+        gauge_depth=5.5e-3,
+        **{"normal_model": "hertz", **parameters},
+    )
 
 
 def stand(slope, shift, rail_y):

@@ -39,7 +39,7 @@ def lay_constant_curvatures(A, B, force, half_nodes=15, window=3, strips=10, swe
     penetration = hertz(A, B, force)[0]
     half_width = np.sqrt(penetration / B)
     region = work.contact.regions[0]
-    frame.incline_region(tables, work.contact.frame, region, 0.0)     # all of the load in one plane
+    frame.incline_region(tables, work.contact.frame, region, 0.0)  # all of the load in one plane
     region.spacing = half_width / half_nodes
     last = half_nodes + 2
     region.low, region.high = -1.0, 1.0

@@ -13,17 +13,17 @@ NAMES = ("penetration", "normal_force", "area", "max_pressure", "patch_length", 
 POWERS = dict(zip(NAMES, (1, 2, 2, 0, 1, 1)))
 #: Where one pose has one roll: a flange of 70 deg on a radius above 2 arms / tan(70 deg) has several, and
 #: beyond 0.093 rad of yaw the outline folds back (test_rigid.py).
-LARGEST_RADIUS = 0.54   # [m]
-LARGEST_YAW = 0.09      # [rad]
+LARGEST_RADIUS = 0.54  # [m]
+LARGEST_YAW = 0.09  # [rad]
 #: Loads below this are less than a contact's place, known to 1e-12 m, tells of their patches:
 #: 1 kN sinks in by 5e-6 m.
-HEAVY = 1e3             # [N]
+HEAVY = 1e3  # [N]
 #: Under more a wheel can stand deeper in a rail's corner than elastic contact allows, and it is chance
 #: whether one is found.
-HEAVIEST = 3e5          # [N]
+HEAVIEST = 3e5  # [N]
 #: A contact that moves farther under a small change has jumped, or stands on profiles that are
 #: conformal to a nanometre.
-JUMPED = 1e-7           # [m]
+JUMPED = 1e-7  # [m]
 #: The vertical load is met region by region, and added up again from the patches and their normals: 8e-12
 #: measured, relative.
 VERTICAL = 1e-9
@@ -31,10 +31,14 @@ VERTICAL = 1e-9
 
 def amounts(quick, share, complete):
     """Seeds, scenes and poses of each: for every run, for CI, and for a long run."""
-    return pytest.mark.parametrize("seed, scenes, poses", [
-        pytest.param(1, *quick, id="quick"),
-        pytest.param(2, *share, id="share", marks=pytest.mark.full),
-        pytest.param(3, *complete, id="complete", marks=pytest.mark.complete)])
+    return pytest.mark.parametrize(
+        "seed, scenes, poses",
+        [
+            pytest.param(1, *quick, id="quick"),
+            pytest.param(2, *share, id="share", marks=pytest.mark.full),
+            pytest.param(3, *complete, id="complete", marks=pytest.mark.complete),
+        ],
+    )
 
 
 def unique(seed, scenes, poses, **fixed):
@@ -46,8 +50,10 @@ def unique(seed, scenes, poses, **fixed):
 
 def heavy(poses):
     """The same poses under HEAVY at least on either wheel, and HEAVIEST at most."""
-    return poses.changed(normal_force=np.clip(poses.normal_force, 10 * HEAVY, 0.5 * HEAVIEST),
-                         load_transfer=np.clip(poses.load_transfer, -0.9, 0.9))
+    return poses.changed(
+        normal_force=np.clip(poses.normal_force, 10 * HEAVY, 0.5 * HEAVIEST),
+        load_transfer=np.clip(poses.load_transfer, -0.9, 0.9),
+    )
 
 
 def forces(poses):
@@ -68,8 +74,13 @@ def differences(one, other, factors=1.0):
 
 def moved(one, other, scale=1.0):
     """How far the contacts of two tables are apart [m] (n,)."""
-    return np.max([np.abs(getattr(one, side).contact.y_wheel - getattr(other, side).contact.y_wheel / scale)
-                   for side, _ in SIDES], axis=0)
+    return np.max(
+        [
+            np.abs(getattr(one, side).contact.y_wheel - getattr(other, side).contact.y_wheel / scale)
+            for side, _ in SIDES
+        ],
+        axis=0,
+    )
 
 
 def assert_none(bad, scene, poses, what, measure=None):
@@ -82,15 +93,22 @@ def assert_none(bad, scene, poses, what, measure=None):
 
 STIFFER = 1.7
 LARGER = 1.17
-LENGTHS = {"gauge": 1.435, "gauge_depth": 0.014, "running_circle_distance": 1.5, "nominal_radius": 0.46,
-           "curvature_step": 0.2e-3, "curvature_reach": 3e-3}      # [m]
+LENGTHS = {
+    "gauge": 1.435,
+    "gauge_depth": 0.014,
+    "running_circle_distance": 1.5,
+    "nominal_radius": 0.46,
+    "curvature_step": 0.2e-3,
+    "curvature_reach": 3e-3,
+}  # [m]
 
 
 def larger_zone(zone):
     k = LARGER
     if isinstance(zone, Arc):
-        return Arc(k * zone.start, k * zone.stop, k * zone.radius, k * zone.y_centre, k * zone.z_centre,
-                   zone.side)
+        return Arc(
+            k * zone.start, k * zone.stop, k * zone.radius, k * zone.y_centre, k * zone.z_centre, zone.side
+        )
     coefficients = tuple(c * k ** (1 - i) for i, c in enumerate(zone.coefficients))
     return type(zone)(k * zone.start, k * zone.stop, coefficients, k * zone.origin)
 

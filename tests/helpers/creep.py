@@ -17,8 +17,14 @@ def stored(name):
 
 def motion(case):
     """Keywords of an extrapolated case for roll_ellipse and roll_outline."""
-    return {"creepage_x": case["xi"], "creepage_y": case["eta"], "spin": 1e3 * case["phi"],
-            "friction": case["mu"], "shear_modulus": 1e6 * case["G"], "poisson_ratio": case["nu"]}
+    return {
+        "creepage_x": case["xi"],
+        "creepage_y": case["eta"],
+        "spin": 1e3 * case["phi"],
+        "friction": case["mu"],
+        "shear_modulus": 1e6 * case["G"],
+        "poisson_ratio": case["nu"],
+    }
 
 
 def forces(solution):

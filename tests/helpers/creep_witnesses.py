@@ -61,34 +61,50 @@ def polach(*, a, b, load, friction, shear_modulus, nu, x, y, spin):
 def equilibrium(name):
     """Of a wheelset that is told its height and roll: where an elastic one stands under the load; of others
     their own."""
+
     def witness(scene):
         value = scene.values[name]
         if scene.mode == "compliant":
             load = {key: scene.inputs[key] for key in ("lateral_shift", "yaw", "normal_force")}
             value = getattr(ContactSystem(contact_mode="elastic").evaluate(**load), name)
         yield value, 1e-12
+
     return witness
 
 
 def motion(wheel, k):
     """What :func:`tests.helpers.motion.sliding` asks for, of patch ``k``."""
     given = wheel.inputs
-    names = {"lateral": "lateral_velocity", "vertical": "vertical_velocity", "yaw_rate": "yaw_rate",
-             "roll_rate": "roll_rate", "curvature": "track_curvature"}
-    return dict(place=[wheel[f"patch[{k}].{axis}_track"] for axis in "xyz"], sign=wheel.sign,
-                radius=wheel[f"patch[{k}].rolling_radius"], centre=wheel.centre,
-                angle=wheel[f"patch[{k}].contact_angle"], yaw=given["yaw"], roll=wheel.values["roll"],
-                speed=given["speed"], wheel_rate=given["wheel_rate"],
-                **{name: given[key] for name, key in names.items()})
+    names = {
+        "lateral": "lateral_velocity",
+        "vertical": "vertical_velocity",
+        "yaw_rate": "yaw_rate",
+        "roll_rate": "roll_rate",
+        "curvature": "track_curvature",
+    }
+    return dict(
+        place=[wheel[f"patch[{k}].{axis}_track"] for axis in "xyz"],
+        sign=wheel.sign,
+        radius=wheel[f"patch[{k}].rolling_radius"],
+        centre=wheel.centre,
+        angle=wheel[f"patch[{k}].contact_angle"],
+        yaw=given["yaw"],
+        roll=wheel.values["roll"],
+        speed=given["speed"],
+        wheel_rate=given["wheel_rate"],
+        **{name: given[key] for name, key in names.items()},
+    )
 
 
 def patch_creepage(index):
     """Of the wheel's surface that is moved with the wheelset; none of a wheelset that stands still."""
+
     def witness(wheel, k):
         if not wheel.inputs.get("speed"):
             yield 0.0, 0.0
             return
         yield creepages(**motion(wheel, k))[index], 1e-6
+
     return witness
 
 
@@ -166,8 +182,17 @@ def expected_force(wheel, k):
     # the ellipse with the area of the patch, and its length over its width
     a, b = (np.sqrt(area / pi * ratio) for ratio in (length / width, width / length))
     # seen to the field side, and about the normal into the rail, on the right wheel
-    return polach(a=a, b=b, load=load, friction=friction(wheel), shear_modulus=YOUNG / (2 * (1 + POISSON)),
-                  nu=POISSON, x=x, y=-wheel.sign * y, spin=-wheel.sign * spin)
+    return polach(
+        a=a,
+        b=b,
+        load=load,
+        friction=friction(wheel),
+        shear_modulus=YOUNG / (2 * (1 + POISSON)),
+        nu=POISSON,
+        x=x,
+        y=-wheel.sign * y,
+        spin=-wheel.sign * spin,
+    )
 
 
 def zero_without_friction(witness):
@@ -176,6 +201,7 @@ def zero_without_friction(witness):
             yield 0.0, 0.0
         else:
             yield from witness(wheel, *place)
+
     return zero_or
 
 
@@ -183,6 +209,7 @@ def tangential(index):
     @zero_without_friction
     def witness(wheel, k):
         yield expected_force(wheel, k)[index], OF_FORCE * friction(wheel) * wheel[f"patch[{k}].normal_force"]
+
     return witness
 
 
@@ -235,22 +262,28 @@ def slip(wheel, j):
 @zero_without_friction
 def saturation(wheel, k):
     yield hypot(*expected_force(wheel, k)) / (friction(wheel) * wheel[f"patch[{k}].normal_force"]), OF_FORCE
-    yield (hypot(*of_patch(wheel, k, "tangential.x", "tangential.y"))
-           / (friction(wheel) * wheel[f"patch[{k}].normal_force"]), EXACT)
+    yield (
+        hypot(*of_patch(wheel, k, "tangential.x", "tangential.y"))
+        / (friction(wheel) * wheel[f"patch[{k}].normal_force"]),
+        EXACT,
+    )
 
 
 def of_fatigue(value, margin):
     """A witness of an output of fatigue, zero where a scene does not ask for it: ``value`` of T gamma [N],
     utilised friction [1] and the peak of an ellipse [Pa], over the yield stress in shear [Pa]."""
+
     def witness(wheel, k):
         yielding = wheel.yield_shear
         if not yielding or k > wheel.count:
             yield 0.0, 0.0
             return
         x, y, slip_x, slip_y, load, area = of_patch(
-            wheel, k, "tangential.x", "tangential.y", "creepage.x", "creepage.y", "normal_force", "area")
+            wheel, k, "tangential.x", "tangential.y", "creepage.x", "creepage.y", "normal_force", "area"
+        )
         number = abs(x * slip_x) + abs(y * slip_y)
         yield value(number, hypot(x, y) / load, 1.5 * load / area, yielding), margin
+
     return witness
 
 
@@ -284,9 +317,15 @@ def side_power(wheel):
 
 @zero_without_friction
 def wear_number(wheel):
-    value = sum(abs(np.multiply(of_patch(wheel, k, "tangential.x", "tangential.y"),
-                                of_patch(wheel, k, "creepage.x", "creepage.y"))).sum()
-                for k in range(1, wheel.count + 1))
+    value = sum(
+        abs(
+            np.multiply(
+                of_patch(wheel, k, "tangential.x", "tangential.y"),
+                of_patch(wheel, k, "creepage.x", "creepage.y"),
+            )
+        ).sum()
+        for k in range(1, wheel.count + 1)
+    )
     yield value, EXACT * value
 
 

@@ -15,8 +15,9 @@ def damages(saved, seed, count):
             damaged[place] ^= 1 << chance.randrange(8)
         if bytes(damaged) != saved:
             yield f"flips of seed {seed}, number {k}", bytes(damaged)
-    for length in sorted({0, 1, 15, 16, 17, 64, len(saved) - 8, len(saved) - 1,
-                          *chance.sample(range(len(saved)), 20)}):
+    for length in sorted(
+        {0, 1, 15, 16, 17, 64, len(saved) - 8, len(saved) - 1, *chance.sample(range(len(saved)), 20)}
+    ):
         yield f"cut at {length}", saved[:length]
     yield "longer", saved + b"\0"
     yield "twice", saved + saved

@@ -26,12 +26,12 @@ NOMINAL = np.array([variable.nominal or 1.0 for variable in OUTPUTS])
 USUAL = np.array([variable.nominal or 1.0 for variable in VARIABLES[:INPUT_COUNT]])
 FAMILY = np.unique([re.sub(r"\[\d+\]", "", name) for name in NAMES], return_inverse=True)[1]
 
-AGREE = 1e-6        # [of the derivative's scale] to differences
-CLEAR = 3e-7        # [likewise] differences that agree with each other to this are held against derivatives
-KINK = 1e-4         # [likewise] by which differences across a kink are off that their steps do not notice
+AGREE = 1e-6  # [of the derivative's scale] to differences
+CLEAR = 3e-7  # [likewise] differences that agree with each other to this are held against derivatives
+KINK = 1e-4  # [likewise] by which differences across a kink are off that their steps do not notice
 # steps of differences, each twice the one before; the first, as a share of the input's nominal value:
 STEPS = 16
-SHORT = 3           # the first of them, which end before most kinks that the others cross
+SHORT = 3  # the first of them, which end before most kinks that the others cross
 FIRST = np.where(np.isin(np.arange(INPUT_COUNT), (IN_VERTICAL_SHIFT, IN_ROLL)), 4e-7, 4e-6)
 
 INPUTS = (IN_LATERAL_SHIFT, IN_YAW, IN_NORMAL_FORCE, IN_LOAD_TRANSFER)

@@ -39,11 +39,20 @@ STORED = HELPERS / "digests.json"
 #: Poses of a case, and after how many there is a digest; of how many there are derivatives.
 POSES, PARTS, DERIVATIVES = 1000, (3, 25, 100, 1000), 10
 #: Targets of zig for programs that need no library of that machine, and what runs them here.
-TARGETS = {"aarch64-linux": ("aarch64-linux-musl", "-static"),
-           "x86_64-linux": ("x86_64-linux-musl", "-static"), "x86_64-windows": ("x86_64-windows-gnu",)}
+TARGETS = {
+    "aarch64-linux": ("aarch64-linux-musl", "-static"),
+    "x86_64-linux": ("x86_64-linux-musl", "-static"),
+    "x86_64-windows": ("x86_64-windows-gnu",),
+}
 EMULATORS = {"aarch64-linux": "qemu-aarch64", "x86_64-windows": "wine"}
-FRICTION = {"flange_friction_ratio": 0.5, "friction_fall": 0.4, "friction_fall_rate": 0.6,
-            "slope_reduction": 0.5, "slope_reduction_rate": 0.5, "slope_reduction_floor": 0.3}
+FRICTION = {
+    "flange_friction_ratio": 0.5,
+    "friction_fall": 0.4,
+    "friction_fall_rate": 0.6,
+    "slope_reduction": 0.5,
+    "slope_reduction_rate": 0.5,
+    "slope_reduction_floor": 0.3,
+}
 #: Beside the models.
 OTHERS = [
     {"lateral_curvature": "smooth", "separation": "vertical"},
@@ -66,9 +75,12 @@ def choices(name):
 
 def cases():
     """Parameters of every case, by name."""
-    models = [{"contact_mode": mode, "normal_model": normal, "tangential_model": tangential}
-              for mode in ("rigid", "elastic", "compliant") for normal in choices("normal_model")
-              for tangential in choices("tangential_model")]
+    models = [
+        {"contact_mode": mode, "normal_model": normal, "tangential_model": tangential}
+        for mode in ("rigid", "elastic", "compliant")
+        for normal in choices("normal_model")
+        for tangential in choices("tangential_model")
+    ]
     return {"-".join(map(str, parameters.values())): parameters for parameters in [*models, *OTHERS]}
 
 
@@ -78,8 +90,11 @@ def poses(count=POSES):
     rows = np.zeros((count, layout.INPUT_COUNT))
     for row in rows:
         # not drawn is what came later: rates of independent wheels, which are not read, and rails on springs
-        values = {name: draw.uniform(-1.0, 1.0) for name in INPUT_NAMES
-                  if not name.endswith((".wheel_rate", "_before", "_time_step"))}
+        values = {
+            name: draw.uniform(-1.0, 1.0)
+            for name in INPUT_NAMES
+            if not name.endswith((".wheel_rate", "_before", "_time_step"))
+        }
         yawed, moved = draw.random() < 0.5, draw.random() < 1.0 / 3.0
         for place, entry in enumerate(INPUTS):
             row[place] = start_of(entry) + values.get(entry.name, 0.0) * size_of(entry.name, yawed, moved)
@@ -97,10 +112,22 @@ def size_of(name, yawed, moved):
         return (5e-3 if name.endswith("roll") else 5e-4) if moved else 0.0
     if name.endswith("_velocity") and moved:
         return 0.02
-    sizes = {"lateral_shift": 7e-3, "yaw": 0.03 if yawed else 0.0, "normal_force": 5e4, "load_transfer": 0.4,
-             "vertical_shift_input": 3e-4, "roll_input": 2e-3, "speed": 10.0, "lateral_velocity": 0.1,
-             "vertical_velocity": 0.02, "roll_rate": 0.05, "yaw_rate": 0.1, "left.friction": 0.2,
-             "right.friction": 0.2, "track_curvature": 1e-3}
+    sizes = {
+        "lateral_shift": 7e-3,
+        "yaw": 0.03 if yawed else 0.0,
+        "normal_force": 5e4,
+        "load_transfer": 0.4,
+        "vertical_shift_input": 3e-4,
+        "roll_input": 2e-3,
+        "speed": 10.0,
+        "lateral_velocity": 0.1,
+        "vertical_velocity": 0.02,
+        "roll_rate": 0.05,
+        "yaw_rate": 0.1,
+        "left.friction": 0.2,
+        "right.friction": 0.2,
+        "track_curvature": 1e-3,
+    }
     return sizes.get(name, 0.0)
 
 
@@ -117,16 +144,18 @@ def digest(*arrays):
 def digests_of(tables, outputs, statuses, rates=None):
     """The digests of a case, by their names."""
     found = {"tables": digest(tables)}
-    found |= {str(count): digest(outputs[:count], statuses[:count]) for count in PARTS
-              if count <= len(outputs)}
+    found |= {
+        str(count): digest(outputs[:count], statuses[:count]) for count in PARTS if count <= len(outputs)
+    }
     return found | ({} if rates is None else {"rates": digest(rates)})
 
 
 def plan_of(parameters):
     """The arrays of a preparation but for tables and workspace: setup, definitions, fixed tables."""
     system = wrcontact.ContactSystem(**parameters)
-    definitions = [profile.definition() for profile in (system.wheel, system.rail, system.left_wheel,
-                                                        system.left_rail)]
+    definitions = [
+        profile.definition() for profile in (system.wheel, system.rail, system.left_wheel, system.left_rail)
+    ]
     rolling = system.parameters["tangential_model"] != "none"
     return [setup_of(system.parameters, system.methods), *definitions, fixed_tables(rolling)]
 
@@ -136,8 +165,13 @@ def stepped(kernel, parameters, rows):
     _, tables = kernel.prepare(*plan_of(parameters))
     head = layout.Tables.at(tables)
     inputs, outputs, statuses = rows.copy(), np.zeros((len(rows), row_size(head))), np.zeros(len(rows))
-    arrays = [tables, np.zeros(layout.STATE_SIZE), np.zeros(layout.WORK_SIZE), np.zeros(layout.INPUT_COUNT),
-              np.zeros(row_size(head))]
+    arrays = [
+        tables,
+        np.zeros(layout.STATE_SIZE),
+        np.zeros(layout.WORK_SIZE),
+        np.zeros(layout.INPUT_COUNT),
+        np.zeros(row_size(head)),
+    ]
     bound = kernel.bind(*arrays)
     bound.step_many(len(rows), inputs, outputs, statuses)
     rates = None
@@ -152,8 +186,11 @@ def stepped(kernel, parameters, rows):
 def run(kernel=None, count=POSES, only=None):
     """Digests of all cases, or of ``only`` these, by a kernel of this process: {case: {name: digest}}."""
     kernel, rows = kernel or default_kernel(), poses(count)
-    return {name: stepped(kernel, parameters, rows) for name, parameters in cases().items()
-            if only is None or name in only}
+    return {
+        name: stepped(kernel, parameters, rows)
+        for name, parameters in cases().items()
+        if only is None or name in only
+    }
 
 
 def built_kernel(compiler, flags=()):
@@ -171,13 +208,30 @@ def emulated(name, count=POSES):
         program = Path(folder, "digest_host.exe")
         sources = [str(HELPERS / "digest_host.c"), *(str(HERE.parent / unit) for unit in FMU_UNITS)]
         target, *flags = TARGETS[name]
-        subprocess.run([*ZIG, "-target", target, *flags, *(flag for flag in FLAGS if flag != "-fPIC"),
-                        "-I", str(HERE.parent), *sources, "-o", str(program)], check=True)
+        subprocess.run(
+            [
+                *ZIG,
+                "-target",
+                target,
+                *flags,
+                *(flag for flag in FLAGS if flag != "-fPIC"),
+                "-I",
+                str(HERE.parent),
+                *sources,
+                "-o",
+                str(program),
+            ],
+            check=True,
+        )
         plan, answer = Path(folder, "plan"), Path(folder, "answer")
         sizes = [write_plan(plan, parameters, rows) for parameters in cases().values()]
         emulator = [] if name == host_platform() else [EMULATORS[name]]
-        subprocess.run([*emulator, str(program), "plan", "answer"], cwd=folder, check=True,
-                       env={**os.environ, "WINEDEBUG": "-all", "WINEPREFIX": str(Path(folder, "wine"))})
+        subprocess.run(
+            [*emulator, str(program), "plan", "answer"],
+            cwd=folder,
+            check=True,
+            env={**os.environ, "WINEDEBUG": "-all", "WINEPREFIX": str(Path(folder, "wine"))},
+        )
         return dict(zip(cases(), read_answers(answer, sizes, count)))
 
 
@@ -198,7 +252,7 @@ def read_answers(file, sizes, count):
     """The digests of each case in the answer."""
     with file.open("rb") as read:
         for length, row in sizes:
-            outcome, = np.fromfile(read, count=1)
+            (outcome,) = np.fromfile(read, count=1)
             if outcome != length:
                 raise ValueError(f"the preparation gives {outcome:.0f}, here {length}")
             tables, outputs = np.fromfile(read, count=length), np.fromfile(read, count=count * row)
@@ -215,13 +269,18 @@ def stored():
 def differences(found):
     """Which of the found digests are not the stored ones, as words."""
     known = stored()
-    return [f"{case}: {name}" for case, parts in found.items() for name, value in parts.items()
-            if known[case][name] != value]
+    return [
+        f"{case}: {name}"
+        for case, parts in found.items()
+        for name, value in parts.items()
+        if known[case][name] != value
+    ]
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--zig", action="store_true")
     parser.add_argument("--on", choices=TARGETS)
@@ -237,8 +296,10 @@ def main():
         STORED.write_text(json.dumps(found, indent=0) + "\n", encoding="utf-8")
     apart = differences(found)
     print(*apart, sep="\n")
-    print(f"{sum(map(len, found.values()))} digests of {len(found)} cases, {len(apart)} of them are not the "
-          "stored ones")
+    print(
+        f"{sum(map(len, found.values()))} digests of {len(found)} cases, {len(apart)} of them are not the "
+        "stored ones"
+    )
     return bool(apart)
 
 

@@ -10,8 +10,11 @@ class FakeStepper:
     negative force is invalid."""
 
     def __init__(self):
-        self.inputs, self.outputs, self.state = (np.zeros(layout.INPUT_COUNT), np.zeros(layout.OUTPUT_COUNT),
-                                                 np.zeros(3))
+        self.inputs, self.outputs, self.state = (
+            np.zeros(layout.INPUT_COUNT),
+            np.zeros(layout.OUTPUT_COUNT),
+            np.zeros(3),
+        )
 
     def step(self):
         if not np.isfinite(self.inputs).all() or self.inputs[layout.IN_NORMAL_FORCE] < 0:

@@ -15,8 +15,9 @@ from wrcontact.profiles import standard_profile
 from wrcontact.storage import atomic
 
 WRITER = Path(atomic.__file__)
-needs_linux = pytest.mark.skipif(sys.platform != "linux",
-                                 reason="signals, limits and devices are those of Linux")
+needs_linux = pytest.mark.skipif(
+    sys.platform != "linux", reason="signals, limits and devices are those of Linux"
+)
 
 
 def parts_in(folder):
@@ -39,8 +40,15 @@ def loaded_cli(*words, **settings):
 
 def _program(source, words, settings):
     command = [sys.executable, "-c", source, *map(str, words)]
-    return subprocess.Popen(command, env=OUTSIDE, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL), **settings)
+    return subprocess.Popen(
+        command,
+        env=OUTSIDE,
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+        **settings,
+    )
 
 
 @contextlib.contextmanager
@@ -61,8 +69,9 @@ def assert_files_are_whole(folder):
         content = file.read_bytes()
         if file.suffix == ".csv":
             rows = content.decode().splitlines()
-            assert (content.endswith(b"\n")
-                    and len({row.count(",") for row in rows if '"' not in row}) == 1), file
+            assert content.endswith(b"\n") and len({row.count(",") for row in rows if '"' not in row}) == 1, (
+                file
+            )
         elif file.suffix == ".png":
             assert content.endswith(b"IEND\xaeB`\x82"), file
         elif file.suffix == ".fmu":
@@ -78,15 +87,24 @@ def fmpy_finds_nothing(file):
     return read_model_description(str(file), validate_model_structure=True) is not None
 
 
-BUILD = ("import sys; from wrcontact.fmu.native import build_native_fmus as build; "
-         "print(*build(sys.argv[1], cache=sys.argv[2]))")
+BUILD = (
+    "import sys; from wrcontact.fmu.native import build_native_fmus as build; "
+    "print(*build(sys.argv[1], cache=sys.argv[2]))"
+)
 
 
 def building(folder, cache, **settings):
     """A process that builds the native FMUs."""
     command = [sys.executable, "-c", BUILD, str(folder), str(cache)]
-    return subprocess.Popen(command, env=OUTSIDE, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL), **settings)
+    return subprocess.Popen(
+        command,
+        env=OUTSIDE,
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+        **settings,
+    )
 
 
 def points_of(name):

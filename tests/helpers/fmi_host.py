@@ -16,10 +16,22 @@ from fmpy.fmi2 import (
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 
 #: What fmpy calls the functions for saved states.
-STATES = {2: {"take": "getFMUstate", "set": "setFMUstate", "free": "freeFMUstate",
-              "pack": "serializeFMUstate", "unpack": "deSerializeFMUstate"},
-          3: {"take": "getFMUState", "set": "setFMUState", "free": "freeFMUState",
-              "pack": "serializeFMUState", "unpack": "deserializeFMUState"}}
+STATES = {
+    2: {
+        "take": "getFMUstate",
+        "set": "setFMUstate",
+        "free": "freeFMUstate",
+        "pack": "serializeFMUstate",
+        "unpack": "deSerializeFMUstate",
+    },
+    3: {
+        "take": "getFMUState",
+        "set": "setFMUState",
+        "free": "freeFMUState",
+        "pack": "serializeFMUState",
+        "unpack": "deserializeFMUState",
+    },
+}
 
 
 class Fmu:
@@ -58,8 +70,11 @@ class Instance:
 
     def __init__(self, fmu, name, logging):
         self.fmu, self.log, self.time, self.stations = fmu, [], 0.0, 31
-        described = {"unzipDirectory": fmu.folder, "instanceName": name,
-                     "modelIdentifier": fmu.description.coSimulation.modelIdentifier}
+        described = {
+            "unzipDirectory": fmu.folder,
+            "instanceName": name,
+            "modelIdentifier": fmu.description.coSimulation.modelIdentifier,
+        }
         self.exchange = fmu.exchange
         if fmu.version == 3:
             made = FMU3Model if self.exchange else FMU3Slave
@@ -123,7 +138,7 @@ class Instance:
         """Values of the named variables, of all outputs if there is no name; elements of arrays under their
         own names."""
         known = self.fmu.variables
-        if any(name not in known for name in names):        # elements
+        if any(name not in known for name in names):  # elements
             found = self.get(*dict.fromkeys(n if n in known else re.sub(r"\[\d+\]$", "", n) for n in names))
             return {name: found[name] for name in names}
         kinds = {}
@@ -184,8 +199,9 @@ class Instance:
     def refuses(self, call, *arguments):
         """Whether a call is refused: it fails, or the log has an error, if PythonFMU has no status for it."""
         lines = len(self.log)
-        return (refused(call, *arguments)
-                or any(category == "logStatusError" for _, category, _ in self.log[lines:]))
+        return refused(call, *arguments) or any(
+            category == "logStatusError" for _, category, _ in self.log[lines:]
+        )
 
 
 def refused(call, *arguments, **named):

@@ -10,8 +10,10 @@ def rates(fmu, row, outputs, inputs):
     instance = fmu.running()
     instance.step(**row)
     unknowns = [fmu.references[name] for name in outputs]
-    return [list(instance.slave.getDirectionalDerivative(unknowns, [fmu.references[name]], [1.0]))
-            for name in inputs]
+    return [
+        list(instance.slave.getDirectionalDerivative(unknowns, [fmu.references[name]], [1.0]))
+        for name in inputs
+    ]
 
 
 def derivatives(fmu, rows, outputs, inputs, start, stations=31):
@@ -34,8 +36,9 @@ def derivatives(fmu, rows, outputs, inputs, start, stations=31):
         values, before = instance.get(), instance.saved()
         found = {"matrix": matrix(slave), "together": along(slave, knowns, [1.0] * len(knowns))}
         if fmu.version == 3:
-            found["adjoint"] = slave.getAdjointDerivative(unknowns, knowns, [1.0] * count,
-                                                          nSensitivity=len(knowns))
+            found["adjoint"] = slave.getAdjointDerivative(
+                unknowns, knowns, [1.0] * count, nSensitivity=len(knowns)
+            )
         found["kept"] = instance.saved() == before and instance.get() == values
         seen.append(found)
     early, fresh = fmu.instance(), fmu.instance()
@@ -45,18 +48,31 @@ def derivatives(fmu, rows, outputs, inputs, start, stations=31):
     early.enter()
     early.set(**rows[0])
     one, number = knowns[:1], fmu.references
-    calls = {"parameter": ([number["gauge"]], [1.0]), "output as known": ([number["roll"]], [1.0]),
-             "input as unknown": (one, [1.0], [number["yaw"]], 1),
-             "integer": (one, [1.0], [number["status"]], 1),
-             "unknown reference": (one, [1.0], [4711], 1), "not a number": (one, [math.nan])}
+    calls = {
+        "parameter": ([number["gauge"]], [1.0]),
+        "output as known": ([number["roll"]], [1.0]),
+        "input as unknown": (one, [1.0], [number["yaw"]], 1),
+        "integer": (one, [1.0], [number["status"]], 1),
+        "unknown reference": (one, [1.0], [4711], 1),
+        "not a number": (one, [math.nan]),
+    }
     if fmu.version == 3:
-        calls |= {"time": ([1], [1.0]), "stations": ([2], [1.0]),
-                  "too few sensitivities": (one, [1.0], unknowns, count - 1)}
+        calls |= {
+            "time": ([1], [1.0]),
+            "stations": ([2], [1.0]),
+            "too few sensitivities": (one, [1.0], unknowns, count - 1),
+        }
     instance.told()
     answers = {name: (refused(along, slave, *call), instance.told()) for name, call in calls.items()}
     if fmu.version == 3:
-        answers["too many seeds"] = (refused(slave.getAdjointDerivative, unknowns, one, [1.0] * (count + 1)),
-                                     instance.told())
+        answers["too many seeds"] = (
+            refused(slave.getAdjointDerivative, unknowns, one, [1.0] * (count + 1)),
+            instance.told(),
+        )
     answers["too early"] = refused(along, fresh.slave, one, [1.0]), fresh.told()
-    return {"seen": seen, "inside": matrix(early.slave), "calls": answers,
-            "after": matrix(slave) == seen[-1]["matrix"]}
+    return {
+        "seen": seen,
+        "inside": matrix(early.slave),
+        "calls": answers,
+        "after": matrix(slave) == seen[-1]["matrix"],
+    }

@@ -53,8 +53,11 @@ def foreign_states(fmu, rows):
         fmu.exchange = not exchange
         other = fmu.running("other")
         other.told()
-        answers[str(exchange)] = (refused(other.restore, saved), other.told(),
-                                  other.go_on(rows)[-1] == before)
+        answers[str(exchange)] = (
+            refused(other.restore, saved),
+            other.told(),
+            other.go_on(rows)[-1] == before,
+        )
     return answers
 
 
@@ -64,8 +67,18 @@ def simulated_exchange(fmu, rows, times, names, solver):
     columns = [(name, "f8") for name in ("time", *rows[0])]
     signals = np.array([(time, *row.values()) for time, row in zip(times, rows)], dtype=columns)
     interval = times[1] - times[0]
-    result = fmpy.simulate_fmu(fmu.folder, fmi_type="ModelExchange", solver=solver, input=signals,
-                               output=names, start_time=times[0], stop_time=times[-1],
-                               output_interval=interval, step_size=interval)
-    return {"times": result["time"].tolist(),
-            "seen": [dict(zip(result.dtype.names[1:], row[1:])) for row in result.tolist()]}
+    result = fmpy.simulate_fmu(
+        fmu.folder,
+        fmi_type="ModelExchange",
+        solver=solver,
+        input=signals,
+        output=names,
+        start_time=times[0],
+        stop_time=times[-1],
+        output_interval=interval,
+        step_size=interval,
+    )
+    return {
+        "times": result["time"].tolist(),
+        "seen": [dict(zip(result.dtype.names[1:], row[1:])) for row in result.tolist()],
+    }

@@ -24,8 +24,11 @@ def life(fmu):
     times as it enters initialisation mode, FMI 2 before."""
     instance = fmu.instance()
     slave, reference = instance.slave, fmu.references
-    read, told = (slave.getReal, slave.setupExperiment) if fmu.version == 2 else (
-        slave.getFloat64, slave.enterInitializationMode)
+    read, told = (
+        (slave.getReal, slave.setupExperiment)
+        if fmu.version == 2
+        else (slave.getFloat64, slave.enterInitializationMode)
+    )
     times = (None, 1.0, 1.1)
     enter = slave.enterInitializationMode, *(times if fmu.version == 3 else ())
     calls = (
@@ -135,8 +138,9 @@ def unlogged(fmu):
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed):
         try:
-            result = fmpy.simulate_fmu(fmu.folder, start_values={"gauge": 14.35}, stop_time=1.0,
-                                       output=["roll", "status"])
+            result = fmpy.simulate_fmu(
+                fmu.folder, start_values={"gauge": 14.35}, stop_time=1.0, output=["roll", "status"]
+            )
             seen["simulated"] = [list(map(str, row)) for row in result.tolist()]
         except FMICallException as failure:
             seen["simulated"] = failure.status

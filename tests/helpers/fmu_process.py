@@ -18,7 +18,7 @@ from pathlib import Path
 
 from shut_out import shut_out
 
-shut_out()      # ahead of all that an FMU could find loaded
+shut_out()  # ahead of all that an FMU could find loaded
 
 import fmpy  # noqa: E402
 
@@ -88,16 +88,25 @@ def outcomes(fmu, cases, valid, start=None):
         again = instance.told()
         instance.step(**valid)
         after, rest = instance.get(), instance.told()
-        answers[name] = {"before": before, "during": during, "log": log, "again": again, "after": after,
-                         "rest": rest}
+        answers[name] = {
+            "before": before,
+            "during": during,
+            "log": log,
+            "again": again,
+            "after": after,
+            "rest": rest,
+        }
     return answers
 
 
 def laziness(fmu):
     """How often the kernel ran."""
     instance = fmu.running("lazy")
-    session = next(slave.session for slave in gc.get_objects() if type(slave).__name__ == "WheelsetContact"
-                   and slave.instance_name == "lazy")       # it lives in this process
+    session = next(
+        slave.session
+        for slave in gc.get_objects()
+        if type(slave).__name__ == "WheelsetContact" and slave.instance_name == "lazy"
+    )  # it lives in this process
     counts = [session.evaluations]
     instance.get(), instance.step(), instance.step(), instance.get()
     counts.append(session.evaluations)
@@ -127,8 +136,10 @@ def several(fmu, others, rows, shared):
         for library in Path(one.folder, "binaries").glob("*/*.so"):
             ctypes.CDLL(str(library), mode=ctypes.RTLD_GLOBAL)
     made = {name: one.running(name) for name, one in fmus.items()}
-    seen = {name: {"seen": [], "rail": instance.get("rail_profile")["rail_profile"]}
-            for name, instance in made.items()}
+    seen = {
+        name: {"seen": [], "rail": instance.get("rail_profile")["rail_profile"]}
+        for name, instance in made.items()
+    }
     for row in rows:
         for name, instance in made.items():
             seen[name]["seen"] += instance.go_on([row])
@@ -170,7 +181,7 @@ def answer(fmu, line):
 
 if __name__ == "__main__":
     with os.fdopen(os.dup(1), "w", encoding="utf-8") as answers:
-        os.dup2(2, 1)       # what others print is not an answer
+        os.dup2(2, 1)  # what others print is not an answer
         opened = Fmu(*sys.argv[1:])
         for question in sys.stdin:
             print(answer(opened, question), file=answers, flush=True)

@@ -34,9 +34,17 @@ def saved_states(fmu, rows, start, taken=5):
     refusals = [other.refuses(other.restore, bytes(bad)) for bad in (damaged, saved[:-8], b"", saved + b"x")]
     kept = other.get() == present
     other.step(**rows[0])
-    return {"before": before, "restored": restored, "straight": straight, "back": back,
-            "elsewhere": elsewhere, "refusals": refusals, "kept": kept, "log": other.told(),
-            "after": other.get()}
+    return {
+        "before": before,
+        "restored": restored,
+        "straight": straight,
+        "back": back,
+        "elsewhere": elsewhere,
+        "refusals": refusals,
+        "kept": kept,
+        "log": other.told(),
+        "after": other.get(),
+    }
 
 
 def damaged_states(fmu, rows, seed, count, foreign=()):
@@ -52,11 +60,16 @@ def damaged_states(fmu, rows, seed, count, foreign=()):
         if not one.refuses(one.restore, bad):
             wrong.append([name, "accepted"])
         lines = [line[-1] for line in one.told()]
-        if (len(lines) != 1
-            or not all("the saved state" in line and "the present state is kept" in line for line in lines)):
+        if len(lines) != 1 or not all(
+            "the saved state" in line and "the present state is kept" in line for line in lines
+        ):
             wrong.append([name, lines])
-    return {"count": len(cases), "wrong": wrong[:5],
-            "equal": one.go_on(rows[3:]) == other.go_on(rows[3:]), "saved": saved.hex()}
+    return {
+        "count": len(cases),
+        "wrong": wrong[:5],
+        "equal": one.go_on(rows[3:]) == other.go_on(rows[3:]),
+        "saved": saved.hex(),
+    }
 
 
 def saved(fmu, rows):
@@ -79,12 +92,19 @@ def forked(fmu, rows):
     os.close(outlet)
     with open(inlet) as pipe:
         child = json.load(pipe)
-    command = [sys.executable, str(Path(__file__).with_name("fmu_process.py")), str(fmu.file),
-               fmu.folder + " spawned"]
+    command = [
+        sys.executable,
+        str(Path(__file__).with_name("fmu_process.py")),
+        str(fmu.file),
+        fmu.folder + " spawned",
+    ]
     question = json.dumps({"scenario": "spawned", "rows": rows[3:], "saved": saved.hex()})
     spawned = subprocess.run(command, input=question, text=True, capture_output=True, check=True)
-    return {"parent": instance.go_on(rows[3:]), "child": child,
-            "spawned": json.loads(spawned.stdout)["answer"]}
+    return {
+        "parent": instance.go_on(rows[3:]),
+        "child": child,
+        "spawned": json.loads(spawned.stdout)["answer"],
+    }
 
 
 def spawned(fmu, rows, saved):
@@ -130,7 +150,7 @@ def instances(fmu, parameters, rows):
         one = fmu.running(f"one of many {k}")
         one.step(lateral_shift=1e-3)
         one.slave.terminate()
-        if fmu.version == 2:        # fmpy's own also unloads the library
+        if fmu.version == 2:  # fmpy's own also unloads the library
             one.slave.fmi2FreeInstance(one.slave.component)
         else:
             one.slave.fmi3FreeInstance(one.slave.component)

@@ -15,8 +15,10 @@ def outlines(fmu, stations, rows, start):
     for row in rows:
         for number, instance in instances.items():
             seen[number] += instance.go_on([row])
-    return {"seen": [seen[number] for number in stations],
-            "alone": [fmu.running(stations=number, **start).go_on(rows) for number in stations]}
+    return {
+        "seen": [seen[number] for number in stations],
+        "alone": [fmu.running(stations=number, **start).go_on(rows) for number in stations],
+    }
 
 
 def stations_again(fmu, stations, other, rows):
@@ -36,8 +38,15 @@ def stations_again(fmu, stations, other, rows):
     elsewhere.restore(saved)
     elsewhere.stations = stations
     one.state("free", state)
-    return {"before": before, "kept": kept, "held": held, "straight": straight, "back": back,
-            "elsewhere": elsewhere.go_on(rows[10:]), "read": elsewhere.get("stations")}
+    return {
+        "before": before,
+        "kept": kept,
+        "held": held,
+        "straight": straight,
+        "back": back,
+        "elsewhere": elsewhere.go_on(rows[10:]),
+        "read": elsewhere.get("stations"),
+    }
 
 
 def configuration(fmu):
@@ -92,9 +101,17 @@ def configuration(fmu):
     slave.reset()
     slave.enterInitializationMode()
     instance.stations = 31
-    return {"calls": answers, "kept": kept, "after": after, "running": running, "reset": reset,
-            "again": again, "fresh": fmu.running().get(), "twice": instance.get("left.station"),
-            "log": instance.told()}
+    return {
+        "calls": answers,
+        "kept": kept,
+        "after": after,
+        "running": running,
+        "reset": reset,
+        "again": again,
+        "fresh": fmu.running().get(),
+        "twice": instance.get("left.station"),
+        "log": instance.told(),
+    }
 
 
 def simulated_stations(fmu, stations, row):
@@ -109,6 +126,13 @@ def simulated_stations(fmu, stations, row):
     slave.enterConfigurationMode()
     slave.setUInt64([fmu.references["stations"]], [stations])
     slave.exitConfigurationMode()
-    result = fmpy.simulate_fmu(fmu.folder, model_description=description, fmu_instance=slave, output=names,
-                               start_values=row, stop_time=1e-3, output_interval=1e-3)
+    result = fmpy.simulate_fmu(
+        fmu.folder,
+        model_description=description,
+        fmu_instance=slave,
+        output=names,
+        start_values=row,
+        stop_time=1e-3,
+        output_interval=1e-3,
+    )
     return {name: result[name][-1].tolist() for name in names}

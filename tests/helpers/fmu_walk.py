@@ -39,11 +39,16 @@ def walk(fmu, seed, steps, resumed=False):
     native_host.c's walks."""
     instance, elsewhere = fmu.running(logging=False), Walker(~seed % 2**64)
     reference = {name: variable.valueReference for name, variable in fmu.variables.items()}
-    reals = [v.valueReference for v in fmu.variables.values() if v.causality == "output" and v.type == "Real"
-             and not v.name.startswith("equilibrium.")]
+    reals = [
+        v.valueReference
+        for v in fmu.variables.values()
+        if v.causality == "output" and v.type == "Real" and not v.name.startswith("equilibrium.")
+    ]
     references, values = (c_uint * len(reals))(*reals), (c_double * len(reals))()
-    angle, place, twin = (reals.index(reference[f"right.{name}"])
-                          for name in ("contact_angle", "contact.y_wheel", "patch[2].normal_force"))
+    angle, place, twin = (
+        reals.index(reference[f"right.{name}"])
+        for name in ("contact_angle", "contact.y_wheel", "patch[2].normal_force")
+    )
     seen = dict.fromkeys(("bad", "flange", "jumps", "twins", "partings", "made", "homes", "same_bits"), 0)
     digest, sizes, first_bad, last_place, home = hashlib.blake2b(digest_size=8), [], [], 0.0, None
     lowest, highest = [list(values) for _ in range(2)], [list(values) for _ in range(2)]
@@ -74,10 +79,22 @@ def walk(fmu, seed, steps, resumed=False):
             highest[half] = list(values) if first else list(map(max, highest[half], values))
         if 10 * k >= steps and k % 1000 == 0:
             sizes.append(resident())
-    kept = {"home": list((c_double * len(reals)).from_buffer_copy(home)), "low": lowest[0],
-            "high": highest[0], "late_low": lowest[1], "late_high": highest[1]}
-    return {**seen, **kept, "steps": steps, "first_bad": first_bad, "last": walker.at,
-            "digest": digest.hexdigest(), "resident": [sizes[0], min(sizes), max(sizes)]}
+    kept = {
+        "home": list((c_double * len(reals)).from_buffer_copy(home)),
+        "low": lowest[0],
+        "high": highest[0],
+        "late_low": lowest[1],
+        "late_high": highest[1],
+    }
+    return {
+        **seen,
+        **kept,
+        "steps": steps,
+        "first_bad": first_bad,
+        "last": walker.at,
+        "digest": digest.hexdigest(),
+        "resident": [sizes[0], min(sizes), max(sizes)],
+    }
 
 
 PARTING = 500  # steps from one saved state of a walk to the next, in the mean

@@ -26,14 +26,21 @@ from wrcontact.profiles.catalogue import standard_profile
 from wrcontact.simulation.session import Session
 from wrcontact.state import WheelsetState
 
-SAME = 1e-12        # [relative] to the package; the same compiler and libm give the same bits
-WARM_START = 1e-7   # [relative] what the warm start leaves: other iterations, same answer
+SAME = 1e-12  # [relative] to the package; the same compiler and libm give the same bits
+WARM_START = 1e-7  # [relative] what the warm start leaves: other iterations, same answer
 
 
 def run_process(scenario, file, folder, arguments):
     """A scenario in a process of its own, outside this repository, and what it writes on the console."""
-    done = subprocess.run(command(file, folder), input=question(scenario, arguments), capture_output=True,
-                          text=True, encoding="utf-8", cwd=folder.parent, timeout=600)
+    done = subprocess.run(
+        command(file, folder),
+        input=question(scenario, arguments),
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        cwd=folder.parent,
+        timeout=600,
+    )
     assert done.returncode == 0, f"{scenario} ended with {done.returncode}:\n{done.stdout}\n{done.stderr}"
     return answer_of(done.stdout, scenario), done.stderr
 
@@ -69,9 +76,15 @@ class Host:
         if self.process is None:
             with open(self.errors, "w") as errors:
                 place = self.folder / f"unpacked {time.monotonic_ns()}"
-                self.process = subprocess.Popen(command(self.file, place), stdin=subprocess.PIPE, text=True,
-                                                stdout=subprocess.PIPE, stderr=errors, encoding="utf-8",
-                                                cwd=self.folder)
+                self.process = subprocess.Popen(
+                    command(self.file, place),
+                    stdin=subprocess.PIPE,
+                    text=True,
+                    stdout=subprocess.PIPE,
+                    stderr=errors,
+                    encoding="utf-8",
+                    cwd=self.folder,
+                )
         patience = threading.Timer(600, self.process.kill)
         patience.start()
         self.process.stdin.write(question(scenario, arguments))
@@ -96,8 +109,9 @@ def evaluated(inputs, stepper=None):
     stepper = stepper or ContactSystem().stepper()
     stepper.inputs[:] = [inputs.get(v.name, v.start) for v in VARIABLES[: len(INPUT_NAMES)]]
     status = stepper.step()
-    outputs = dict(zip((v.name for v in VARIABLES[variables.FIRST_OUTPUT : variables.STATUS]),
-                       stepper.outputs.tolist()))
+    outputs = dict(
+        zip((v.name for v in VARIABLES[variables.FIRST_OUTPUT : variables.STATUS]), stepper.outputs.tolist())
+    )
     return {**outputs, "status": status}
 
 
@@ -118,8 +132,9 @@ def has_compiler():
         return False
 
 
-needs_compiler = pytest.mark.skipif(not has_compiler(),
-                                    reason="a native FMU is built by a C compiler, and none is here")
+needs_compiler = pytest.mark.skipif(
+    not has_compiler(), reason="a native FMU is built by a C compiler, and none is here"
+)
 
 
 #: Of FMUs: the Python FMU, and the native ones by version of FMI.
@@ -143,9 +158,11 @@ def stepped(made, row):
     made.set_booleans([REFERENCE[name] for name in switches], list(switches.values()))
     made.set_reals([REFERENCE[name] for name in reals], list(reals.values()))
     made.step()
-    reals = [v.name for v in VARIABLES[variables.FIRST_OUTPUT:variables.STATUS]]
-    return {**dict(zip(reals, made._values[variables.FIRST_OUTPUT:variables.STATUS].tolist())),
-            "status": made.status}
+    reals = [v.name for v in VARIABLES[variables.FIRST_OUTPUT : variables.STATUS]]
+    return {
+        **dict(zip(reals, made._values[variables.FIRST_OUTPUT : variables.STATUS].tolist())),
+        "status": made.status,
+    }
 
 
 def header_functions(version):
@@ -184,5 +201,6 @@ def outline_of_both(values):
     return found
 
 
-needs_glibc = pytest.mark.skipif(not shutil.which("cc") or sys.platform != "linux",
-                                 reason="no compiler for glibc here")
+needs_glibc = pytest.mark.skipif(
+    not shutil.which("cc") or sys.platform != "linux", reason="no compiler for glibc here"
+)

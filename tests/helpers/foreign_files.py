@@ -33,8 +33,10 @@ def several(profiles, other="[FileInfo]\nProgramName=MiniProf for Windows\n"):
     text = other
     for number, (name, y, z) in enumerate(profiles, start=1):
         rows = "".join(f"{a:.6f} {b:.6f} 1.3254 0 \n" for a, b in zip(y, z))
-        text += (f"\n[Profile{number}Info]\nProgramName=AutoCAD\nMPDC=2\nMPDN={name}\nMPD1=L 1.0 2.0 3.0\n"
-                 f"MPTypeNo=299\nColumnDef=X,Y,A,C\nXYPoints={len(y)}\n\n[Profile{number}Points]\n{rows}")
+        text += (
+            f"\n[Profile{number}Info]\nProgramName=AutoCAD\nMPDC=2\nMPDN={name}\nMPD1=L 1.0 2.0 3.0\n"
+            f"MPTypeNo=299\nColumnDef=X,Y,A,C\nXYPoints={len(y)}\n\n[Profile{number}Points]\n{rows}"
+        )
     return text
 
 
@@ -43,10 +45,14 @@ def vampire(kind, y, z, *, datum="EUROPEAN", width=1360.0, left=None):
     offset = 0.5 * width + 70.0 if kind == "wheel" else 750.0
     up = 1.0 if kind == "wheel" else -1.0
     left_y, left_z = (y, z) if left is None else left
-    head = {"wheel": f"TREADDATUM {datum}\nFLANGEBACK {width}\n",
-            "rail": f"GAUGEPOINT {datum}\nGAUGE 1435\n"}[kind]
-    rows = "".join(f"{-offset - a:.6f}, {up * b:.6f}, {offset + c:.6f}, {up * d:.6f}\n"
-                   for a, b, c, d in zip(left_y, left_z, y, z))
+    head = {
+        "wheel": f"TREADDATUM {datum}\nFLANGEBACK {width}\n",
+        "rail": f"GAUGEPOINT {datum}\nGAUGE 1435\n",
+    }[kind]
+    rows = "".join(
+        f"{-offset - a:.6f}, {up * b:.6f}, {offset + c:.6f}, {up * d:.6f}\n"
+        for a, b, c, d in zip(left_y, left_z, y, z)
+    )
     return f"{kind.upper()}PROFILE\nS1002 on UIC60, a title\n{head}! left, right\n{rows}"
 
 

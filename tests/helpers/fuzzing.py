@@ -24,14 +24,14 @@ from wrcontact.profiles import Profile, standard_profile
 
 RAILS = ("UIC60", "60E1", "54E1")
 INCLINATIONS = (0.0, 1 / 40, 1 / 30, 1 / 20)
-GAUGES = (1.425, 1.450)         # [m]
-RADII = (0.3, 0.7)              # [m]
-DEPTHS = (0.008, 0.0135)        # [m] on the rail's corner: its side may lean backwards when inclined
-SHIFTS = (-12e-3, 12e-3)        # [m]
+GAUGES = (1.425, 1.450)  # [m]
+RADII = (0.3, 0.7)  # [m]
+DEPTHS = (0.008, 0.0135)  # [m] on the rail's corner: its side may lean backwards when inclined
+SHIFTS = (-12e-3, 12e-3)  # [m]
 YAWS = tuple(np.radians((-6.0, 6.0)))
-FORCES = (1e-3, 1e6)            # [N]
-GUESSES = (-0.1, 0.1)           # [rad]
-OFFSETS = (1e-12, 1e-4)         # [m] from a jump or an end
+FORCES = (1e-3, 1e6)  # [N]
+GUESSES = (-0.1, 0.1)  # [rad]
+OFFSETS = (1e-12, 1e-4)  # [m] from a jump or an end
 
 #: The cheapest system of a scene: where wheels and rails touch, and no normal contact.
 GEOMETRY = {"contact_mode": "rigid", "load": "normal", "normal_model": "hertz"}
@@ -41,14 +41,21 @@ GEOMETRY = {"contact_mode": "rigid", "load": "normal", "normal_model": "hertz"}
 #: gauge is measured, are left.
 CUTS = (("wheel", "start", -45.0, -0.5), ("wheel", "stop", 0.5, 30.0), ("rail", "stop", 16.0, 30.0))
 
-GRID = 241                      # shifts between which jumps are looked for
-ROWS = 4                        # yaws of a scene at which they are
+GRID = 241  # shifts between which jumps are looked for
+ROWS = 4  # yaws of a scene at which they are
 # [m] a contact that moves farther from one grid shift to the next may jump between them
 MOVED = 3e-4
-JUMPED = 2e-5                   # [m] and has jumped if it moves this far within SHARP
-SHARP = 1e-12                   # [m]
-COLUMNS = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer", "vertical_shift_input",
-           "roll_input")
+JUMPED = 2e-5  # [m] and has jumped if it moves this far within SHARP
+SHARP = 1e-12  # [m]
+COLUMNS = (
+    "lateral_shift",
+    "yaw",
+    "roll_guess",
+    "normal_force",
+    "load_transfer",
+    "vertical_shift_input",
+    "roll_input",
+)
 
 
 @dataclass(frozen=True)
@@ -61,14 +68,19 @@ class Cut:
 
     def profile(self):
         whole = standard_profile(self.name)
-        kept = [replace(zone, start=max(zone.start, self.start), stop=min(zone.stop, self.stop))
-                for zone in whole.zones
-                if zone.stop > self.start and zone.start < self.stop]
+        kept = [
+            replace(zone, start=max(zone.start, self.start), stop=min(zone.stop, self.stop))
+            for zone in whole.zones
+            if zone.stop > self.start and zone.start < self.stop
+        ]
         return Profile(self.name, whole.kind, tuple(kept))
 
     def __repr__(self):
-        ends = [f"{name}={float(value)!r}" for name, value in (("start", self.start), ("stop", self.stop))
-                if np.isfinite(value)]
+        ends = [
+            f"{name}={float(value)!r}"
+            for name, value in (("start", self.start), ("stop", self.stop))
+            if np.isfinite(value)
+        ]
         return f"cut({', '.join([repr(self.name), *ends])})"
 
 
@@ -109,15 +121,19 @@ class Poses:
 
     def mirrored(self):
         """The same poses seen in a mirror along the track."""
-        signs = [-1.0 if name in ("lateral_shift", "yaw", "roll_guess", "load_transfer", "roll_input")
-                 else 1.0
-                 for name in COLUMNS]
+        signs = [
+            -1.0 if name in ("lateral_shift", "yaw", "roll_guess", "load_transfer", "roll_input") else 1.0
+            for name in COLUMNS
+        ]
         return Poses(self.inputs * signs)
 
     def call(self, row):
         """``evaluate(...)`` at one pose."""
-        given = [f"{name}={float(value)!r}" for name, value in zip(COLUMNS, self.inputs[row])
-                 if value != 0.0 or name == "normal_force"]
+        given = [
+            f"{name}={float(value)!r}"
+            for name, value in zip(COLUMNS, self.inputs[row])
+            if value != 0.0 or name == "normal_force"
+        ]
         return f"evaluate({', '.join(given)})"
 
 
@@ -156,8 +172,9 @@ class Scene:
         """One line of Python that evaluates this pose."""
         default = signature(wrcontact.ContactSystem).parameters
         arguments = {**self.arguments, **changes}
-        given = ", ".join(f"{name}={value!r}" for name, value in arguments.items()
-                          if value != default[name].default)
+        given = ", ".join(
+            f"{name}={value!r}" for name, value in arguments.items() if value != default[name].default
+        )
         return f"ContactSystem({given}).{poses.call(row)}"
 
 
@@ -178,8 +195,9 @@ def draw_scene(rng, cuts=0.2, **fixed):
         "nominal_radius": float(0.46 if rng.random() < 0.3 else rng.uniform(*RADII)),
     }
     # these wheelsets do not roll: they have no creep forces
-    methods = {name: str(rng.choice(choices)) for name, choices in CHOICES.items()
-               if name != "tangential_model"}
+    methods = {
+        name: str(rng.choice(choices)) for name, choices in CHOICES.items() if name != "tangential_model"
+    }
     if methods["contact_mode"] == "compliant":
         methods["load"] = "normal"
     arguments.update(methods)
@@ -230,9 +248,11 @@ def draw_poses(rng, scene, count):
     beside = rng.random(count) < 0.5
     jumps, rows, at_end = find_jumps(scene, draw_yaws(rng, ROWS))
     if len(jumps):
-        weight = np.where(at_end, 3.0, 1.0)         # there are more jumps on the profiles than to their ends
-        chosen, behind = rng.choice(len(jumps), size=count,
-                                    p=weight / weight.sum()), rng.integers(2, size=count)
+        weight = np.where(at_end, 3.0, 1.0)  # there are more jumps on the profiles than to their ends
+        chosen, behind = (
+            rng.choice(len(jumps), size=count, p=weight / weight.sum()),
+            rng.integers(2, size=count),
+        )
         offset = log_uniform(rng, *OFFSETS, count)
         near = np.where(behind == 1, jumps[chosen, 1] + offset, jumps[chosen, 0] - offset)
         shift, yaw = np.where(beside, near, shift), np.where(beside, rows[chosen], yaw)
@@ -253,8 +273,10 @@ def lay_down(rng, scene, poses):
     rigid = scene.geometry.evaluate_many(poses.lateral_shift, poses.yaw, outputs="geometry")
     sink = np.where(rng.random(len(poses)) < 0.9, 1.0, -1.0) * log_uniform(rng, 1e-9, 1e-3, len(poses))
     tilt = rng.choice((-1.0, 0.0, 1.0), len(poses)) * log_uniform(rng, 1e-9, 1e-3, len(poses))
-    return poses.changed(vertical_shift_input=np.nan_to_num(rigid.vertical_shift) + sink,
-                         roll_input=np.nan_to_num(rigid.roll) + tilt)
+    return poses.changed(
+        vertical_shift_input=np.nan_to_num(rigid.vertical_shift) + sink,
+        roll_input=np.nan_to_num(rigid.roll) + tilt,
+    )
 
 
 def batches(seed, scenes, poses, first=0, **fixed):

@@ -35,11 +35,13 @@ def libcosimpy(fmu, rows, names):
     execution.add_observer(observer=observer)
     execution.add_manipulator(manipulator=manipulator)
     for row in rows:
-        manipulator.slave_real_values(slave_index=index, variable_references=[known[name] for name in row],
-                                      values=list(row.values()))
+        manipulator.slave_real_values(
+            slave_index=index, variable_references=[known[name] for name in row], values=list(row.values())
+        )
         execution.step()
-        yield observer.last_real_values(slave_index=index,
-                                        variable_references=[known[name] for name in names])
+        yield observer.last_real_values(
+            slave_index=index, variable_references=[known[name] for name in names]
+        )
 
 
 def ecospy(fmu, rows, names):
@@ -61,4 +63,4 @@ if __name__ == "__main__":
     importer, file = sys.argv[1:]
     answer = json.dumps({"seen": [list(seen) for seen in globals()[importer](file, **json.load(sys.stdin))]})
     print("\n" + answer, flush=True)
-    os._exit(0)     # without what the importers do at the end of a process
+    os._exit(0)  # without what the importers do at the end of a process

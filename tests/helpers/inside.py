@@ -14,10 +14,14 @@ def counts_of(stepper):
     """What a stepper's kernel has done so far, by name."""
     work = work_of(stepper)
     sides = work.sides
-    return {"gap": sides[0].place.gap_count + sides[1].place.gap_count,
-            "scan": sides[0].scan_count + sides[1].scan_count, "roll": sides[1].roll_count,
-            "node": sides[0].place.node_count + sides[1].place.node_count,
-            "solve": work.contact.regions[0].solve_count, "strip": work.contact.strip_problem.strip_count}
+    return {
+        "gap": sides[0].place.gap_count + sides[1].place.gap_count,
+        "scan": sides[0].scan_count + sides[1].scan_count,
+        "roll": sides[1].roll_count,
+        "node": sides[0].place.node_count + sides[1].place.node_count,
+        "solve": work.contact.regions[0].solve_count,
+        "strip": work.contact.strip_problem.strip_count,
+    }
 
 
 def workspace_of(stepper):

@@ -20,7 +20,7 @@ from wrcontact.fmu import SOURCES, build_fmu
 from wrcontact.fmu.native import build_native_fmus
 from wrcontact.fmu.online import PACKAGE
 
-MONTH = 30 * 24 * 3600.0      # [s]
+MONTH = 30 * 24 * 3600.0  # [s]
 MAKERS = {"python": lambda folder, **chosen: [build_fmu(folder, **chosen)], "native": build_native_fmus}
 
 
@@ -29,7 +29,7 @@ def cache_folder(run):
     wanted = os.environ.get("WRCONTACT_TEST_CACHE")
     usual = Path(os.environ.get("XDG_CACHE_HOME") or "~/.cache", "wrcontact", "tests")
     folder = run / "kept" if wanted == "off" else Path(wanted or usual)
-    with contextlib.suppress(OSError, RuntimeError):        # read-only, or there is no home
+    with contextlib.suppress(OSError, RuntimeError):  # read-only, or there is no home
         folder = folder.expanduser()
         folder.mkdir(parents=True, exist_ok=True)
         if os.access(folder, os.W_OK):

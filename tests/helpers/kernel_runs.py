@@ -48,16 +48,21 @@ def run_steps(rows, folder, *, choice, package=PACKAGE, **parameters):
     if child is None:
         code = RUN.format(package=package.name)
         child = RUNNING[choice, package] = subprocess.Popen(
-            [sys.executable, "-W", "always", "-c", code], cwd=package.parent, text=True,
-            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-            env=environment(package.parent, choice))
+            [sys.executable, "-W", "always", "-c", code],
+            cwd=package.parent,
+            text=True,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            env=environment(package.parent, choice),
+        )
         atexit.register(child.kill)
     line = json.dumps([str(folder / "poses.npy"), str(folder / "steps.npy"), parameters]) + "\n"
     try:
         child.stdin.write(line)
         child.stdin.flush()
     except BrokenPipeError:
-        pass                                            # the next line is empty, and stderr says why
+        pass  # the next line is empty, and stderr says why
     if child.stdout.readline() != "done\n":
         del RUNNING[choice, package]
         raise AssertionError(child.stderr.read())
@@ -70,9 +75,13 @@ def environment(path, choice):
 
 def run_python(code, path, choice, *arguments):
     """Run ``code`` with ``path`` in front of the module path, away from this checkout."""
-    return subprocess.run([sys.executable, "-W", "always", "-c", code, *map(str, arguments)], cwd=path,
-                          text=True, capture_output=True,
-                          env=environment(path, choice))
+    return subprocess.run(
+        [sys.executable, "-W", "always", "-c", code, *map(str, arguments)],
+        cwd=path,
+        text=True,
+        capture_output=True,
+        env=environment(path, choice),
+    )
 
 
 def bits(array):
@@ -82,16 +91,22 @@ def bits(array):
 RAIL_PLACES = range(7, 7 + len(RAILS))
 
 #: Every contact mode with every normal model, and the vertical load.
-FORMS = [{"contact_mode": "elastic", "normal_model": "analyn"},
-         {"contact_mode": "elastic", "normal_model": "analyn_strip", "load": "vertical"},
-         {"contact_mode": "elastic", "normal_model": "hertz"},
-         {"contact_mode": "compliant", "normal_model": "analyn"},
-         {"contact_mode": "compliant", "normal_model": "analyn_strip"},
-         {"contact_mode": "compliant", "normal_model": "hertz"},
-         {"load": "vertical"},
-         {"load": "vertical", "normal_model": "hertz"},
-         {"contact_mode": "elastic", "load": "vertical", "separation": "equidistant",
-          "lateral_curvature": "smooth"}]
+FORMS = [
+    {"contact_mode": "elastic", "normal_model": "analyn"},
+    {"contact_mode": "elastic", "normal_model": "analyn_strip", "load": "vertical"},
+    {"contact_mode": "elastic", "normal_model": "hertz"},
+    {"contact_mode": "compliant", "normal_model": "analyn"},
+    {"contact_mode": "compliant", "normal_model": "analyn_strip"},
+    {"contact_mode": "compliant", "normal_model": "hertz"},
+    {"load": "vertical"},
+    {"load": "vertical", "normal_model": "hertz"},
+    {
+        "contact_mode": "elastic",
+        "load": "vertical",
+        "separation": "equidistant",
+        "lateral_curvature": "smooth",
+    },
+]
 
 
 def id_of(parameters):
@@ -104,24 +119,28 @@ def poses(count, seed=20):
     at one of ten, and every other wheelset runs."""
     rng = np.random.default_rng(seed)
     rows = np.zeros((count, INPUT_COUNT))
-    rows[:, :7] = np.column_stack([
-        rng.uniform(-8e-3, 8e-3, count),            # lateral shift [m]
-        rng.uniform(-0.02, 0.02, count),            # yaw [rad]
-        rng.uniform(-1e-3, 1e-3, count),            # roll guess [rad]
-        rng.uniform(2e4, 1.5e5, count),             # normal force [N]
-        rng.uniform(-0.5, 0.5, count),              # load transfer
-        rng.uniform(-5e-5, 2e-4, count),            # height below rigid contact [m]
-        rng.uniform(-1e-4, 1e-4, count)])           # roll beyond it [rad]
+    rows[:, :7] = np.column_stack(
+        [
+            rng.uniform(-8e-3, 8e-3, count),  # lateral shift [m]
+            rng.uniform(-0.02, 0.02, count),  # yaw [rad]
+            rng.uniform(-1e-3, 1e-3, count),  # roll guess [rad]
+            rng.uniform(2e4, 1.5e5, count),  # normal force [N]
+            rng.uniform(-0.5, 0.5, count),  # load transfer
+            rng.uniform(-5e-5, 2e-4, count),  # height below rigid contact [m]
+            rng.uniform(-1e-4, 1e-4, count),
+        ]
+    )  # roll beyond it [rad]
     rows[::4, 1] = 0.0
     run = count // 2
     rows[run:, 0] = np.linspace(-7e-3, 7e-3, count - run)
-    rigid = wrcontact.ContactSystem().evaluate_many(rows[:, IN_LATERAL_SHIFT], rows[:, IN_YAW],
-                                                    outputs="geometry")
+    rigid = wrcontact.ContactSystem().evaluate_many(
+        rows[:, IN_LATERAL_SHIFT], rows[:, IN_YAW], outputs="geometry"
+    )
     rows[:, IN_VERTICAL_SHIFT] += rigid.vertical_shift
     rows[:, IN_ROLL] += rigid.roll
     rows[run::7, :7] = [[np.nan, 0.0, 0.0, 7e4, 0.0, 0.0, 0.0]]
-    rows[run + 1::7, :7] = [[0.3, 0.0, 0.0, 7e4, 0.0, 0.0, 0.0]]
-    rows[run + 2::7, 3] = 0.0
+    rows[run + 1 :: 7, :7] = [[0.3, 0.0, 0.0, 7e4, 0.0, 0.0, 0.0]]
+    rows[run + 2 :: 7, 3] = 0.0
     for place in RAIL_PLACES:
         rows[3::10, place] = rng.uniform(-2e-4, 2e-4, len(rows[3::10]))
     motion = slice(7 + len(RAILS), None)

@@ -19,8 +19,21 @@ def about_z(angle):
     return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
 
 
-def velocity(place, *, centre, yaw, roll, speed=0.0, lateral=0.0, vertical=0.0, yaw_rate=0.0, roll_rate=0.0,
-             wheel_rate=0.0, curvature=0.0, step=1e-6):
+def velocity(
+    place,
+    *,
+    centre,
+    yaw,
+    roll,
+    speed=0.0,
+    lateral=0.0,
+    vertical=0.0,
+    yaw_rate=0.0,
+    roll_rate=0.0,
+    wheel_rate=0.0,
+    curvature=0.0,
+    step=1e-6,
+):
     """Velocity in space [m/s] of the wheel's material that is at ``place`` [m] of the track frame now.
 
     The wheelset is moved by ``step`` [s] forward and back; in a curve the track frame runs on a circle.
@@ -33,8 +46,9 @@ def velocity(place, *, centre, yaw, roll, speed=0.0, lateral=0.0, vertical=0.0, 
         in_track = centre + np.array([0, lateral, vertical]) * t + turned @ in_wheelset
         angle = speed * curvature * t
         along = speed * t
-        origin = (along, 0.0) if curvature == 0 else (np.sin(angle) / curvature,
-                                                      (1 - np.cos(angle)) / curvature)
+        origin = (
+            (along, 0.0) if curvature == 0 else (np.sin(angle) / curvature, (1 - np.cos(angle)) / curvature)
+        )
         return np.array([*origin, 0.0]) + about_z(angle) @ in_track
 
     return (moved(step) - moved(-step)) / (2 * step)
@@ -70,8 +84,13 @@ def creepages(**given):
 
 def slips(state):
     """Creepages (patches, 3) of all patches of a state, left ones first: x, y, spin."""
-    return np.array([(patch.creepage.x, patch.creepage.y, patch.creepage.spin)
-                     for wheel in (state.left, state.right) for patch in wheel.patches])
+    return np.array(
+        [
+            (patch.creepage.x, patch.creepage.y, patch.creepage.spin)
+            for wheel in (state.left, state.right)
+            for patch in wheel.patches
+        ]
+    )
 
 
 def runge_kutta(rates, state, step):

@@ -52,8 +52,9 @@ def draw_wheelset(rng, mode):
         rail_inclination=rng.choice(INCLINATIONS, 2),
     )
     found = {name: tuple(values.tolist()) for name, values in pairs.items()}
-    found |= dict(contact_mode=mode, normal_model=str(rng.choice(MODELS)),
-                  gauge=float(rng.uniform(1.43, 1.44)))
+    found |= dict(
+        contact_mode=mode, normal_model=str(rng.choice(MODELS)), gauge=float(rng.uniform(1.43, 1.44))
+    )
     if mode == "compliant":
         found["contact_damping"] = float(rng.choice((0.0, 0.3)))
     return found
@@ -63,14 +64,24 @@ def draw_poses(rng, wheelset, count):
     """Inputs (count,) by name: poses and loads, a third of the rails in their nominal place; motions."""
     yaw = rng.uniform(-0.03, 0.03, count) * (rng.random(count) < 0.7)
     transfer = rng.uniform(-0.9, 0.9, count) * (rng.random(count) < 0.5)
-    given = dict(lateral_shift=rng.uniform(-7e-3, 7e-3, count), yaw=yaw,
-                 normal_force=log_uniform(rng, *LOADS, count), load_transfer=transfer)
-    far = np.where(rng.random(count) < 0.02, 10.0, 1.0)     # now and then beyond all that is permitted
-    moved = {row.keyword: rng.uniform(-1, 1, count) * (0.03 if row.unit == "rad" else 3e-3)
-             * (rng.random(count) < 0.67) * far for row in RAILS}
+    given = dict(
+        lateral_shift=rng.uniform(-7e-3, 7e-3, count),
+        yaw=yaw,
+        normal_force=log_uniform(rng, *LOADS, count),
+        load_transfer=transfer,
+    )
+    far = np.where(rng.random(count) < 0.02, 10.0, 1.0)  # now and then beyond all that is permitted
+    moved = {
+        row.keyword: rng.uniform(-1, 1, count)
+        * (0.03 if row.unit == "rad" else 3e-3)
+        * (rng.random(count) < 0.67)
+        * far
+        for row in RAILS
+    }
     if wheelset["contact_mode"] == "compliant":
-        stand = wrcontact.ContactSystem(**{**wheelset, "contact_mode": "rigid", "normal_model": "hertz",
-                                           "contact_damping": 0.0})
+        stand = wrcontact.ContactSystem(
+            **{**wheelset, "contact_mode": "rigid", "normal_model": "hertz", "contact_damping": 0.0}
+        )
         table = stand.evaluate_many(given["lateral_shift"], given["yaw"], outputs="geometry", **moved)
         sink = rng.choice((-1, 1, 1, 1), count) * log_uniform(rng, 1e-7, 3e-4, count)
         tilt = rng.choice((-1, 0, 1), count) * log_uniform(rng, 1e-7, 3e-4, count)
@@ -82,12 +93,14 @@ def draw_poses(rng, wheelset, count):
 def mirrored(wheelset, given):
     """The same in the mirror along the track: sides are exchanged, and what is across the track turns."""
     motion = mirrored_motion({name: given[name] for name in motions(1, np.random.default_rng(0))})
-    found = {name: (-1 if name in TURNED else 1) * values for name, values in given.items()
-             if name not in motion}
+    found = {
+        name: (-1 if name in TURNED else 1) * values for name, values in given.items() if name not in motion
+    }
     for row in RAILS:
         side, part = row.keyword.split("_", 1)
         found[row.keyword] = (1 if part == "rail_vertical" else -1) * given[
-            f"{SIDES[1 - SIDES.index(side)]}_{part}"]
+            f"{SIDES[1 - SIDES.index(side)]}_{part}"
+        ]
     other = {name: values[::-1] if isinstance(values, tuple) else values for name, values in wheelset.items()}
     return other, {**found, **motion}
 
@@ -109,11 +122,18 @@ def assert_none(bad, wheelset, given, what, measure=None):
 def draw_friction(rng, wheelset, count):
     """A wheelset with a tangential model, whose friction falls and whose slope is reduced now and then; and
     the friction (count,) of both sides, of all sizes."""
-    found = dict(wheelset, tangential_model=str(rng.choice(CREEP_MODELS)),
-                 load=str(rng.choice(("normal", "vertical"))),
-                 friction_fall=float(rng.choice((1.0, 0.4))), friction_fall_rate=float(rng.choice((0.0,
-                 0.6))), flange_friction_ratio=float(rng.choice((1.0, 0.2))),
-                 slope_reduction=float(rng.choice((1.0, 0.5))), slope_reduction_rate=float(rng.choice((0.0,
-                 0.64))), poisson_ratio=float(rng.choice((0.25, 0.27, 0.28, 0.3, 0.4))))
-    return found, {f"{side}_friction": np.where(rng.random(count) < 0.05, 0.0,
-                                                log_uniform(rng, 1e-3, 1.0, count)) for side in SIDES}
+    found = dict(
+        wheelset,
+        tangential_model=str(rng.choice(CREEP_MODELS)),
+        load=str(rng.choice(("normal", "vertical"))),
+        friction_fall=float(rng.choice((1.0, 0.4))),
+        friction_fall_rate=float(rng.choice((0.0, 0.6))),
+        flange_friction_ratio=float(rng.choice((1.0, 0.2))),
+        slope_reduction=float(rng.choice((1.0, 0.5))),
+        slope_reduction_rate=float(rng.choice((0.0, 0.64))),
+        poisson_ratio=float(rng.choice((0.25, 0.27, 0.28, 0.3, 0.4))),
+    )
+    return found, {
+        f"{side}_friction": np.where(rng.random(count) < 0.05, 0.0, log_uniform(rng, 1e-3, 1.0, count))
+        for side in SIDES
+    }

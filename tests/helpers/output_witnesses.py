@@ -37,26 +37,82 @@ ROUGH = 1.5
 SCENES = {
     "centred": ({}, {}, 0),
     "yawed": ({"wear_outputs": True}, {"lateral_shift": 3e-3, "yaw": 0.01, "load_transfer": 0.2}, 0),
-    "two_planes": ({"wear_outputs": True},
-                   {"lateral_shift": -6.15e-3, "yaw": -0.0175, "normal_force": 40e3}, 0),
-    "three_patches": ({"rail_profile": "54E1", "rail_inclination": 0.05, "wear_outputs": True},
-                      {"lateral_shift": 5.5e-3, "normal_force": 100e3}, 0),
-    "hertz": ({"normal_model": "hertz", "wear_outputs": True},
-              {"lateral_shift": 3e-3, "yaw": 0.01, "load_transfer": 0.2}, 0),
-    "compliant": ({"contact_mode": "compliant", "tangential_model": "polach", "contact_damping": 0.5,
-                   "wear_outputs": True, "fatigue_outputs": True, "yield_shear": 270e6},
-                  {"lateral_shift": 4e-3, "yaw": 5e-3, "normal_force": 1.0, "vertical_shift_input": 0.134e-3,
-                   "roll_input": -0.253e-3, "speed": 20.0, "lateral_velocity": 0.05,
-                   "vertical_velocity": -0.01, "yaw_rate": 0.03, "roll_rate": 0.02, "wheel_rate": 44.0,
-                   "track_curvature": 2e-3, "left.friction": 0.25, "right.friction": 0.4}, 0),
-    "sliding": ({"tangential_model": "fastsim", "wear_outputs": True, "fatigue_outputs": True},
-                {"lateral_shift": 1e-3, "yaw": 0.0, "speed": 20.0, "wheel_rate": 5.0, "lateral_velocity": 0.0,
-                 "vertical_velocity": 0.0, "yaw_rate": 0.0, "roll_rate": 0.0, "track_curvature": 0.0,
-                 "left.friction": 0.25, "right.friction": 0.4}, 0),
-    "mild": ({"tangential_model": "polach", "fatigue_outputs": True},
-             {"lateral_shift": 1e-3, "yaw": 2e-3, "speed": 20.0, "wheel_rate": 43.6, "lateral_velocity": 0.0,
-              "vertical_velocity": 0.0, "yaw_rate": 0.0, "roll_rate": 0.0, "track_curvature": 0.0,
-              "left.friction": 0.3, "right.friction": 0.3}, 0),
+    "two_planes": (
+        {"wear_outputs": True},
+        {"lateral_shift": -6.15e-3, "yaw": -0.0175, "normal_force": 40e3},
+        0,
+    ),
+    "three_patches": (
+        {"rail_profile": "54E1", "rail_inclination": 0.05, "wear_outputs": True},
+        {"lateral_shift": 5.5e-3, "normal_force": 100e3},
+        0,
+    ),
+    "hertz": (
+        {"normal_model": "hertz", "wear_outputs": True},
+        {"lateral_shift": 3e-3, "yaw": 0.01, "load_transfer": 0.2},
+        0,
+    ),
+    "compliant": (
+        {
+            "contact_mode": "compliant",
+            "tangential_model": "polach",
+            "contact_damping": 0.5,
+            "wear_outputs": True,
+            "fatigue_outputs": True,
+            "yield_shear": 270e6,
+        },
+        {
+            "lateral_shift": 4e-3,
+            "yaw": 5e-3,
+            "normal_force": 1.0,
+            "vertical_shift_input": 0.134e-3,
+            "roll_input": -0.253e-3,
+            "speed": 20.0,
+            "lateral_velocity": 0.05,
+            "vertical_velocity": -0.01,
+            "yaw_rate": 0.03,
+            "roll_rate": 0.02,
+            "wheel_rate": 44.0,
+            "track_curvature": 2e-3,
+            "left.friction": 0.25,
+            "right.friction": 0.4,
+        },
+        0,
+    ),
+    "sliding": (
+        {"tangential_model": "fastsim", "wear_outputs": True, "fatigue_outputs": True},
+        {
+            "lateral_shift": 1e-3,
+            "yaw": 0.0,
+            "speed": 20.0,
+            "wheel_rate": 5.0,
+            "lateral_velocity": 0.0,
+            "vertical_velocity": 0.0,
+            "yaw_rate": 0.0,
+            "roll_rate": 0.0,
+            "track_curvature": 0.0,
+            "left.friction": 0.25,
+            "right.friction": 0.4,
+        },
+        0,
+    ),
+    "mild": (
+        {"tangential_model": "polach", "fatigue_outputs": True},
+        {
+            "lateral_shift": 1e-3,
+            "yaw": 2e-3,
+            "speed": 20.0,
+            "wheel_rate": 43.6,
+            "lateral_velocity": 0.0,
+            "vertical_velocity": 0.0,
+            "yaw_rate": 0.0,
+            "roll_rate": 0.0,
+            "track_curvature": 0.0,
+            "left.friction": 0.3,
+            "right.friction": 0.3,
+        },
+        0,
+    ),
     "unloaded": ({"wear_outputs": True}, {"lateral_shift": 1e-3, "load_transfer": 1.0}, 1),
 }
 
@@ -69,8 +125,12 @@ class Scene:
         start, self.inputs, self.status = SCENES[name]
         self.values, self.mode = values, start.get("contact_mode", "rigid")
         system = track(start.get("rail_profile", "UIC60"), start.get("rail_inclination", 0.025))
-        self.wheels = {side: WheelWitness(system, side, values, self.inputs, self.mode,
-                                          start.get("normal_model", "analyn")) for side in ("left", "right")}
+        self.wheels = {
+            side: WheelWitness(
+                system, side, values, self.inputs, self.mode, start.get("normal_model", "analyn")
+            )
+            for side in ("left", "right")
+        }
         for wheel in self.wheels.values():
             wheel.tangential = start.get("tangential_model", "none")
             wheel.damping, wheel.worn = start.get("contact_damping", 0.0), start.get("wear_outputs", False)
@@ -126,6 +186,7 @@ def vertical_shift(scene):
 def sum_of_wheels(name):
     def witness(scene):
         yield sum(wheel[name] for wheel in scene.wheels.values()), 1e-12 * total_load(scene)
+
     return witness
 
 
@@ -150,8 +211,10 @@ def patch_count(wheel):
 
 def contact(name, tolerance):
     """A coordinate of the contact point, or its angle; a minimum's place is found less well than its gap."""
+
     def witness(wheel):
         yield getattr(wheel.contact, name), tolerance
+
     return witness
 
 
@@ -162,8 +225,10 @@ def contact_radius(wheel):
 
 def curvature(index):
     """Along x, and across: there the pieces that stand for a profile miss its curvature by up to 5e-6 1/m."""
+
     def witness(wheel):
         yield wheel.curvatures[index], (1e-6, 2e-5)[index]
+
     return witness
 
 
@@ -176,6 +241,7 @@ def zero_without_load(witness):
             yield from witness(wheel, *place)
         else:
             yield 0.0, 0.0
+
     return zero_or
 
 
@@ -207,11 +273,13 @@ def share_of(wheel, share, alone=None):
 
 def total(name, of, share, alone=None):
     """A total over the patches: ``of`` puts those of the theory together."""
+
     def witness(wheel):
         value = of(getattr(patch, name) for patch in wheel.carried)
         yield value, share_of(wheel, share, alone) * value
         outline = wheel.stretch()
         yield getattr(outline, name), ROUGH / outline.cells * value
+
     return witness
 
 
@@ -225,21 +293,29 @@ def patch_centroid(wheel):
     loads = np.array([patch.load for patch in wheel.carried])
     yield loads @ [patch.centroid for patch in wheel.carried] / loads.sum(), OF_PLACE * wheel["patch_width"]
     yield wheel.stretch().centroid, OF_PLACE * wheel["patch_width"]
-    yield sum(wheel[f"patch[{k}].normal_force"] * wheel[f"patch[{k}].centroid"]
-              for k in (1, 2, 3)) / wheel["normal_force"], EXACT
+    yield (
+        sum(wheel[f"patch[{k}].normal_force"] * wheel[f"patch[{k}].centroid"] for k in (1, 2, 3))
+        / wheel["normal_force"],
+        EXACT,
+    )
 
 
 def side_force(axis):
     def witness(wheel):
         yield sum(wheel[f"patch[{k}].force.{axis}"] for k in (1, 2, 3)), 1e-12 * wheel["normal_force"]
+
     return witness
 
 
 def side_moment(index):
     """Of the patches' forces at their points, about the wheelset's centre, and of their moments of spin."""
+
     def witness(wheel):
-        yield ((pressure_moment(wheel) + creep.side_creep(wheel)[1])[index],
-               EXACT * wheel["normal_force"] + creep.bowed(wheel))
+        yield (
+            (pressure_moment(wheel) + creep.side_creep(wheel)[1])[index],
+            EXACT * wheel["normal_force"] + creep.bowed(wheel),
+        )
+
     return witness
 
 
@@ -265,14 +341,18 @@ def leaning(wheel):
 
 def normal_part(index):
     def witness(wheel):
-        yield (sum(pressure_force(wheel, k)[index] for k in range(1, wheel.count + 1)),
-               1e-12 * wheel["normal_force"] + leaning(wheel))
+        yield (
+            sum(pressure_force(wheel, k)[index] for k in range(1, wheel.count + 1)),
+            1e-12 * wheel["normal_force"] + leaning(wheel),
+        )
+
     return witness
 
 
 def normal_moment(index):
     def witness(wheel):
         yield pressure_moment(wheel)[index], EXACT * wheel["normal_force"] + leaning(wheel)
+
     return witness
 
 
@@ -290,6 +370,7 @@ def zero_if_absent(witness):
             yield from witness(wheel, k)
         else:
             yield 0.0, 0.0
+
     return zero_or
 
 
@@ -301,6 +382,7 @@ def of_patch(name, share, alone=None):
         outline = wheel.stretch(k)
         if outline:
             yield getattr(outline, name), ROUGH / outline.cells * size
+
     return witness
 
 
@@ -335,11 +417,13 @@ def patch_place(axis):
             yield wheel.ridge(k), OF_PLACE * wheel["patch_width"]
         if axis == 2:
             yield float(wheel.system.rail(wheel.abscissa(k))[0]), 1e-9
+
     return witness
 
 
 def patch_force(axis):
     """The load along the mean normal, which is shorter than 1 where a patch turns, and the creep force."""
+
     def witness(wheel, k):
         load, angle = (wheel[f"patch[{k}].{name}"] for name in ("normal_force", "contact_angle"))
         turned, share = (sin(angle), cos(angle)), EXACT
@@ -350,6 +434,7 @@ def patch_force(axis):
         if axis == 1:
             pressed = wheel[f"patch[{k}].force.z"] - rubbed[2]
             yield wheel.sign * tan(angle) * pressed + rubbed[1], EXACT * load
+
     return witness
 
 
@@ -366,16 +451,19 @@ def station(wheel, j):
 
 def outline(index, share):
     """Within what a small move of the station changes, too: at an edge it is a root."""
+
     def witness(wheel, j):
         s = wheel[f"station[{j}]"]
         move = (CLOSED if wheel.model == "hertz" else 0.5 * OF_WIDTH) * wheel["patch_width"]
         near = s + np.linspace(-move, move, 41)
         values = sum(list(patch.at(near))[index] for patch in wheel.carried)
-        largest = max(wheel.carried[0].length / 2 if index == 0 else patch.max_pressure
-                      for patch in wheel.carried)
+        largest = max(
+            wheel.carried[0].length / 2 if index == 0 else patch.max_pressure for patch in wheel.carried
+        )
         allowed = (CLOSED if wheel.model == "hertz" else share) * largest
         middle = 0.5 * (values.min() + values.max())
         yield middle, values.max() - middle + allowed
+
     return witness
 
 
@@ -383,17 +471,21 @@ def outline(index, share):
 WHEELSET = {
     "roll": ("rad", roll),
     "vertical_shift": ("m", vertical_shift),
-    **{f"{name}.{axis}": (unit, sum_of_wheels(f"{name}.{axis}"))
-       for name, unit in (("force", "N"), ("moment", "N.m"), ("normal.force", "N"), ("normal.moment", "N.m"))
-       for axis in "xyz"},
+    **{
+        f"{name}.{axis}": (unit, sum_of_wheels(f"{name}.{axis}"))
+        for name, unit in (("force", "N"), ("moment", "N.m"), ("normal.force", "N"), ("normal.moment", "N.m"))
+        for axis in "xyz"
+    },
     "driving_torque": ("N.m", creep.driving_torque),
     "equilibrium.vertical_shift": ("m", creep.equilibrium("vertical_shift")),
     "equilibrium.roll": ("rad", creep.equilibrium("roll")),
     "status": (None, status),
 }
 GEOMETRY = {
-    **{f"contact.{name}": ("m", contact(name, 3e-8)) for name in (
-        "x_wheel", "y_wheel", "z_wheel", "y_rail", "z_rail", "x_track", "y_track", "z_track")},
+    **{
+        f"contact.{name}": ("m", contact(name, 3e-8))
+        for name in ("x_wheel", "y_wheel", "z_wheel", "y_rail", "z_rail", "x_track", "y_track", "z_track")
+    },
     "contact_angle": ("rad", contact("contact_angle", 2e-7)),
     "rolling_radius": ("m", contact_radius),
     "curvature_x": ("1/m", curvature(0)),
@@ -431,8 +523,10 @@ PATCH = {
     "rolling_radius": ("m", patch_radius),
     **{f"{axis}_track": ("m", patch_place(index)) for index, axis in enumerate("xyz")},
     **{f"force.{axis}": ("N", patch_force(index)) for index, axis in enumerate("xyz")},
-    **{f"creepage.{name}": (unit, creep.patch_creepage(index))
-       for index, (name, unit) in enumerate((("x", "1"), ("y", "1"), ("spin", "1/m")))},
+    **{
+        f"creepage.{name}": (unit, creep.patch_creepage(index))
+        for index, (name, unit) in enumerate((("x", "1"), ("y", "1"), ("spin", "1/m")))
+    },
     "tangential.x": ("N", creep.tangential(0)),
     "tangential.y": ("N", creep.tangential(1)),
     "tangential.moment": ("N.m", creep.moment),
@@ -443,8 +537,7 @@ PATCH = {
     "wear_number": ("N", creep.of_fatigue(lambda number, *_: number, EXACT)),
     "fatigue_damage": ("1", creep.of_fatigue(creep.damage, 1e-8)),
     "shakedown_ratio": ("1", creep.of_fatigue(lambda _, used, peak, limit: peak / limit, EXACT)),
-    "surface_fatigue_index": ("1", creep.of_fatigue(lambda _, used, peak, limit: used - limit / peak,
-                                                    EXACT)),
+    "surface_fatigue_index": ("1", creep.of_fatigue(lambda _, used, peak, limit: used - limit / peak, EXACT)),
 }
 OUTLINE = {
     "station": ("m", station),

@@ -43,17 +43,46 @@ from tests.helpers.planted import ERRORS, planted, source_of
 from tests.helpers.random_errors import drawn_lines, random_errors
 
 #: Rooms whose tests run before the others: those of the kernel, the short ones first.
-KERNEL_ROOMS = ("interface", "normal", "prepare", "system", "derivative", "contact", "wheelset", "search",
-                "patch", "methods", "profiles", "study", "data", "halfspace")
+KERNEL_ROOMS = (
+    "interface",
+    "normal",
+    "prepare",
+    "system",
+    "derivative",
+    "contact",
+    "wheelset",
+    "search",
+    "patch",
+    "methods",
+    "profiles",
+    "study",
+    "data",
+    "halfspace",
+)
 #: Tests that report that something has changed and not what is right; this script's own ones
 #: would see every error.
-NO_WITNESS = ("tests/structure/test_planted_errors.py",
-              "tests/docs/test_nomenclature.py", "tests/docs/test_doctests.py",
-              "tests/binding/test_native_library.py::test_generated_c_is_of_this_source")
+NO_WITNESS = (
+    "tests/structure/test_planted_errors.py",
+    "tests/docs/test_nomenclature.py",
+    "tests/docs/test_doctests.py",
+    "tests/binding/test_native_library.py::test_generated_c_is_of_this_source",
+)
 #: What is no part of a copy. Without conftest.py a copy's tests see the copy's wrcontact,
 #: whatever is installed.
-NOT_COPIED = shutil.ignore_patterns(".git", ".venv", "venv", "__pycache__", ".*_cache", ".hypothesis", "*.so",
-                                    "*.dylib", "*.dll", "build", "dist", "*.egg-info")
+NOT_COPIED = shutil.ignore_patterns(
+    ".git",
+    ".venv",
+    "venv",
+    "__pycache__",
+    ".*_cache",
+    ".hypothesis",
+    "*.so",
+    "*.dylib",
+    "*.dll",
+    "build",
+    "dist",
+    "*.egg-info",
+)
 #: The tests end within this on a slow machine [s]; an error that keeps them running is seen.
 PATIENCE = 1800
 
@@ -66,20 +95,46 @@ Outcome = namedtuple("Outcome", "error seen test seconds")
 def compile_tree(tree):
     """Compile the copy's kernel; with less optimising the bits are the same, and the compiler
     is done in half the time."""
-    subprocess.run([sys.executable, "tools/compile_kernel.py", "--quick"], cwd=tree, check=True,
-                   stdout=subprocess.DEVNULL)
+    subprocess.run(
+        [sys.executable, "tools/compile_kernel.py", "--quick"],
+        cwd=tree,
+        check=True,
+        stdout=subprocess.DEVNULL,
+    )
 
 
 def run_tests(tree, tests, *options):
     """Exit code of pytest in a copy, None if it had no end, and the first test that failed."""
-    command = [sys.executable, "-m", "pytest", "-q", "-rfE", "-p", "no:cacheprovider",
-               f"--basetemp={tree}.scratch", *options, *tests]
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-q",
+        "-rfE",
+        "-p",
+        "no:cacheprovider",
+        f"--basetemp={tree}.scratch",
+        *options,
+        *tests,
+    ]
     # not what a test run tells its workers, whose folders are not this run's
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
-    environment |= {"PYTHONPATH": str(tree), "WRCONTACT_KERNEL": "compiled", "COLUMNS": "1000",
-                    "WRCONTACT_TEST_CACHE": str(tree.parent / "kept")}
-    run = subprocess.Popen(command, cwd=tree, env=environment, text=True, errors="replace",
-                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+    environment |= {
+        "PYTHONPATH": str(tree),
+        "WRCONTACT_KERNEL": "compiled",
+        "COLUMNS": "1000",
+        "WRCONTACT_TEST_CACHE": str(tree.parent / "kept"),
+    }
+    run = subprocess.Popen(
+        command,
+        cwd=tree,
+        env=environment,
+        text=True,
+        errors="replace",
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        start_new_session=True,
+    )
     try:
         said, _ = run.communicate(timeout=PATIENCE)
     except subprocess.TimeoutExpired:
@@ -97,8 +152,11 @@ def ordered_tests(tree, first, short):
     others unless ``short``."""
     tests = tree / "tests"
     places = [tests / room for room in (first, *KERNEL_ROOMS)] + ([] if short else [tests])
-    names = dict.fromkeys(path.relative_to(tree).as_posix() for place in places
-                          for path in ([place] if place.is_file() else sorted(place.rglob("test_*.py"))))
+    names = dict.fromkeys(
+        path.relative_to(tree).as_posix()
+        for place in places
+        for path in ([place] if place.is_file() else sorted(place.rglob("test_*.py")))
+    )
     return [name for name in names if name not in NO_WITNESS]
 
 
@@ -160,32 +218,45 @@ def plant(errors, workers, tests, options=()):
 
 
 def main(arguments=None):
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--list", action="store_true")
-    parser.add_argument("--workers", type=int, default=2,
-                        help="copies that are tested at a time (default: 2)")
-    parser.add_argument("--short", action="store_true",
-                        help="run the kernel's tests only")
-    parser.add_argument("--full", action="store_true",
-                        help="run the full tests too, not only those of 'make check'")
-    parser.add_argument("--tests", nargs="+", default=[], metavar="FILE",
-                        help="run only the tests of these files and folders")
-    parser.add_argument("--share", type=int, default=0, metavar="N",
-                        help="plant so many that one test file sees, and run that file")
+    parser.add_argument(
+        "--workers", type=int, default=2, help="copies that are tested at a time (default: 2)"
+    )
+    parser.add_argument("--short", action="store_true", help="run the kernel's tests only")
+    parser.add_argument(
+        "--full", action="store_true", help="run the full tests too, not only those of 'make check'"
+    )
+    parser.add_argument(
+        "--tests", nargs="+", default=[], metavar="FILE", help="run only the tests of these files and folders"
+    )
+    parser.add_argument(
+        "--share",
+        type=int,
+        default=0,
+        metavar="N",
+        help="plant so many that one test file sees, and run that file",
+    )
     parser.add_argument("--turn", type=int, default=0, help="which share; each turn has other errors")
-    parser.add_argument("--random", type=int, default=0, metavar="N",
-                        help="plant so many errors at random places instead")
-    parser.add_argument("--lines", type=int, default=0, metavar="N",
-                        help="plant nothing, but show so many lines at random")
+    parser.add_argument(
+        "--random", type=int, default=0, metavar="N", help="plant so many errors at random places instead"
+    )
+    parser.add_argument(
+        "--lines", type=int, default=0, metavar="N", help="plant nothing, but show so many lines at random"
+    )
     parser.add_argument("--seed", type=int, default=0)
     options = parser.parse_args(arguments)
     unknown = set(options.names) - {error.name for error in ERRORS}
     if unknown:
         parser.error(f"there is no error called {', '.join(sorted(unknown))}; --list tells the names")
-    errors = list(random_errors(options.random, options.seed)) if options.random else [
-        error for error in ERRORS if not options.names or error.name in options.names]
+    errors = (
+        list(random_errors(options.random, options.seed))
+        if options.random
+        else [error for error in ERRORS if not options.names or error.name in options.names]
+    )
     if options.share:
         errors = shared(options.share, options.turn)
     if options.lines:

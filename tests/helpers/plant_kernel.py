@@ -23,11 +23,20 @@ def changed_files(plain, trees, workers=2):
         kernels = [tree / "wrcontact" / "kernel" for tree in (plain, *own)]
         first, *others = pool.map(tool.read_modules, kernels)
     before = {module.name: module for module in first}
-    pairs = [[(before[module.name], module) for module in modules
-              if module.text != before[module.name].text] for modules in others]
+    pairs = [
+        [(before[module.name], module) for module in modules if module.text != before[module.name].text]
+        for modules in others
+    ]
     raw = translated(first, pairs)
-    files = dict(zip(own, (spliced(tool, there, tree, modules, found, raw, number)
-                           for number, (tree, modules, found) in enumerate(zip(own, others, pairs)))))
+    files = dict(
+        zip(
+            own,
+            (
+                spliced(tool, there, tree, modules, found, raw, number)
+                for number, (tree, modules, found) in enumerate(zip(own, others, pairs))
+            ),
+        )
+    )
     return [files.get(tree, {}) for tree in trees]
 
 
@@ -37,8 +46,10 @@ def generated(tree):
 
 def same(plain, tree, folder):
     """Whether the Python in a folder of both copies is the same."""
-    return all(path.read_bytes() == (tree / path.relative_to(plain)).read_bytes()
-               for path in (plain / folder).rglob("*.py"))
+    return all(
+        path.read_bytes() == (tree / path.relative_to(plain)).read_bytes()
+        for path in (plain / folder).rglob("*.py")
+    )
 
 
 def translated(modules, pairs):
@@ -74,8 +85,9 @@ def spliced(tool, there, tree, modules, pairs, raw, number):
         name = f"{module.room}.c"
         text = files.get(name, there[name])
         old = tidy_code(was, raw[was.name][1])
-        new = tidy_code(module, raw[f"{module.name}_v{number}"][1].replace(f"{module.name}_v{number}",
-                                                                           module.name))
+        new = tidy_code(
+            module, raw[f"{module.name}_v{number}"][1].replace(f"{module.name}_v{number}", module.name)
+        )
         if module.derivative:
             old, new = in_lanes(old, kinds), in_lanes(new, kinds)
         if text.count(old) != 1:

@@ -7,10 +7,23 @@ import pytest
 
 from wrcontact.kernel.binding.files import PLATFORMS, host_platform
 
-REFERENCE = "x86_64-linux"      # the platform that others are compared with
-KERNEL_EXPORTS = {f"wrcontact_{name}" for name in (
-    "abi", "step", "step_many", "cut_patch", "solve_creep_force", "derivative", "derivative_room", "jacobian",
-    "jacobian_room", "prepare", "prepare_room")}
+REFERENCE = "x86_64-linux"  # the platform that others are compared with
+KERNEL_EXPORTS = {
+    f"wrcontact_{name}"
+    for name in (
+        "abi",
+        "step",
+        "step_many",
+        "cut_patch",
+        "solve_creep_force",
+        "derivative",
+        "derivative_room",
+        "jacobian",
+        "jacobian_room",
+        "prepare",
+        "prepare_room",
+    )
+}
 #: Those of the kernel in a Python FMU, which has no derivatives along many directions.
 FMU_KERNEL_EXPORTS = {name for name in KERNEL_EXPORTS if "jacobian" not in name}
 
@@ -21,8 +34,10 @@ def needs(condition, reason):
 
 def needs_importer(module):
     """One of the extra "importers"; with WRCONTACT_IMPORTERS=all nothing is skipped."""
-    return needs(importlib.util.find_spec(module) or os.environ.get("WRCONTACT_IMPORTERS") == "all",
-                 f"{module} is not installed")
+    return needs(
+        importlib.util.find_spec(module) or os.environ.get("WRCONTACT_IMPORTERS") == "all",
+        f"{module} is not installed",
+    )
 
 
 def for_platforms(reason, *packages):
@@ -35,11 +50,17 @@ def for_platforms(reason, *packages):
 needs_zig = for_platforms("ziglang is not installed", "ziglang")
 needs_lief = for_platforms("lief, which reads libraries of every platform, is not installed", "lief")
 needs_build = for_platforms("build or setuptools is not installed", "build", "setuptools")
-needs_reference = needs(host_platform() == REFERENCE,
-                        f"this is not {REFERENCE}, with whose values others are compared")
+needs_reference = needs(
+    host_platform() == REFERENCE, f"this is not {REFERENCE}, with whose values others are compared"
+)
 
-MACHINES = {"x86_64-linux": "X86_64", "aarch64-linux": "AARCH64", "x86_64-windows": "AMD64",
-            "aarch64-darwin": "ARM64", "x86_64-darwin": "X86_64"}
+MACHINES = {
+    "x86_64-linux": "X86_64",
+    "aarch64-linux": "AARCH64",
+    "x86_64-windows": "AMD64",
+    "aarch64-darwin": "ARM64",
+    "x86_64-darwin": "X86_64",
+}
 
 
 def parsed(content):
@@ -51,8 +72,10 @@ def parsed(content):
 
 
 #: Functions of the mathematical libraries, whose last bits differ from machine to machine.
-MATHEMATICS = set("acos asin atan atan2 cbrt ceil cos cosh exp exp2 expm1 floor fma fmax fmin fmod hypot log "
-                  "log10 log1p log2 pow rint round sin sincos sinh sqrt tan tanh trunc".split())
+MATHEMATICS = set(
+    "acos asin atan atan2 cbrt ceil cos cosh exp exp2 expm1 floor fma fmax fmin fmod hypot log "
+    "log10 log1p log2 pow rint round sin sincos sinh sqrt tan tanh trunc".split()
+)
 
 
 def check_library(content, name, identifier, wanted):
@@ -64,21 +87,27 @@ def check_library(content, name, identifier, wanted):
     if suffix == ".so":
         assert read.header.machine_type.name == MACHINES[name]
         assert set(read.libraries) <= {"libc.so.6"}
-        versions = [symbol.name for need in read.symbols_version_requirement
-                    for symbol in need.get_auxiliary_symbols()]
+        versions = [
+            symbol.name
+            for need in read.symbols_version_requirement
+            for symbol in need.get_auxiliary_symbols()
+        ]
         assert versions
         assert all(tuple(map(int, text.removeprefix("GLIBC_").split("."))) <= (2, 17) for text in versions)
         exported = {symbol.name for symbol in read.exported_symbols}
     elif suffix == ".dll":
         assert read.header.machine.name == MACHINES[name]
-        system = ("kernel32", "api-ms-win-crt-")      # part of Windows 10
-        assert all(library.name.lower().startswith(system) for library in read.imports), (
-            [lib.name for lib in read.imports])
+        system = ("kernel32", "api-ms-win-crt-")  # part of Windows 10
+        assert all(library.name.lower().startswith(system) for library in read.imports), [
+            lib.name for lib in read.imports
+        ]
         exported = {function.name for function in read.exported_functions}
     else:
         assert read.header.cpu_type.name == MACHINES[name]
-        assert [library.name for library in read.libraries] == [f"@rpath/{identifier}.dylib",
-                                                                "/usr/lib/libSystem.B.dylib"]
+        assert [library.name for library in read.libraries] == [
+            f"@rpath/{identifier}.dylib",
+            "/usr/lib/libSystem.B.dylib",
+        ]
         assert read.build_version.minos == ([11, 0, 0] if name == "aarch64-darwin" else [10, 15, 0])
         # Apple's own machines ask for it
         assert read.has_uuid and (read.has_code_signature or name == "x86_64-darwin")

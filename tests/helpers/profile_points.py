@@ -58,10 +58,12 @@ Y, Z = points("wheel")
 
 def simpack(y, z, kind, keys="units.len.f = 1000", row="{:.12g}  {:.12g}\n"):
     rows = "".join(row.format(a, b) for a, b in zip(y, z))
-    return (f"! a comment\nheader.begin\n  version = 1\n  type = {int(kind == 'wheel')}   ! 0 rail, 1 "
-            f"wheel\nheader.end\n"
-            f"spline.begin\n  comment = 'worn'\n{keys}\n  point.begin\n! y z\n{rows}  "
-            f"point.end\nspline.end\n")
+    return (
+        f"! a comment\nheader.begin\n  version = 1\n  type = {int(kind == 'wheel')}   ! 0 rail, 1 "
+        f"wheel\nheader.end\n"
+        f"spline.begin\n  comment = 'worn'\n{keys}\n  point.begin\n! y z\n{rows}  "
+        f"point.end\nspline.end\n"
+    )
 
 
 def miniprof(y, z, definition="ColumnDef=X,Y,A,C,N\n"):

@@ -28,8 +28,12 @@ def bad_input(fmi):
         "Integer output": lambda: fmi.values(fmi.integer("Set"), c, [reference["status"]], whole),
         "fixed Real": lambda: fmi.set(c, gauge=1.5),
         "fixed Real nan": lambda: fmi.set(c, gauge=math.nan),
-        "fixed Boolean": lambda: fmi.values("SetBoolean", c, [reference["independent_wheels"]],
-                                            ((c_int if fmi.version == 2 else c_bool) * 1)(1)),
+        "fixed Boolean": lambda: fmi.values(
+            "SetBoolean",
+            c,
+            [reference["independent_wheels"]],
+            ((c_int if fmi.version == 2 else c_bool) * 1)(1),
+        ),
         "fixed String": lambda: fmi.set_text(c, "load", b"vertical"),
         "fixed String with signs": lambda: fmi.set_text(c, "load", b"%s%n%%d #7"),
         "String without letters": lambda: fmi.set_text(c, "load", None),
@@ -49,7 +53,8 @@ def bad_input(fmi):
     }
     if fmi.version == 2:
         cases["set up twice"] = lambda: fmi.function("SetupExperiment")(
-            c_void_p(c), c_int(0), c_double(0.0), c_double(0.0), c_int(0), c_double(0.0))
+            c_void_p(c), c_int(0), c_double(0.0), c_double(0.0), c_int(0), c_double(0.0)
+        )
     else:
         cases |= {
             "too few values": lambda: fmi.values(get, c, [reference["left.station"]], (c_double * 40)(), 30),
@@ -63,8 +68,9 @@ def bad_input(fmi):
             "no values": lambda: fmi.values(get, c, [reference["lateral_shift"]], one, 0),
             "values without references": lambda: fmi.values(put, c, [], one, 1),
             "two texts": lambda: fmi.values("GetString", c, [reference["load"]], (c_char_p * 2)(), 2),
-            "step without room": lambda: fmi.function("DoStep")(c_void_p(c), c_double(0.0), c_double(1.0),
-                                                                c_int(1), None, None, None, None),
+            "step without room": lambda: fmi.function("DoStep")(
+                c_void_p(c), c_double(0.0), c_double(1.0), c_int(1), None, None, None, None
+            ),
         }
     cases |= {f"state: {name}": case for name, case in state_cases(fmi, c, other).items()}
     before = fmi.get(c, *WORK)
@@ -95,7 +101,7 @@ def state_cases(fmi, c, other):
         return status
 
     def damaged(place):
-        return saved.raw[:place] + bytes([saved.raw[place] ^ 1]) + saved.raw[place + 1:]
+        return saved.raw[:place] + bytes([saved.raw[place] ^ 1]) + saved.raw[place + 1 :]
 
     places = [0, 15, 16, 63, 64, 72, 80, *range(97, size.value, size.value // 12), size.value - 1]
     ends = (0, 1, 15, 64, size.value // 2, size.value - 1)
@@ -130,8 +136,11 @@ def every_input(fmi):
             kept = fmi.get(c, "roll", "right.penetration", "left.area")
             accepted = fmi.set(c, **{name: value}), fmi.step(c)
             answers[f"{name} {value}"] = {
-                "calls": accepted, "status": fmi.outcome(c), "lines": fmi.told(),
-                "kept": fmi.get(c, "roll", "right.penetration", "left.area") == kept}
+                "calls": accepted,
+                "status": fmi.outcome(c),
+                "lines": fmi.told(),
+                "kept": fmi.get(c, "roll", "right.penetration", "left.area") == kept,
+            }
             assert fmi.set(c, **dict.fromkeys(INPUTS, 0.0)) == OK
             answers[f"{name} {value}"]["again"] = run(fmi, c) == wanted and fmi.outcome(c) == 0
     return answers

@@ -11,13 +11,21 @@ MODES = ("new", "initialising", "event", "continuous", "terminated")
 def exchange_modes(fmi):
     """The outcome and the lines of each function of model exchange, by its name and the mode in which it is
     called; and of the same in co-simulation."""
-    answers = {f"{name}, {mode}": (call(c), fmi.told()) for name, call in calls(fmi).items() for mode in MODES
-               for c in [brought_to(fmi, mode)]}
+    answers = {
+        f"{name}, {mode}": (call(c), fmi.told())
+        for name, call in calls(fmi).items()
+        for mode in MODES
+        for c in [brought_to(fmi, mode)]
+    }
     steps = {name: (call(c), fmi.told()) for name, call in calls(fmi).items() for c in [fmi.ready()]}
     wanted, c = run(fmi, fmi.ready()), brought_to(fmi, "continuous")
     assert fmi.set(c, lateral_shift=3e-3) == OK
-    return {"exchange": answers, "steps": steps, "reset": fmi.plain("Reset", c) == OK,
-            "again": same_run(fmi, c, wanted)}
+    return {
+        "exchange": answers,
+        "steps": steps,
+        "reset": fmi.plain("Reset", c) == OK,
+        "again": same_run(fmi, c, wanted),
+    }
 
 
 def brought_to(fmi, mode):
@@ -73,12 +81,18 @@ def calls(fmi):
         "time nan": lambda c: fmi.function("SetTime")(c_void_p(c), c_double(float("nan"))),
         "step": lambda c: fmi.step(c),
         "free_rolling": lambda c: fmi.values("SetBoolean", c, [fmi.references["free_rolling"]], boolean(0)),
-        "free_rolling as it is": lambda c: fmi.values("SetBoolean", c, [fmi.references["free_rolling"]],
-                                                      boolean(1)),
+        "free_rolling as it is": lambda c: fmi.values(
+            "SetBoolean", c, [fmi.references["free_rolling"]], boolean(1)
+        ),
     }
     derivatives = "GetDerivatives" if fmi.version == 2 else "GetContinuousStateDerivatives"
-    for name in ("SetContinuousStates", "GetContinuousStates", derivatives, "GetNominalsOfContinuousStates",
-                 "GetEventIndicators"):
+    for name in (
+        "SetContinuousStates",
+        "GetContinuousStates",
+        derivatives,
+        "GetNominalsOfContinuousStates",
+        "GetEventIndicators",
+    ):
         function = fmi.function(name)
         found[f"{name} of none"] = lambda c, function=function: function(c_void_p(c), None, c_size_t(0))
         found[f"{name} of one"] = lambda c, function=function: function(c_void_p(c), numbers, c_size_t(1))
@@ -100,12 +114,22 @@ def exchange_pointers(fmi):
     place = create_string_buffer(64)
     cases = {"end event": lambda: fmi.function("NewDiscreteStates")(c_void_p(c), None)}
     if fmi.version == 3:
-        cases = {f"end event, {k}": lambda k=k: fmi.function("UpdateDiscreteStates")(
-            c_void_p(c), *(None if k == i else place for i in range(6))) for k in range(6)}
-        cases |= {f"number of {name}": lambda name=name: fmi.function(f"GetNumberOf{name}")(c_void_p(c), None)
-                  for name in ("ContinuousStates", "EventIndicators")}
-    cases |= {f"completed step, {k}": lambda k=k: fmi.function("CompletedIntegratorStep")(
-        c_void_p(c), c_int(1), *(None if k == i else place for i in range(2))) for k in range(2)}
+        cases = {
+            f"end event, {k}": lambda k=k: fmi.function("UpdateDiscreteStates")(
+                c_void_p(c), *(None if k == i else place for i in range(6))
+            )
+            for k in range(6)
+        }
+        cases |= {
+            f"number of {name}": lambda name=name: fmi.function(f"GetNumberOf{name}")(c_void_p(c), None)
+            for name in ("ContinuousStates", "EventIndicators")
+        }
+    cases |= {
+        f"completed step, {k}": lambda k=k: fmi.function("CompletedIntegratorStep")(
+            c_void_p(c), c_int(1), *(None if k == i else place for i in range(2))
+        )
+        for k in range(2)
+    }
     answers = {name: (case(), fmi.told()) for name, case in cases.items()}
     without = [fmi.function(name)(None) for name in ("EnterEventMode", "EnterContinuousTimeMode")]
     assert without == [ERROR, ERROR]

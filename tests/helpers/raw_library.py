@@ -16,15 +16,39 @@ from ctypes import (
 )
 
 OK, ERROR = 0, 3
-INPUTS = ("lateral_shift", "yaw", "roll_guess", "normal_force", "load_transfer", "vertical_shift_input",
-          "roll_input", "speed", "lateral_velocity", "vertical_velocity", "yaw_rate", "roll_rate",
-          "wheel_rate", "track_curvature", *(f"{side}.rail_{part}{kind}" for side in ("left", "right")
-                               for part in ("lateral", "vertical", "roll") for kind in ("", "_velocity")),
-          "left.friction", "right.friction", "left.wheel_rate", "right.wheel_rate",
-          "rail_time_step",
-          *(f"{side}.rail_deflection_{part}_before" for side in ("left", "right")
-            for part in ("lateral", "vertical")))
-NOWHERE = 0x10      # an address that nothing may look at
+INPUTS = (
+    "lateral_shift",
+    "yaw",
+    "roll_guess",
+    "normal_force",
+    "load_transfer",
+    "vertical_shift_input",
+    "roll_input",
+    "speed",
+    "lateral_velocity",
+    "vertical_velocity",
+    "yaw_rate",
+    "roll_rate",
+    "wheel_rate",
+    "track_curvature",
+    *(
+        f"{side}.rail_{part}{kind}"
+        for side in ("left", "right")
+        for part in ("lateral", "vertical", "roll")
+        for kind in ("", "_velocity")
+    ),
+    "left.friction",
+    "right.friction",
+    "left.wheel_rate",
+    "right.wheel_rate",
+    "rail_time_step",
+    *(
+        f"{side}.rail_deflection_{part}_before"
+        for side in ("left", "right")
+        for part in ("lateral", "vertical")
+    ),
+)
+NOWHERE = 0x10  # an address that nothing may look at
 
 
 class Callbacks(Structure):
@@ -41,40 +65,70 @@ class Library:
         self.library = CDLL(file)
         if version == 2:
             self.note = CFUNCTYPE(None, c_void_p, c_char_p, c_int, c_char_p, c_char_p)(
-                lambda environment, name, status, category, line: self.log.append([name, category, line]))
+                lambda environment, name, status, category, line: self.log.append([name, category, line])
+            )
         else:
             self.note = CFUNCTYPE(None, c_void_p, c_int, c_char_p, c_char_p)(
-                lambda environment, status, category, line: self.log.append([None, category, line]))
+                lambda environment, status, category, line: self.log.append([None, category, line])
+            )
         self.callbacks = Callbacks(cast(self.note, c_void_p))
 
     def function(self, name):
         found = getattr(self.library, f"fmi{self.version}{name}")
-        found.restype = (c_void_p if name.startswith("Instantiate") else None if name == "FreeInstance"
-                         else c_int)
+        found.restype = (
+            c_void_p if name.startswith("Instantiate") else None if name == "FreeInstance" else c_int
+        )
         return found
 
-    def instantiate(self, name=b"instance", token=None, resources=None, logging=True, kind=1, callbacks=True,
-                    events=False, asked=0):
+    def instantiate(
+        self,
+        name=b"instance",
+        token=None,
+        resources=None,
+        logging=True,
+        kind=1,
+        callbacks=True,
+        events=False,
+        asked=0,
+    ):
         """A component, or None; ``kind`` 1 is co-simulation, 0 model exchange."""
         token = self.token.encode() if token is None else token or None
         if self.version == 2:
-            return self.function("Instantiate")(name, c_int(kind), token, resources,
-                                                byref(self.callbacks) if callbacks else None, c_int(0),
-                                                c_int(logging))
+            return self.function("Instantiate")(
+                name,
+                c_int(kind),
+                token,
+                resources,
+                byref(self.callbacks) if callbacks else None,
+                c_int(0),
+                c_int(logging),
+            )
         if kind == 0:
             return self.function("InstantiateModelExchange")(
-                name, token, resources, c_bool(False), c_bool(logging), None,
-                self.note if callbacks else None)
+                name, token, resources, c_bool(False), c_bool(logging), None, self.note if callbacks else None
+            )
         return self.function("InstantiateCoSimulation")(
-            name, token, resources, c_bool(False), c_bool(logging), c_bool(events), c_bool(False),
-            (c_uint32 * 1)(1), c_size_t(asked), None, self.note if callbacks else None, None)
+            name,
+            token,
+            resources,
+            c_bool(False),
+            c_bool(logging),
+            c_bool(events),
+            c_bool(False),
+            (c_uint32 * 1)(1),
+            c_size_t(asked),
+            None,
+            self.note if callbacks else None,
+            None,
+        )
 
     def enter(self, c, start=0.0, stop=None):
         experiment = c_double(start), c_int(stop is not None), c_double(stop or 0.0)
         if self.version == 3:
             return self.function("EnterInitializationMode")(c_void_p(c), c_int(0), c_double(0.0), *experiment)
-        return (self.function("SetupExperiment")(c_void_p(c), c_int(0), c_double(0.0), *experiment)
-                or self.function("EnterInitializationMode")(c_void_p(c)))
+        return self.function("SetupExperiment")(
+            c_void_p(c), c_int(0), c_double(0.0), *experiment
+        ) or self.function("EnterInitializationMode")(c_void_p(c))
 
     def ready(self, stop=None, **options):
         """A component after its initialisation."""
@@ -89,8 +143,11 @@ class Library:
         self.function("FreeInstance")(c_void_p(c))
 
     def step(self, c, time=0.0, size=1e-3):
-        results = () if self.version == 2 else (byref(c_bool()), byref(c_bool()), byref(c_bool()),
-                                                byref(c_double()))
+        results = (
+            ()
+            if self.version == 2
+            else (byref(c_bool()), byref(c_bool()), byref(c_bool()), byref(c_double()))
+        )
         return self.function("DoStep")(c_void_p(c), c_double(time), c_double(size), c_int(1), *results)
 
     def values(self, name, c, references, values, count=None):
@@ -131,8 +188,10 @@ class Library:
         return self.function(name)(c_void_p(c), *arguments)
 
     def told(self):
-        lines, self.log[:] = [[part if part is None else part.decode() for part in line]
-                              for line in self.log], []
+        lines, self.log[:] = (
+            [[part if part is None else part.decode() for part in line] for line in self.log],
+            [],
+        )
         return lines
 
 

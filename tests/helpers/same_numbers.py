@@ -21,16 +21,29 @@ def differences(found, kept, absolute=ABSOLUTE, where="", relative=RELATIVE, wid
     if isinstance(kept, dict):
         if not isinstance(found, dict) or list(found) != list(kept):
             return [f"{where}: other names"]
-        return [each for name in kept
-                for each in differences(found[name], kept[name], absolute, f"{where} {name}".strip(),
-                                        (wider or {}).get(name, relative), wider)]
+        return [
+            each
+            for name in kept
+            for each in differences(
+                found[name],
+                kept[name],
+                absolute,
+                f"{where} {name}".strip(),
+                (wider or {}).get(name, relative),
+                wider,
+            )
+        ]
     if isinstance(kept, list | tuple):
         if len(found) != len(kept):
             return [f"{where}: {len(found)} values instead of {len(kept)}"]
-        return [each for k, (one, other) in enumerate(zip(found, kept))
-                for each in differences(one, other, absolute, f"{where}[{k}]", relative, wider)]
+        return [
+            each
+            for k, (one, other) in enumerate(zip(found, kept))
+            for each in differences(one, other, absolute, f"{where}[{k}]", relative, wider)
+        ]
     if isinstance(kept, str):
         return [] if found == kept else [f"{where}: {found!r} instead of {kept!r}"]
-    same = math.isclose(found, kept, rel_tol=relative, abs_tol=absolute) or (math.isnan(found)
-                                                                             and math.isnan(kept))
+    same = math.isclose(found, kept, rel_tol=relative, abs_tol=absolute) or (
+        math.isnan(found) and math.isnan(kept)
+    )
     return [] if same else [f"{where}: {found} instead of {kept}"]

@@ -9,16 +9,21 @@ from lxml import etree
 FOLDER = Path(fmpy.__file__).parent / "schema"
 #: Schema of every XML file that an FMU of ours may hold.  Terminals and build description are FMI 3's, in an
 #: archive of FMI 2 too.
-SCHEMAS = {"terminalsAndIcons/terminalsAndIcons.xml": "fmi3/fmi3TerminalsAndIcons.xsd",
-           "sources/buildDescription.xml": "fmi3/fmi3BuildDescription.xsd"}
+SCHEMAS = {
+    "terminalsAndIcons/terminalsAndIcons.xml": "fmi3/fmi3TerminalsAndIcons.xsd",
+    "sources/buildDescription.xml": "fmi3/fmi3BuildDescription.xsd",
+}
 
 
 def xml_problems(file, version):
     """What the schemas find wrong in the XML files of an archive of FMI ``version``: lines by file name."""
     schemas = {"modelDescription.xml": f"fmi{version}/fmi{version}ModelDescription.xsd", **SCHEMAS}
     with zipfile.ZipFile(file) as archive:
-        return {name: problems_of(archive.read(name), schemas[name]) for name in archive.namelist()
-                if name.endswith(".xml")}
+        return {
+            name: problems_of(archive.read(name), schemas[name])
+            for name in archive.namelist()
+            if name.endswith(".xml")
+        }
 
 
 def problems_of(content, schema):

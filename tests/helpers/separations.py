@@ -15,12 +15,22 @@ from wrcontact.profiles.compiled import evaluate_table, table_pieces
 PLACES = {"tread": 1e-3, "root": 6e-3, "flange": 6.5e-3}
 YAWS = {"no_yaw": 0.0, "yaw": 0.03, "yaw_back": -0.02}
 #: One yaw at each place; the full tests have all.
-SHARE_OF_PLACES = pytest.mark.parametrize("shift, yaw", [
-    pytest.param(shift, yaw, id=f"{place}-{turned}", marks=[pytest.mark.full] * (k != m))
-    for k, (place, shift) in enumerate(PLACES.items()) for m, (turned, yaw) in enumerate(YAWS.items())])
-EVERY_PLACE = pytest.mark.parametrize("shift, yaw", [pytest.param(shift, yaw, id=f"{place}-{turned}")
-                                                     for place, shift in PLACES.items()
-                                                     for turned, yaw in YAWS.items()])
+SHARE_OF_PLACES = pytest.mark.parametrize(
+    "shift, yaw",
+    [
+        pytest.param(shift, yaw, id=f"{place}-{turned}", marks=[pytest.mark.full] * (k != m))
+        for k, (place, shift) in enumerate(PLACES.items())
+        for m, (turned, yaw) in enumerate(YAWS.items())
+    ],
+)
+EVERY_PLACE = pytest.mark.parametrize(
+    "shift, yaw",
+    [
+        pytest.param(shift, yaw, id=f"{place}-{turned}")
+        for place, shift in PLACES.items()
+        for turned, yaw in YAWS.items()
+    ],
+)
 
 #: Gauss's rule of twelve nodes from -1 to 1.  Pieces are at most 1 mm long: six nodes give the same lengths
 #: to 1e-18 m, and so does scipy's adaptive quadrature.
@@ -75,8 +85,9 @@ class Outline(Curve):
         super().__init__(table)
         c, s = np.cos(float(state.inputs[1])), np.sin(float(state.inputs[1]))
         cr, sr = np.cos(float(state.roll)), np.sin(float(state.roll))
-        self.turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ np.array([[1, 0, 0], [0, cr, -sr],
-                                                                             [0, sr, cr]])
+        self.turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ np.array(
+            [[1, 0, 0], [0, cr, -sr], [0, sr, cr]]
+        )
         self.radius = system.parameters["nominal_radius"]
         self.arm = system.parameters["running_circle_distance"] / 2
 
@@ -89,8 +100,10 @@ class Outline(Curve):
             return self.turn[0] @ [np.sin(phi), -slope, np.cos(phi)]
 
         phi = brentq(along, -0.7, 0.7, xtol=1e-16, rtol=8.9e-16) if self.turn[0, 1] != 0.0 else 0.0
-        return (self.turn @ [r * np.sin(phi), self.arm + u, r * np.cos(phi)],
-                self.turn @ np.array([np.sin(phi), -slope, np.cos(phi)]))
+        return (
+            self.turn @ [r * np.sin(phi), self.arm + u, r * np.cos(phi)],
+            self.turn @ np.array([np.sin(phi), -slope, np.cos(phi)]),
+        )
 
     def point(self, u):
         return self.around(u)[0][1:]
@@ -109,8 +122,9 @@ class Outline(Curve):
         """By differences of sixth order on one side of a piece's end."""
         low, high = self.piece(u)
         step = min(step, 0.99 * (high - u) / 3, 0.99 * (u - low) / 3)
-        one, two, three = ((self.point(u + k * step) - self.point(u - k * step)) / (2 * k * step)
-                           for k in (1, 2, 3))
+        one, two, three = (
+            (self.point(u + k * step) - self.point(u - k * step)) / (2 * k * step) for k in (1, 2, 3)
+        )
         return np.hypot(*(1.5 * one - 0.6 * two + 0.1 * three))
 
     def piece(self, u):
@@ -138,7 +152,7 @@ class Contact:
         index = max(range(contact.overlap.count), key=lambda k: contact.regions[k].load)
         region, frame = contact.regions[index], contact.frame
         layout.copy(contact.frames[index], frame)
-        frame.raised = 0.0            # separations begin at zero
+        frame.raised = 0.0  # separations begin at zero
         self.u_rail, self.u_wheel = region.rail, region.wheel
         self.depth = frame.depth
         self.angle = np.arctan2(frame.plane.sin, frame.plane.cos)
@@ -151,9 +165,14 @@ class Contact:
         region = layout.Region(rail=self.u_rail, wheel=self.u_wheel)
         traces.start_traces(work.contact.frame, 0.0, self.u_rail, self.u_wheel)
         curves.open_origin(tables.pairs[1], work.contact.frame, work.contact.origin, region, spacing)
-        return np.array([separation.separation(tables.pairs[1], work.contact.frame, work.contact.origin,
-                                               float(s), 1e-13)
-                         for s in stations]).T
+        return np.array(
+            [
+                separation.separation(
+                    tables.pairs[1], work.contact.frame, work.contact.origin, float(s), 1e-13
+                )
+                for s in stations
+            ]
+        ).T
 
     def depth_lost(self, u_rail):
         """How much less deep the wheel is at the rail's point, as it was pressed in along the deepest point's
@@ -176,19 +195,27 @@ class Contact:
 
     def between(self, u_rail, u_wheel):
         """Wheel's point less the rail's, both from the deepest point [m]."""
-        return ((self.wheel.point(u_wheel) - self.wheel.point(self.u_wheel))
-                - (self.rail.point(u_rail) - self.rail.point(self.u_rail)))
+        return (self.wheel.point(u_wheel) - self.wheel.point(self.u_wheel)) - (
+            self.rail.point(u_rail) - self.rail.point(self.u_rail)
+        )
 
     def along_mean_normal(self, u_rail, u_wheel):
-        normals = [np.array([np.sin(curve.angle(u)), -np.cos(curve.angle(u))])
-                   for curve, u in ((self.rail, u_rail), (self.wheel, u_wheel))]
+        normals = [
+            np.array([np.sin(curve.angle(u)), -np.cos(curve.angle(u))])
+            for curve, u in ((self.rail, u_rail), (self.wheel, u_wheel))
+        ]
         return self.between(u_rail, u_wheel) @ sum(normals) / np.hypot(*sum(normals))
 
     def vertical(self, station):
         lateral = station * np.cos(self.angle)
         start = self.wheel.point(self.u_wheel)[0]
-        u = brentq(lambda u: self.wheel.point(u)[0] - start - lateral, self.u_wheel - 5e-3,
-                   self.u_wheel + 5e-3, xtol=1e-16, rtol=8.9e-16)
+        u = brentq(
+            lambda u: self.wheel.point(u)[0] - start - lateral,
+            self.u_wheel - 5e-3,
+            self.u_wheel + 5e-3,
+            xtol=1e-16,
+            rtol=8.9e-16,
+        )
         return -self.between(self.u_rail + lateral, u)[1]
 
     def equidistant(self, station):
@@ -203,4 +230,4 @@ class Contact:
         return self.along_mean_normal(u_rail, u_wheel) + self.depth_lost(u_rail)
 
 
-STATIONS = np.array([0.2e-3, 0.6e-3, 1.1e-3])     # on a flange the rail's side begins soon
+STATIONS = np.array([0.2e-3, 0.6e-3, 1.1e-3])  # on a flange the rail's side begins soon

@@ -26,5 +26,7 @@ def pushes(plane, spinning, ratio, **numbers):
     one, marches = open_march(**numbers), open_marches_of(ratio)
     march.set_pushes(one, marches, 0, plane, spinning, ratio)
     parts = ("x", "y", "turn")
-    return {name: np.array([getattr(marches, f"{name}_{part}")[0] for part in parts])
-            for name in ("push", "centre")} | {"lag": marches.lag[0]}
+    return {
+        name: np.array([getattr(marches, f"{name}_{part}")[0] for part in parts])
+        for name in ("push", "centre")
+    } | {"lag": marches.lag[0]}

@@ -8,7 +8,7 @@ from wrcontact.kernel import layout
 
 NAMES = ("penetration", "area", "max_pressure")
 EXTENT = (*NAMES, "patch_length", "patch_width")
-POSE = [layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_NORMAL_FORCE]     # what random poses differ in
+POSE = [layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_NORMAL_FORCE]  # what random poses differ in
 
 
 def system_of(model="analyn_strip", **parameters):

@@ -13,5 +13,5 @@ def out_of_turn(items, turn):
             cases[item.nodeid.partition("[")[0]].append(item)
     for name, found in cases.items():
         n = min(found[0].get_closest_marker("turns").args[0], len(found))
-        first = zlib.crc32(found[0].path.name.encode())     # not the same version of FMI in all files
+        first = zlib.crc32(found[0].path.name.encode())  # not the same version of FMI in all files
         yield from (item for k, item in enumerate(found) if (k + turn + first) % n)

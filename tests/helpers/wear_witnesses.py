@@ -27,8 +27,10 @@ def damping_power(wheel):
     for k in range(1, wheel.count + 1):
         if damping:
             given, load = creep.motion(wheel, k), wheel[f"patch[{k}].normal_force"]
-            moves = {name: given[name] for name in (
-                "centre", "yaw", "roll", "lateral", "vertical", "yaw_rate", "roll_rate")}
+            moves = {
+                name: given[name]
+                for name in ("centre", "yaw", "roll", "lateral", "vertical", "yaw_rate", "roll_rate")
+            }
             normal = [0.0, wheel.sign * np.sin(given["angle"]), np.cos(given["angle"])]
             approach = velocity(given["place"], **moves) @ normal
             power = load * approach * (1.0 - 1.0 / (1.0 + damping * approach))
@@ -40,8 +42,10 @@ def derailment_quotient(wheel):
     """Of its own force, and without friction of the angles of the patches."""
     yield wheel.sign * wheel["force.y"] / wheel["force.z"], EXACT
     if creep.friction(wheel) is None:
-        down, angles = (np.array([wheel[f"patch[{k}].{name}"] for k in range(1, wheel.count + 1)])
-                        for name in ("force.z", "contact_angle"))
+        down, angles = (
+            np.array([wheel[f"patch[{k}].{name}"] for k in range(1, wheel.count + 1)])
+            for name in ("force.z", "contact_angle")
+        )
         yield down @ np.tan(angles) / down.sum(), EXACT
 
 
@@ -51,6 +55,7 @@ def zero_without_wear(witness):
             yield from witness(wheel, j)
         else:
             yield 0.0, 0.0
+
     return zero_or
 
 
@@ -83,8 +88,9 @@ def wheel_place(wheel, j):
 @zero_without_wear
 def power(wheel, j):
     """Of its patch, as the line load is; and what the others leave of the friction power of the wheel."""
-    places, powers = (np.array([wheel[f"{name}[{i}]"] for i in range(1, STATIONS + 1)])
-                      for name in ("station", "power"))
+    places, powers = (
+        np.array([wheel[f"{name}[{i}]"] for i in range(1, STATIONS + 1)]) for name in ("station", "power")
+    )
     weights = np.gradient(places) * np.where(np.isin(np.arange(STATIONS), (0, STATIONS - 1)), 0.5, 1.0)
     others = powers @ weights - powers[j - 1] * weights[j - 1]
     allowed = 1e-12 * max(wheel["friction_power"], 1e-300) / weights.min()
@@ -92,8 +98,11 @@ def power(wheel, j):
     if creep.friction(wheel) is None:
         yield 0.0, 0.0
         return
-    line = 0.5 * pi * np.array([wheel[f"half_length[{i}]"] * wheel[f"pressure[{i}]"]
-                                for i in range(1, STATIONS + 1)])
+    line = (
+        0.5
+        * pi
+        * np.array([wheel[f"half_length[{i}]"] * wheel[f"pressure[{i}]"] for i in range(1, STATIONS + 1)])
+    )
     # means under the hat functions of a broken line
     line = np.convolve(np.pad(line, 1), (1.0, 4.0, 1.0), "valid") / 6.0 * np.gradient(places) / weights
     k = int(wheel[f"patch_of[{j}]"])

@@ -65,8 +65,9 @@ class HalfspacePatch:
         across = plane.point(0.0, s[loaded], plane.rail(s[loaded]))[1]
         slope = plane.system.rail(across - plane.system.rail_origin)[1]
         # sine and cosine of the rail's angle, the means over the pressure
-        self.normal = share[loaded] @ (np.stack([-slope, np.ones(slope.shape)], axis=1)
-                                       / np.hypot(1.0, slope)[:, None])
+        self.normal = share[loaded] @ (
+            np.stack([-slope, np.ones(slope.shape)], axis=1) / np.hypot(1.0, slope)[:, None]
+        )
 
     def at(self, stations):
         """Half-lengths and pressures at ``stations`` [m], zero beside the patch."""
@@ -93,9 +94,11 @@ class HertzPatch:
 def halfspace_patches(solution, plane, offset=0.0):
     """The patches of a solution by falling load."""
     labels, count = ndimage.label(solution.pressure > 0.0, np.ones((3, 3)))
-    found = [HalfspacePatch(solution, plane, np.where(labels == number, solution.pressure, 0.0), offset)
-             for number in range(1, count + 1)
-             if solution.pressure[labels == number].sum() > STRAY * solution.pressure.sum()]
+    found = [
+        HalfspacePatch(solution, plane, np.where(labels == number, solution.pressure, 0.0), offset)
+        for number in range(1, count + 1)
+        if solution.pressure[labels == number].sum() > STRAY * solution.pressure.sum()
+    ]
     return sorted(found, key=lambda patch: -patch.load)
 
 
@@ -109,8 +112,10 @@ class WheelWitness:
     def __init__(self, system, side, values, inputs, mode, model):
         self.system, self.side, self.sign = system, side, SIGNS[side]
         self.values, self.inputs, self.mode, self.model = values, inputs, mode, model
-        self.shift, self.yaw, self.roll = (self.sign * of for of in (
-            inputs.get("lateral_shift", 0.0), inputs.get("yaw", 0.0), values["roll"]))
+        self.shift, self.yaw, self.roll = (
+            self.sign * of
+            for of in (inputs.get("lateral_shift", 0.0), inputs.get("yaw", 0.0), values["roll"])
+        )
         transfer = inputs.get("load_transfer", 0.0)
         self.load = inputs.get("normal_force", 78.5e3) * (1.0 + self.sign * transfer)
         self.pose = Pose(self.shift, self.yaw, self.roll, values["vertical_shift"])
@@ -158,10 +163,18 @@ class WheelWitness:
         height, slope, _ = self.system.rail(abscissa)
         on_wheel = self.wheel_point(x, abscissa)
         radius = hypot(on_wheel[0], on_wheel[2])
-        return brute_force.Contact(on_wheel[0], on_wheel[1] - self.system.half_distance,
-                                   on_wheel[2] - self.system.nominal_radius, abscissa, float(height), x,
-                                   self.sign * (self.system.rail_origin + abscissa), float(height),
-                                   -atan(slope), radius)
+        return brute_force.Contact(
+            on_wheel[0],
+            on_wheel[1] - self.system.half_distance,
+            on_wheel[2] - self.system.nominal_radius,
+            abscissa,
+            float(height),
+            x,
+            self.sign * (self.system.rail_origin + abscissa),
+            float(height),
+            -atan(slope),
+            radius,
+        )
 
     def wheel_point(self, x, abscissa, pose=None):
         """The wheel's point (3,) in the axes of the wheelset on the rail's normal at ``x`` and
@@ -184,9 +197,16 @@ class WheelWitness:
         height, slope, bend = self.system.wheel(contact.y_wheel)
         r, s, c = self.system.nominal_radius + height, sin(phi), cos(phi)
         turn = self.pose.rotation()
-        along, across, twice_along, twist, twice_across = (turn @ np.array(v) for v in (
-            (r * c, 0, -r * s), (slope * s, 1, slope * c), (-r * s, 0, -r * c),
-            (slope * c, 0, -slope * s), (bend * s, 0, bend * c)))
+        along, across, twice_along, twist, twice_across = (
+            turn @ np.array(v)
+            for v in (
+                (r * c, 0, -r * s),
+                (slope * s, 1, slope * c),
+                (-r * s, 0, -r * c),
+                (slope * c, 0, -slope * s),
+                (bend * s, 0, bend * c),
+            )
+        )
         tangents = np.array([[along[0], across[0]], [along @ lateral, across @ lateral]])
         form = np.array([[twice_along @ normal, twist @ normal], [twist @ normal, twice_across @ normal]])
         inverse = np.linalg.inv(tangents)
@@ -219,8 +239,14 @@ class WheelWitness:
     def halfspace(self):
         """The half-space in the contact plane under the wheel's load: penetration [m] and patches."""
         beside = 0.2 * self["patch_width"]
-        return self.pressed_on(self.contact.x_track, self.contact.y_rail, 0.0, self["station[1]"] - beside,
-                               self["station[31]"] + beside, self["normal_force"])
+        return self.pressed_on(
+            self.contact.x_track,
+            self.contact.y_rail,
+            0.0,
+            self["station[1]"] - beside,
+            self["station[31]"] + beside,
+            self["normal_force"],
+        )
 
     @cached_property
     def carried(self):
@@ -238,8 +264,14 @@ class WheelWitness:
         mine, *others = (self.stretch(i) for i in (k, *(i for i in range(1, self.count + 1) if i != k)))
         spaces = [0.5 * max(mine.start - of.stop, of.start - mine.stop) for of in others]
         beside = min(0.35 * mine.width, *spaces)
-        return self.pressed_on(x, abscissa, self.stations_to(abscissa), mine.start - beside,
-                               mine.stop + beside, self[f"patch[{k}].normal_force"])[1][0]
+        return self.pressed_on(
+            x,
+            abscissa,
+            self.stations_to(abscissa),
+            mine.start - beside,
+            mine.stop + beside,
+            self[f"patch[{k}].normal_force"],
+        )[1][0]
 
     def pressed_on(self, x, abscissa, offset, low, high, load):
         """The half-space in the plane at this point of the rail, between the stations ``low`` and ``high`` of
@@ -248,8 +280,9 @@ class WheelWitness:
         ahead = 0.7 * self["patch_length"]
         narrowest = min(self[f"patch[{k}].width"] for k in range(1, self.count + 1))
         cells = CELLS, int(np.clip(ACROSS * (high - low) / narrowest, ACROSS, MOST))
-        solution = halfspace_reference.solve_within(plane, (-ahead, low - offset), (ahead, high - offset),
-                                                    cells, load)
+        solution = halfspace_reference.solve_within(
+            plane, (-ahead, low - offset), (ahead, high - offset), cells, load
+        )
         assert not solution.touches_border, f"{self.side}: the patches are larger than the outputs say"
         return solution.penetration, halfspace_patches(solution, plane, offset)
 
@@ -289,8 +322,10 @@ class WheelWitness:
         """The outline over patch ``k``, or all of it: area, load and centroid by the trapezoidal rule, edges,
         largest half-length and pressure, and the number of cells of the narrowest patch in it; None where
         the stations do not tell the patches apart."""
-        s, a, p = (np.array([self[f"{name}[{j}]"] for j in range(1, 32)])
-                   for name in ("station", "half_length", "pressure"))
+        s, a, p = (
+            np.array([self[f"{name}[{j}]"] for j in range(1, 32)])
+            for name in ("station", "half_length", "pressure")
+        )
         labels, count = ndimage.label(p > 0.0)
         runs = [np.flatnonzero(labels == number) for number in range(1, count + 1)]
         cells = min(len(run) + 1 for run in runs)
@@ -299,10 +334,18 @@ class WheelWitness:
             if count != self.count:
                 return None
             run = runs[places.index(self[f"patch[{k}].centroid"])]
-            s, a, p = (of[run[0] - 1:run[-1] + 2] for of in (s, a, p))
+            s, a, p = (of[run[0] - 1 : run[-1] + 2] for of in (s, a, p))
             cells = len(run) + 1
         line = 0.5 * pi * a * p
         load = np.trapezoid(line, s)
-        return SimpleNamespace(area=np.trapezoid(2.0 * a, s), load=load, length=2.0 * a.max(), cells=cells,
-                               centroid=np.trapezoid(line * s, s) / load, max_pressure=p.max(),
-                               start=s[0], stop=s[-1], width=s[-1] - s[0])
+        return SimpleNamespace(
+            area=np.trapezoid(2.0 * a, s),
+            load=load,
+            length=2.0 * a.max(),
+            cells=cells,
+            centroid=np.trapezoid(line * s, s) / load,
+            max_pressure=p.max(),
+            start=s[0],
+            stop=s[-1],
+            width=s[-1] - s[0],
+        )

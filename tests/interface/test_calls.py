@@ -21,35 +21,45 @@ SYSTEM = ContactSystem(normal_model="hertz")
 
 
 @pytest.mark.parametrize("door", ["evaluate", "evaluate_many", "evaluate_parts"])
-@pytest.mark.parametrize("name, end", [
-    ("friction", "did you mean left_friction or right_friction?"),
-    ("velocity", "did you mean lateral_velocity or vertical_velocity or left_rail_lateral_velocity?"),
-    ("laterl_shift", "did you mean lateral_shift?"),
-    ("left.friction", "did you mean left_friction?"),
-    ("contact_mode", "contact_mode is a parameter of ContactSystem"),
-    ("xyz", "inputs are lateral_shift, yaw, "),
-])
+@pytest.mark.parametrize(
+    "name, end",
+    [
+        ("friction", "did you mean left_friction or right_friction?"),
+        ("velocity", "did you mean lateral_velocity or vertical_velocity or left_rail_lateral_velocity?"),
+        ("laterl_shift", "did you mean lateral_shift?"),
+        ("left.friction", "did you mean left_friction?"),
+        ("contact_mode", "contact_mode is a parameter of ContactSystem"),
+        ("xyz", "inputs are lateral_shift, yaw, "),
+    ],
+)
 def test_an_unknown_input_is_told_from_known_ones(door, name, end):
     with pytest.raises(TypeError) as refusal:
         getattr(SYSTEM, door)(**{name: 0.3})
     assert str(refusal.value).startswith(f"there is no input {name!r}; {end}")
 
 
-@pytest.mark.parametrize("name, end", [
-    ("inclination", "did you mean rail_inclination or left_rail_inclination?"),
-    ("speed", "speed is an input of evaluate"),
-    ("wheel_profile", "in Python it is wheel"),
-    ("left_rail_profile", "in Python it is left_rail"),
-])
+@pytest.mark.parametrize(
+    "name, end",
+    [
+        ("inclination", "did you mean rail_inclination or left_rail_inclination?"),
+        ("speed", "speed is an input of evaluate"),
+        ("wheel_profile", "in Python it is wheel"),
+        ("left_rail_profile", "in Python it is left_rail"),
+    ],
+)
 def test_an_unknown_parameter_is_told_from_known_ones(name, end):
     with pytest.raises(TypeError) as refusal:
         ContactSystem(**{name: 0.3})
     assert str(refusal.value) == f"ContactSystem has no parameter {name!r}; {end}"
 
 
-@pytest.mark.parametrize("places, name, words", [
-    ((0.0, 0.0), "yaw", "^the input yaw is given twice, by its place and by its name"),
-    ((0.0, 0.0, 1e4, 0.0, 0.1), "speed", "^5 inputs have no name; permitted are lateral_shift, yaw, ")])
+@pytest.mark.parametrize(
+    "places, name, words",
+    [
+        ((0.0, 0.0), "yaw", "^the input yaw is given twice, by its place and by its name"),
+        ((0.0, 0.0, 1e4, 0.0, 0.1), "speed", "^5 inputs have no name; permitted are lateral_shift, yaw, "),
+    ],
+)
 def test_inputs_by_place_are_the_main_ones_each_once(places, name, words):
     with pytest.raises(TypeError, match=words):
         SYSTEM.evaluate(*places, **{name: 0.0})
@@ -72,8 +82,12 @@ def test_a_coefficient_for_the_record_of_friction_is_led_to_its_inputs():
 def test_what_is_no_number_is_refused(value):
     """Numpy takes the first four for 3, 1, not a number and 1."""
     for door in (SYSTEM.evaluate, SYSTEM.evaluate_many):
-        for name, words in (("lateral_shift", "a number, in m"), ("load_transfer", "a number"),
-                            ("normal_force", "a number, in N"), ("left_friction", "a number")):
+        for name, words in (
+            ("lateral_shift", "a number, in m"),
+            ("load_transfer", "a number"),
+            ("normal_force", "a number, in N"),
+            ("left_friction", "a number"),
+        ):
             with pytest.raises(ValueError) as refusal:
                 door(**{name: value})
             shown = True if value is np.True_ else value
@@ -82,8 +96,16 @@ def test_what_is_no_number_is_refused(value):
         SYSTEM.evaluate(value)
 
 
-@pytest.mark.parametrize("values, word", [(["1", "2"], "'1'"), ([0.0, None], "None"), ([True, False], "True"),
-                                          (np.array([1.0, None]), "None"), (["", 1.0], "''")])
+@pytest.mark.parametrize(
+    "values, word",
+    [
+        (["1", "2"], "'1'"),
+        ([0.0, None], "None"),
+        ([True, False], "True"),
+        (np.array([1.0, None]), "None"),
+        (["", 1.0], "''"),
+    ],
+)
 def test_arrays_with_other_things_than_numbers_are_refused(values, word):
     with pytest.raises(ValueError) as refusal:
         SYSTEM.evaluate_many(0.0, yaw=values)
@@ -106,8 +128,12 @@ def test_a_switch_takes_truth_values_and_numbers_only():
 def test_numbers_of_every_kind_are_numbers(value):
     """One micrometre, and one of a million."""
     expected = SYSTEM.evaluate(1e-6)
-    np.testing.assert_array_equal(SYSTEM.evaluate(value * Fraction(1, 10**6) if isinstance(value, Fraction)
-                                                  else float(value) * 1e-6).values, expected.values)
+    np.testing.assert_array_equal(
+        SYSTEM.evaluate(
+            value * Fraction(1, 10**6) if isinstance(value, Fraction) else float(value) * 1e-6
+        ).values,
+        expected.values,
+    )
     assert SYSTEM.evaluate(yaw=value, lateral_shift=0.0).inputs.yaw == 1.0
     assert SYSTEM.evaluate_many([0.0], yaw=value).inputs.yaw.tolist() == [1.0]
 
@@ -129,8 +155,9 @@ def test_a_parameter_is_a_number(value):
 # --- inclinations -----------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("text, value", [("1:40", 1 / 40), ("1/20", 1 / 20), (" 1 : 30 ", 1 / 30),
-                                         ("0.05", 0.05), ("0", 0.0)])
+@pytest.mark.parametrize(
+    "text, value", [("1:40", 1 / 40), ("1/20", 1 / 20), (" 1 : 30 ", 1 / 30), ("0.05", 0.05), ("0", 0.0)]
+)
 def test_an_inclination_may_be_a_ratio(text, value):
     assert wrcontact.Track(rail_inclination=text).rail_inclination == value
     assert wrcontact.ProfileFile("rail.csv", file_inclination=text).file_inclination == value
@@ -140,8 +167,9 @@ def test_an_inclination_may_be_a_ratio(text, value):
 
 
 def test_an_inclination_as_a_ratio_is_that_of_the_rail():
-    states = [ContactSystem(normal_model="hertz", rail_inclination=value).evaluate(1e-3)
-              for value in ("1:20", 0.05)]
+    states = [
+        ContactSystem(normal_model="hertz", rail_inclination=value).evaluate(1e-3) for value in ("1:20", 0.05)
+    ]
     np.testing.assert_array_equal(states[0].values, states[1].values)
 
 
@@ -149,8 +177,9 @@ def test_an_inclination_as_a_ratio_is_that_of_the_rail():
 def test_another_inclination_is_refused(value):
     with pytest.raises(ValueError) as refusal:
         ContactSystem(rail_inclination=value)
-    assert str(refusal.value) == (f"rail_inclination is {value!r}; permitted is 0 ... 0.1, or a ratio such "
-                                  "as '1:40'")
+    assert str(refusal.value) == (
+        f"rail_inclination is {value!r}; permitted is 0 ... 0.1, or a ratio such as '1:40'"
+    )
 
 
 # --- warnings ---------------------------------------------------------------------------------------------

@@ -16,8 +16,12 @@ def kept():
     system = wrcontact.ContactSystem()
     state = system.evaluate(1e-3)
     wheel = wrcontact.WheelContact().evaluate(vertical_shift_input=1e-4)
-    return {"stepper": system.stepper(), "WheelsetState": state, "Patch": state.right.patches[0],
-            "WheelState": wheel}
+    return {
+        "stepper": system.stepper(),
+        "WheelsetState": state,
+        "Patch": state.right.patches[0],
+        "WheelState": wheel,
+    }
 
 
 def test_what_is_pickled_is_read_by_the_same_version():
@@ -28,9 +32,13 @@ def test_what_is_pickled_is_read_by_the_same_version():
             assert again.to_dict() == value.to_dict()
 
 
-@pytest.mark.parametrize("other, told", [
-    (("0.1.0", "records"), r"was saved by wrcontact 0\.1\.0, this is "),
-    ((wrcontact.__version__, "records"), "with other records; permitted is the same version")])
+@pytest.mark.parametrize(
+    "other, told",
+    [
+        (("0.1.0", "records"), r"was saved by wrcontact 0\.1\.0, this is "),
+        ((wrcontact.__version__, "records"), "with other records; permitted is the same version"),
+    ],
+)
 def test_what_another_version_has_pickled_is_refused(monkeypatch, other, told):
     with monkeypatch.context() as patch:
         for module in ("wrcontact.stepper", "wrcontact.results.views"):
@@ -38,7 +46,7 @@ def test_what_another_version_has_pickled_is_refused(monkeypatch, other, told):
         files = {name: pickle.dumps(value) for name, value in kept().items()}
     assert saved.version_mark()[0] == wrcontact.__version__
     for name, file in files.items():
-        with pytest.raises(ValueError, match=told) as refused:      # a wheel's state holds a wheelset's
+        with pytest.raises(ValueError, match=told) as refused:  # a wheel's state holds a wheelset's
             pickle.loads(file)
         assert str(refused.value).startswith(f"the {name.replace('WheelState', 'WheelsetState')} "), name
 

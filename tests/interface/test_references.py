@@ -21,7 +21,8 @@ def test_released_numbers_stay():
     for count, known in RELEASED.items():
         text = "\n".join(found[:count])
         assert hashlib.sha256(text.encode()).hexdigest() == known, (
-            f"one of the first {count} lines of {LIST.name} has changed; it is only appended to")
+            f"one of the first {count} lines of {LIST.name} has changed; it is only appended to"
+        )
 
 
 def test_the_list_has_every_variable():

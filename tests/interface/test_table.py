@@ -32,7 +32,7 @@ def test_records_have_a_field_for_every_row_in_order():
 
 
 def test_every_output_is_a_property_of_a_result_that_reads_its_place():
-    values = np.arange(float(STATUS - FIRST_OUTPUT + layout.WEAR_END))    # with the outputs of wear
+    values = np.arange(float(STATUS - FIRST_OUTPUT + layout.WEAR_END))  # with the outputs of wear
     values[[layout.OUT_LEFT, layout.OUT_RIGHT]] = layout.PATCH_LIMIT
     result = wrcontact.WheelsetState(values, 0, np.zeros(layout.INPUT_COUNT))
     for variable in VARIABLES[FIRST_OUTPUT:STATUS]:
@@ -51,16 +51,20 @@ def test_every_output_is_a_property_of_a_result_that_reads_its_place():
 def test_properties_have_the_words_and_units_of_their_rows():
     for rows, kind in ((SIDE, state.Side), (PATCH, state.Patch), (WHEELSET, wrcontact.WheelsetState)):
         for row in rows:
-            if (not isinstance(row, (Blocks, Run, Vector)) and "." not in row.name
-                and row.name != "patch_count"):
+            if (
+                not isinstance(row, (Blocks, Run, Vector))
+                and "." not in row.name
+                and row.name != "patch_count"
+            ):
                 words = inspect.getdoc(getattr(kind, row.name))
                 assert words.lower().startswith(row.meaning.lower()) and f"[{row.unit}]" in words
 
 
 def test_evaluate_takes_every_input_by_name_and_the_main_ones_by_place():
     shown = inspect.signature(wrcontact.ContactSystem.evaluate).parameters
-    assert {row.keyword: row.start for row in INPUTS}.items() <= {name: one.default
-                                                                  for name, one in shown.items()}.items()
+    assert {row.keyword: row.start for row in INPUTS}.items() <= {
+        name: one.default for name, one in shown.items()
+    }.items()
     assert list(shown)[1:5] == ["lateral_shift", "yaw", "normal_force", "load_transfer"]
     system = wrcontact.ContactSystem(normal_model="hertz")
     given = system.evaluate(1e-3, 2e-3, 3e4, 0.1, roll_guess=1e-5).inputs
@@ -69,8 +73,11 @@ def test_evaluate_takes_every_input_by_name_and_the_main_ones_by_place():
     moved = {row.keyword: 1e-4 * (1 + k) for k, row in enumerate(INPUTS) if "." in row.name}
     moved_inputs = system.evaluate(1e-3, **moved)
     assert {row.keyword: moved_inputs[row.name] for row in INPUTS if "." in row.name} == moved
-    for arguments, keywords, words in (((1, 2, 3, 4, 5), {}, "input"), ((), {"shift": 0.0}, "input"),
-                                       ((1e-3,), {"lateral_shift": 2e-3}, "lateral_shift is given twice")):
+    for arguments, keywords, words in (
+        ((1, 2, 3, 4, 5), {}, "input"),
+        ((), {"shift": 0.0}, "input"),
+        ((1e-3,), {"lateral_shift": 2e-3}, "lateral_shift is given twice"),
+    ):
         with pytest.raises(TypeError, match=words):
             system.evaluate(*arguments, **keywords)
 
@@ -78,14 +85,30 @@ def test_evaluate_takes_every_input_by_name_and_the_main_ones_by_place():
 def test_every_parameter_reaches_the_kernel():
     system = wrcontact.ContactSystem(gauge=1.437, poisson_ratio=0.3, stations=7, load="vertical")
     found = layout.Tables.at(tables_of(system)).parameters
-    expected = {"gauge": 1.437, "poisson_ratio": 0.3, "stations": 7, "load": layout.LOAD_VERTICAL,
-                "tolerance": 0.01}
+    expected = {
+        "gauge": 1.437,
+        "poisson_ratio": 0.3,
+        "stations": 7,
+        "load": layout.LOAD_VERTICAL,
+        "tolerance": 0.01,
+    }
     assert {name: getattr(found, name) for name in expected} == expected
     assert set(PARAMETERS) - set(KERNEL_PARAMETERS) == {
-        "wheel", "rail", "nodes", "strips", "sweeps", "smoothing",
-        "left_wheel", "left_rail", "left_nominal_radius", "left_rail_inclination",
-        "left_rail_lateral_stiffness", "left_rail_vertical_stiffness", "left_rail_lateral_damping",
-        "left_rail_vertical_damping"}
+        "wheel",
+        "rail",
+        "nodes",
+        "strips",
+        "sweeps",
+        "smoothing",
+        "left_wheel",
+        "left_rail",
+        "left_nominal_radius",
+        "left_rail_inclination",
+        "left_rail_lateral_stiffness",
+        "left_rail_vertical_stiffness",
+        "left_rail_lateral_damping",
+        "left_rail_vertical_damping",
+    }
 
 
 def test_a_row_without_a_known_unit_is_an_error():

@@ -12,13 +12,21 @@ from tests.helpers.output_witnesses import SCENES, WITNESSES, Scene, folded
 from wrcontact.fmu import description, description3
 from wrcontact.simulation.session import Session
 
-PAGES = {"python": description.model_description("", "", "", {}),
-         "native_fmi2": description.model_description("", "", "", {}, ["model.c"]),
-         "native_fmi3": description3.model_description("", "", "", {}, ["model.c"])}
+PAGES = {
+    "python": description.model_description("", "", "", {}),
+    "native_fmi2": description.model_description("", "", "", {}, ["model.c"]),
+    "native_fmi3": description3.model_description("", "", "", {}, ["model.c"]),
+}
 #: Pressures act across the track; neither Polach's formula nor what slides has a moment or a stick zone;
 #: rails are rigid in all scenes (tests/wheelset/test_springs.py has those on springs).
-ZERO = {"normal.force.x", "side.normal.force.x", "side.patch[k].tangential.moment",
-        "side.patch[k].stick_share", "side.rail_deflection_lateral", "side.rail_deflection_vertical"}
+ZERO = {
+    "normal.force.x",
+    "side.normal.force.x",
+    "side.patch[k].tangential.moment",
+    "side.patch[k].stick_share",
+    "side.rail_deflection_lateral",
+    "side.rail_deflection_vertical",
+}
 STATIONS = 31
 
 
@@ -46,7 +54,8 @@ def answered(name):
     for key, value in {**start, **inputs}.items():
         reference, kind = known[key]
         {"String": session.set_strings, "Boolean": session.set_booleans}.get(kind, session.set_reals)(
-            [reference], [value])
+            [reference], [value]
+        )
     session.start()
     session.step()
     values = {}
@@ -63,7 +72,7 @@ def scenes():
 @pytest.mark.parametrize("kind", PAGES)
 def test_every_output_has_a_witness_of_its_name_and_unit(kind):
     found = outputs(PAGES[kind])
-    assert len(found) == 827 + 1        # and the status
+    assert len(found) == 827 + 1  # and the status
     assert {folded(name)[0] for name in found} == set(WITNESSES)
     for name, (unit, _, _) in found.items():
         assert unit == WITNESSES[folded(name)[0]][0], name
@@ -77,7 +86,11 @@ def test_every_output_is_what_its_witnesses_say(scenes, name):
 
 def test_every_output_is_asked_on_both_sides_for_a_number_that_is_not_zero(scenes):
     patterns = {folded(name)[:2] for name in scenes["centred"].values}
-    asked = {folded(name)[:2] for scene in scenes.values() for name in scene.values
-             if any(abs(wanted) > 2 * tolerance for wanted, tolerance in scene.wanted(name))}
+    asked = {
+        folded(name)[:2]
+        for scene in scenes.values()
+        for name in scene.values
+        if any(abs(wanted) > 2 * tolerance for wanted, tolerance in scene.wanted(name))
+    }
     assert {pattern for pattern, _ in patterns - asked} == ZERO
     assert scenes["three_patches"].values["right.patch_count"] == 3

@@ -20,18 +20,24 @@ def test_free_wheelset_finds_the_rolling_line(archives, curvature):
     def unequal(shift):
         state = system.evaluate(lateral_shift=shift)
         right, left = (wheel.patches[0] for wheel in (state.right, state.left))
-        return (right.rolling_radius * (1 - curvature * left.y_track)
-                - left.rolling_radius * (1 - curvature * right.y_track))
+        return right.rolling_radius * (1 - curvature * left.y_track) - left.rolling_radius * (
+            1 - curvature * right.y_track
+        )
 
     line = brentq(unequal, -6e-3, 6e-3)
     conicity = rolling(system, 1e-3).conicity(5e-4)
     assert line == pytest.approx(-curvature * 0.7525 * 0.46 / conicity, rel=0.02)
     # a damper of the yaw, which acts on no steady state, lets the hunting die
-    given = {"frame_speed": 10.0, "curve_curvature": curvature, "curve_start": 1.0, "transition_length": 8.0,
-             "lateral_damping": 4e4}
+    given = {
+        "frame_speed": 10.0,
+        "curve_curvature": curvature,
+        "curve_start": 1.0,
+        "transition_length": 8.0,
+        "lateral_damping": 4e4,
+    }
     with Loop(archives, given, CONES) as loop:
         loop.run(1.0, 2e-4)
-        run = loop.run(3.3, 2e-4)       # two waves, whose mean is the steady state
+        run = loop.run(3.3, 2e-4)  # two waves, whose mean is the steady state
     assert run.worst_status == 0
     assert run["lateral_shift"].mean() == pytest.approx(line, rel=0.05)
 

@@ -9,14 +9,15 @@ from examples.hunting_wheelset.coupling import CONES, Loop
 from examples.hunting_wheelset.energy import WHEELSET, orders, study
 
 
-@pytest.mark.parametrize("derivatives, order, largest", [(False, 1, 0.05), (True, 2, 5e-3)],
-                         ids=["explicit", "derivatives"])
+@pytest.mark.parametrize(
+    "derivatives, order, largest", [(False, 1, 0.05), (True, 2, 5e-3)], ids=["explicit", "derivatives"]
+)
 def test_balance(archives, derivatives, order, largest):
     errors, exchanged, worst = study(archives, derivatives, steps=(4e-4, 2e-4, 1e-4), duration=0.1)
     assert worst == 0
     np.testing.assert_allclose(orders(errors), order, atol=0.1)
     assert np.abs(errors[-1]) < largest * exchanged
-    assert np.abs(errors[-1]) > 1e-9 * exchanged        # the balance sees something
+    assert np.abs(errors[-1]) > 1e-9 * exchanged  # the balance sees something
 
 
 def test_both_couplings_find_the_same_motion(archives):

@@ -20,10 +20,20 @@ from examples.hunting_wheelset.exchange import (
 from examples.hunting_wheelset.wheelset import FORCES, PARAMETERS, Wheelset
 from tests.helpers.paths import ROOT
 
-CURVE = {"curve_curvature": 1 / 300, "curve_start": 2.0, "transition_length": 5.0, "canted": 0.3,
-         "half_wheelbase": 1.2, "longitudinal_stiffness": 4e5, "lateral_stiffness": 2e5,
-         "vertical_stiffness": 1e6, "lateral_damping": 2e3,
-         "longitudinal_damping": 1e3, "vertical_damping": 3e4, "frame_speed": 30.0}
+CURVE = {
+    "curve_curvature": 1 / 300,
+    "curve_start": 2.0,
+    "transition_length": 5.0,
+    "canted": 0.3,
+    "half_wheelbase": 1.2,
+    "longitudinal_stiffness": 4e5,
+    "lateral_stiffness": 2e5,
+    "vertical_stiffness": 1e6,
+    "lateral_damping": 2e3,
+    "longitudinal_damping": 1e3,
+    "vertical_damping": 3e4,
+    "frame_speed": 30.0,
+}
 
 
 @pytest.fixture(scope="module")
@@ -65,7 +75,7 @@ def test_the_motion_is_that_of_small_steps(archives, exchange):
     run = solved((archives[0], exchange), 1e-7, duration=0.2)
     coarse, fine = (stepped(archives, step, duration=0.2) for step in (5e-5, 2.5e-5))
     extrapolated = 2 * fine.motion - coarse.motion
-    assert np.ptp(run.motion[:, 0]) > 11e-3        # to the other flange
+    assert np.ptp(run.motion[:, 0]) > 11e-3  # to the other flange
     assert error(fine, run) > 1e-6
     assert np.abs(extrapolated[:, 0] - run.motion[:, 0]).max() < 0.1 * error(fine, run)
 

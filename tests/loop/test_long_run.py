@@ -14,7 +14,7 @@ def test_no_status(archives, steps):
     assert run.worst_status == 0
     assert np.isfinite(run.motion).all() and np.isfinite(run.forces).all()
     parts = np.array_split(run["lateral_shift"], steps // 10_000)
-    sizes = [np.ptp(part) / 2 for part in parts[len(parts) // 2:]]      # second by second
+    sizes = [np.ptp(part) / 2 for part in parts[len(parts) // 2 :]]  # second by second
     # the flanges have 6.3 mm of play, which a wheelset that hunts uses
     assert np.all(np.abs(np.array(sizes) - sizes[0]) < 0.2e-3)
     assert 5.5e-3 < sizes[-1] < 6.5e-3

@@ -49,12 +49,17 @@ def test_description(archives, tmp_path):
 def test_libcosim(archives, tmp_path):
     """2000 steps by libcosim and by fmpy in the same order; both compute with the same libraries, so that no
     more than rounding differs."""
-    done = subprocess.run([sys.executable, "-c", PROGRAM, str(tmp_path), *map(str, archives)], text=True,
-                          cwd=ROOT, capture_output=True, timeout=300)
+    done = subprocess.run(
+        [sys.executable, "-c", PROGRAM, str(tmp_path), *map(str, archives)],
+        text=True,
+        cwd=ROOT,
+        capture_output=True,
+        timeout=300,
+    )
     assert done.returncode == 0, f"{done.stdout[-2000:]}\n{done.stderr[-2000:]}"
     theirs, mine, worst = json.loads(done.stdout.strip().splitlines()[-1])
     assert worst == 0
     theirs, mine = np.array(theirs), np.array(mine)
     size = np.abs(mine).max(axis=0)
-    assert np.all(size[[0, 3]] > 1e-4)          # it moves
+    assert np.all(size[[0, 3]] > 1e-4)  # it moves
     np.testing.assert_array_less(np.abs(theirs - mine).max(axis=0), 1e-10 * np.maximum(size, 1e-3))

@@ -32,11 +32,14 @@ def moved(archive, duration, step, forces=None, derivative=None, **parameters):
 def test_description(archives):
     """Units have the SI exponents of the contact FMU's, so that masters see them fit."""
     assert validate_fmu(str(archives[1])) == []
-    contact, wheelset = ({unit.name: str(unit.baseUnit) for unit in described.unitDefinitions}
-                         for described in map(read_model_description, map(str, archives)))
+    contact, wheelset = (
+        {unit.name: str(unit.baseUnit) for unit in described.unitDefinitions}
+        for described in map(read_model_description, map(str, archives))
+    )
     assert {"m", "rad", "N", "N.m", "m/s", "rad/s", "1/m", "W"} <= set(contact) & set(wheelset)
     assert {name: wheelset[name] for name in set(contact) & set(wheelset)} == {
-        name: contact[name] for name in set(contact) & set(wheelset)}
+        name: contact[name] for name in set(contact) & set(wheelset)
+    }
 
 
 def test_outputs_depend_on_no_input(archives):
@@ -65,8 +68,14 @@ def test_swings_on_its_springs(archives, linear, order):
     frequency = math.sqrt(2 * boxes / mass)
     errors = []
     for step in (1e-3, 5e-4):
-        found = moved(archives[1], 0.2, step, lateral_stiffness=boxes, start_lateral_shift=start,
-                      derivative={"derivative[6,4]": 1.0} if linear else None)
+        found = moved(
+            archives[1],
+            0.2,
+            step,
+            lateral_stiffness=boxes,
+            start_lateral_shift=start,
+            derivative={"derivative[6,4]": 1.0} if linear else None,
+        )
         errors.append(abs(found["lateral_shift"] - start * math.cos(0.2 * frequency)))
     assert math.log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.1)
     assert errors[1] < (1e-2 if not linear else 1e-4) * start
@@ -76,8 +85,9 @@ def test_a_given_derivative_acts_like_a_spring(archives):
     """A contact whose lateral force falls with the shift is a spring of this stiffness; its force is that at
     the beginning of the step, which here stays zero though the wheelset is aside."""
     stiffness, speed, mass = 8e5, 0.01, 1500.0
-    found = moved(archives[1], 1e-2, 1e-2, start_lateral_velocity=speed,
-                  derivative={"derivative[1,1]": -stiffness})
+    found = moved(
+        archives[1], 1e-2, 1e-2, start_lateral_velocity=speed, derivative={"derivative[1,1]": -stiffness}
+    )
     # one step of the trapezoidal rule, from y = 0: v1 (1 + h^2 k / 4m) = v0 (1 - h^2 k / 4m)
     share = 1e-4 * stiffness / (4 * mass)
     assert found["lateral_velocity"] == pytest.approx(speed * (1 - share) / (1 + share), rel=1e-12)

@@ -36,24 +36,33 @@ from wrcontact.methods import CHOICES, FAMILIES, NUMBERS, NormalModel
 PAIRS = [
     ({"normal_model": Analyn(tolerance=0.004)}, {"normal_model": "analyn", "tolerance": 0.004}),
     ({"normal_model": Analyn(nodes=20)}, {"nodes": 20}),
-    ({"normal_model": Strip(strips=14, sweeps=3)},
-     {"normal_model": "analyn_strip", "strips": 14, "sweeps": 3}),
+    (
+        {"normal_model": Strip(strips=14, sweeps=3)},
+        {"normal_model": "analyn_strip", "strips": 14, "sweeps": 3},
+    ),
     ({"normal_model": Hertz()}, {"normal_model": "hertz"}),
     ({"normal_model": Halfspace(tolerance=0.03)}, {"normal_model": "halfspace", "tolerance": 0.03}),
     ({"contact_mode": Elastic(), "load": VerticalLoad()}, {"contact_mode": "elastic", "load": "vertical"}),
     ({"contact_mode": Compliant(), "load": NormalLoad()}, {"contact_mode": "compliant"}),
-    ({"separation": Equidistant(), "longitudinal_curvature": BasicCurvature()},
-     {"separation": "equidistant", "longitudinal_curvature": "basic"}),
+    (
+        {"separation": Equidistant(), "longitudinal_curvature": BasicCurvature()},
+        {"separation": "equidistant", "longitudinal_curvature": "basic"},
+    ),
     ({"separation": EquidistantChord()}, {"separation": "equidistant_chord"}),
     ({"separation": VerticalSeparation()}, {"separation": "vertical"}),
     ({"lateral_curvature": Smooth(reach=2e-3)}, {"lateral_curvature": "smooth", "curvature_reach": 2e-3}),
     ({"lateral_curvature": Rough(step=1e-3)}, {"lateral_curvature": "rough", "curvature_step": 1e-3}),
     ({"track": Track(gauge=1.44, rail_inclination=1 / 20)}, {"gauge": 1.44, "rail_inclination": 1 / 20}),
-    ({"wheelset": Wheelset(nominal_radius=0.5), "material": Material(poisson_ratio=0.3)},
-     {"nominal_radius": 0.5, "poisson_ratio": 0.3}),
+    (
+        {"wheelset": Wheelset(nominal_radius=0.5), "material": Material(poisson_ratio=0.3)},
+        {"nominal_radius": 0.5, "poisson_ratio": 0.3},
+    ),
     ({"track": Track(gauge=1.44), "gauge": 1.44}, {"gauge": 1.44}),  # twice the same
-    ({"normal_model": Strip(tolerance=0.02), "tolerance": None},
-     {"normal_model": "analyn_strip", "tolerance": 0.02})]
+    (
+        {"normal_model": Strip(tolerance=0.02), "tolerance": None},
+        {"normal_model": "analyn_strip", "tolerance": 0.02},
+    ),
+]
 
 
 @pytest.mark.parametrize("objects, keywords", PAIRS)
@@ -66,35 +75,62 @@ def test_objects_and_keywords_give_the_same_system(objects, keywords):
     np.testing.assert_array_equal(tables_of(again), tables_of(one))
 
 
-@pytest.mark.parametrize("arguments, sentence", [
-    ({"track": Track(gauge=1.44), "gauge": 1.435},
-     "gauge is 1.435 m, but 1.44 m in track=Track(gauge=1.44); permitted is one value"),
-    ({"normal_model": Strip(), "tolerance": 0.01},
-     "tolerance is 0.01, but None in normal_model=Strip(); permitted is one value"),
-    ({"lateral_curvature": Rough(), "curvature_step": 1e-3},
-     "curvature_step is 0.001 m, but 0.0002 m in lateral_curvature=Rough(); permitted is one value"),
-    ({"track": Material()}, "track is Material(); permitted is a Track"),
-    ({"normal_model": Adaptive()},
-     f"normal_model is Adaptive(); permitted are {str(NormalModel.family.names())[1:-1]}"),
-    ({"normal_model": Halfspace(), "separation": VerticalSeparation()},
-     "separation is 'vertical'; permitted with the normal_model 'halfspace', which knows the whole surface, "
-     "is 'normal'"),
-    ({"normal_model": "halfspace", "lateral_curvature": "rough"},
-     "lateral_curvature is 'rough'; permitted with the normal_model 'halfspace', which knows the whole "
-     "surface, is 'adaptive'")])
+@pytest.mark.parametrize(
+    "arguments, sentence",
+    [
+        (
+            {"track": Track(gauge=1.44), "gauge": 1.435},
+            "gauge is 1.435 m, but 1.44 m in track=Track(gauge=1.44); permitted is one value",
+        ),
+        (
+            {"normal_model": Strip(), "tolerance": 0.01},
+            "tolerance is 0.01, but None in normal_model=Strip(); permitted is one value",
+        ),
+        (
+            {"lateral_curvature": Rough(), "curvature_step": 1e-3},
+            "curvature_step is 0.001 m, but 0.0002 m in lateral_curvature=Rough(); permitted is one value",
+        ),
+        ({"track": Material()}, "track is Material(); permitted is a Track"),
+        (
+            {"normal_model": Adaptive()},
+            f"normal_model is Adaptive(); permitted are {str(NormalModel.family.names())[1:-1]}",
+        ),
+        (
+            {"normal_model": Halfspace(), "separation": VerticalSeparation()},
+            "separation is 'vertical'; permitted with the normal_model 'halfspace', which knows the whole surface, "
+            "is 'normal'",
+        ),
+        (
+            {"normal_model": "halfspace", "lateral_curvature": "rough"},
+            "lateral_curvature is 'rough'; permitted with the normal_model 'halfspace', which knows the whole "
+            "surface, is 'adaptive'",
+        ),
+    ],
+)
 def test_what_contradicts_is_refused_in_a_sentence(arguments, sentence):
     with pytest.raises(ValueError) as refusal:
         wrcontact.ContactSystem(**arguments)
     assert str(refusal.value) == sentence
 
 
-@pytest.mark.parametrize("kind, numbers, sentence", [
-    (Track, {"gauge": 1435}, "gauge is 1435; permitted is 0.5 ... 2 m"),
-    (Material, {"poisson_ratio": 0.5}, "poisson_ratio is 0.5; permitted is 0 ... 0.499"),
-    (Analyn, {"tolerance": 1e-3},
-     "tolerance is 0.001; permitted with the normal_model 'analyn' is 0.0015 ... 0.1"),
-    (Strip, {"sweeps": 2.5}, "sweeps is 2.5; permitted are whole numbers 1 ... 20"),
-    (Smooth, {"reach": 3}, "reach is 3; permitted with the lateral_curvature 'smooth' is 0.0001 ... 0.01 m")])
+@pytest.mark.parametrize(
+    "kind, numbers, sentence",
+    [
+        (Track, {"gauge": 1435}, "gauge is 1435; permitted is 0.5 ... 2 m"),
+        (Material, {"poisson_ratio": 0.5}, "poisson_ratio is 0.5; permitted is 0 ... 0.499"),
+        (
+            Analyn,
+            {"tolerance": 1e-3},
+            "tolerance is 0.001; permitted with the normal_model 'analyn' is 0.0015 ... 0.1",
+        ),
+        (Strip, {"sweeps": 2.5}, "sweeps is 2.5; permitted are whole numbers 1 ... 20"),
+        (
+            Smooth,
+            {"reach": 3},
+            "reach is 3; permitted with the lateral_curvature 'smooth' is 0.0001 ... 0.01 m",
+        ),
+    ],
+)
 def test_wrong_numbers_are_refused_when_an_object_is_made(kind, numbers, sentence):
     with pytest.raises(ValueError) as refusal:
         kind(**numbers)
@@ -136,8 +172,11 @@ def test_an_fmu_offers_what_its_table_says():
     for family in FAMILIES:
         variable = VARIABLES[PLACE[family.parameter]]
         assert variable.choices == CHOICES[family.parameter] and variable.start == family.default
-        assert all(f"{method.name} = {method.words}" in variable.meaning for method in family.methods
-                   if not method.python_only)
+        assert all(
+            f"{method.name} = {method.words}" in variable.meaning
+            for method in family.methods
+            if not method.python_only
+        )
 
 
 #: Names by number, as they are in FMUs and saved states in users' hands: only appended to.

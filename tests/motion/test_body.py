@@ -38,10 +38,21 @@ def test_rates_of_a_matrix_that_turns(seed):
     turning = (8.0 * (at(step) - at(-step)) - (at(2 * step) - at(-2 * step))) / (12.0 * step) @ at(0.0).T
     omega = turning[2, 1], turning[0, 2], turning[1, 0]
     found = wrcontact.motion_of([3.0, 2e-3, 1e-4 - RADIUS], at(0.0), [20.0, 0.1, -0.2], omega, lateral=5e-4)
-    wanted = {"lateral_shift": 2e-3, "yaw": yaw, "vertical_shift_input": 1e-4, "roll_input": roll,
-              "speed": 20.0, "lateral_velocity": 0.1, "vertical_velocity": -0.2, "yaw_rate": yaw_rate,
-              "roll_rate": roll_rate, "wheel_rate": wheel_rate, "free_rolling": False,
-              "left_rail_lateral": 5e-4, "right_rail_lateral": 5e-4}
+    wanted = {
+        "lateral_shift": 2e-3,
+        "yaw": yaw,
+        "vertical_shift_input": 1e-4,
+        "roll_input": roll,
+        "speed": 20.0,
+        "lateral_velocity": 0.1,
+        "vertical_velocity": -0.2,
+        "yaw_rate": yaw_rate,
+        "roll_rate": roll_rate,
+        "wheel_rate": wheel_rate,
+        "free_rolling": False,
+        "left_rail_lateral": 5e-4,
+        "right_rail_lateral": 5e-4,
+    }
     assert found.keys() == wanted.keys()
     for name, value in wanted.items():
         assert found[name] == pytest.approx(value, rel=1e-9, abs=1e-9), name
@@ -60,7 +71,7 @@ def test_wheels_that_do_not_turn_slide():
     """A wheel_rate of 0 is taken as it is."""
     found = wrcontact.motion_of((0, 0, -RADIUS), np.eye(3), (10, 0, 0), (0, 0, 0))
     state = wrcontact.ContactSystem().evaluate(**found)
-    assert state.right.patches[0].creepage.x == pytest.approx(2.0, rel=1e-9)       # V / (V / 2)
+    assert state.right.patches[0].creepage.x == pytest.approx(2.0, rel=1e-9)  # V / (V / 2)
 
 
 def test_power_of_the_forces_is_that_of_friction():
@@ -71,25 +82,44 @@ def test_power_of_the_forces_is_that_of_friction():
     turning = [1e-3, -20.02 / RADIUS, 5e-3]
     motion = wrcontact.motion_of([0, 2e-3, -RADIUS], rotation, [20.0, 0.01, 0.0], turning)
     state = system.evaluate(**motion)
-    soon = 1e-4         # [s]
-    high, low = (system.evaluate(**{**motion, "lateral_shift": 2e-3 + way * soon * motion["lateral_velocity"],
-                                    "yaw": motion["yaw"] + way * soon * motion["yaw_rate"]})
-                 for way in (1, -1))
-    sinking, rolling = ((getattr(high, name) - getattr(low, name)) / (2.0 * soon)
-                        for name in ("vertical_shift", "roll"))
+    soon = 1e-4  # [s]
+    high, low = (
+        system.evaluate(
+            **{
+                **motion,
+                "lateral_shift": 2e-3 + way * soon * motion["lateral_velocity"],
+                "yaw": motion["yaw"] + way * soon * motion["yaw_rate"],
+            }
+        )
+        for way in (1, -1)
+    )
+    sinking, rolling = (
+        (getattr(high, name) - getattr(low, name)) / (2.0 * soon) for name in ("vertical_shift", "roll")
+    )
     axle = about("z", motion["yaw"]) @ about("x", state.roll) @ np.array([0.0, 1.0, 0.0])
     ahead = np.array([math.cos(motion["yaw"]), math.sin(motion["yaw"]), 0.0])
-    omega = (np.array([0.0, 0.0, motion["yaw_rate"]]) + rolling * ahead - motion["wheel_rate"] * axle)
+    omega = np.array([0.0, 0.0, motion["yaw_rate"]]) + rolling * ahead - motion["wheel_rate"] * axle
     power = np.dot(state.force, [20.0, 0.01, sinking]) + np.dot(state.moment, omega)
     assert -power == pytest.approx(state.left.friction_power + state.right.friction_power, rel=2e-3)
 
 
-@pytest.mark.parametrize("change, words", [
-    ({"position": [0, 1]}, "position is"), ({"velocity": 3.0}, "velocity is"),
-    ({"angular_velocity": ["a", 1, 2]}, "angular_velocity is"), ({"rotation": np.ones(3)}, "3 x 3"),
-    ({"rotation": 2 * np.eye(3)}, "length 2"), ({"rotation": np.eye(3)[[0, 2, 1]]}, "vertical")])
+@pytest.mark.parametrize(
+    "change, words",
+    [
+        ({"position": [0, 1]}, "position is"),
+        ({"velocity": 3.0}, "velocity is"),
+        ({"angular_velocity": ["a", 1, 2]}, "angular_velocity is"),
+        ({"rotation": np.ones(3)}, "3 x 3"),
+        ({"rotation": 2 * np.eye(3)}, "length 2"),
+        ({"rotation": np.eye(3)[[0, 2, 1]]}, "vertical"),
+    ],
+)
 def test_what_is_refused(change, words):
-    given = {"position": [0, 0, -RADIUS], "rotation": np.eye(3), "velocity": [1, 0, 0],
-             "angular_velocity": [0, 0, 0]}
+    given = {
+        "position": [0, 0, -RADIUS],
+        "rotation": np.eye(3),
+        "velocity": [1, 0, 0],
+        "angular_velocity": [0, 0, 0],
+    }
     with pytest.raises(ValueError, match=words):
         wrcontact.motion_of(**given | change)

@@ -15,10 +15,24 @@ from wrcontact.kernel.binding.library import default_kernel
 
 LOAD, SPEED = vehicle.LOAD / 2, 80.0
 #: Motions of a wheelset in the theories: y, z, roll, yaw, their rates, the rotation.
-MOTION = [list(NEAR).index(name) for name in ("lateral_shift", "vertical_shift_input", "roll_input", "yaw",
-          "lateral_velocity", "vertical_velocity", "roll_rate", "yaw_rate", "wheel_rate")]
-compiled = pytest.mark.skipif(not default_kernel().compiled,
-                              reason="the derivatives are those of the compiled library, and none is here")
+MOTION = [
+    list(NEAR).index(name)
+    for name in (
+        "lateral_shift",
+        "vertical_shift_input",
+        "roll_input",
+        "yaw",
+        "lateral_velocity",
+        "vertical_velocity",
+        "roll_rate",
+        "yaw_rate",
+        "wheel_rate",
+    )
+]
+compiled = pytest.mark.skipif(
+    not default_kernel().compiled,
+    reason="the derivatives are those of the compiled library, and none is here",
+)
 
 
 def test_ellipse():
@@ -33,7 +47,7 @@ def test_slopes_of_the_creep_forces():
     small = {"creepage_x": 1e-7, "creepage_y": 1e-7, "spin": 1e-5}
     found = [creep_forces(patch, friction=2.0, **{name: size}) for name, size in small.items()]
     found = -found[0].x / 1e-7, -found[1].y / 1e-7, abs(found[2].y) / 1e-5
-    assert found == pytest.approx(theory.slopes(LOAD), rel=0.015)       # C23 1.1 %, C11 and C22 0.04 %
+    assert found == pytest.approx(theory.slopes(LOAD), rel=0.015)  # C23 1.1 %, C11 and C22 0.04 %
 
 
 def by_package(speed):
@@ -57,11 +71,19 @@ def by_closed_form(speed):
     """The same by data/hunting_theory.py."""
     rail_y = hunting.touching() + 0.3 * np.sin(np.arctan(0.05))
     inertia = [vehicle.WHEELSET.inertia[place] for place in (0, 2, 1)]
-    model = hunting_theory.Wheelset(slope=0.05, rail_y=rail_y, coefficients=hunting_theory.COEFFICIENTS,
-                                    mass=vehicle.WHEELSET.mass, inertia=tuple(inertia), load=vehicle.LOAD)
+    model = hunting_theory.Wheelset(
+        slope=0.05,
+        rail_y=rail_y,
+        coefficients=hunting_theory.COEFFICIENTS,
+        mass=vehicle.WHEELSET.mass,
+        inertia=tuple(inertia),
+        load=vehicle.LOAD,
+    )
     steady = hunting_theory.steady(model, speed)
-    acting = [np.concatenate(hunting_theory.contact(model, steady + way, speed)[:2])
-              for way in (*np.diag(hunting_theory.STEPS), *-np.diag(hunting_theory.STEPS))]
+    acting = [
+        np.concatenate(hunting_theory.contact(model, steady + way, speed)[:2])
+        for way in (*np.diag(hunting_theory.STEPS), *-np.diag(hunting_theory.STEPS))
+    ]
     middle = np.concatenate(hunting_theory.contact(model, steady, speed)[:2])
     return middle, (np.array(acting[:9]) - acting[9:]).T / (2 * hunting_theory.STEPS)
 
@@ -106,25 +128,32 @@ def bogie_root(speed, contact):
     for number in range(2):
         y = 4 * number
         state[22 + number, [*range(y, y + 4), *range(11 + y, 15 + y), 22 + number]] = (
-            -by[4] / vehicle.WHEELSET.inertia[1])
+            -by[4] / vehicle.WHEELSET.inertia[1]
+        )
     return max((root for root in np.linalg.eigvals(state) if 1 < root.imag < 60), key=lambda root: root.real)
 
 
 # 0.30 and 0.08 % apart
-@pytest.mark.parametrize("contact, error", [pytest.param(by_package, 5e-3, marks=compiled, id="package"),
-                                            pytest.param(by_closed_form, 2e-3, id="closed form")])
+@pytest.mark.parametrize(
+    "contact, error",
+    [
+        pytest.param(by_package, 5e-3, marks=compiled, id="package"),
+        pytest.param(by_closed_form, 2e-3, id="closed form"),
+    ],
+)
 def test_critical_speed(contact, error):
     found = brentq(lambda speed: bogie_root(speed, contact).real, 70.0, 90.0, xtol=1e-3)
     half = hunting.touching()
     assert found == pytest.approx(theory.critical_speed(half), rel=error)
     rate = bogie_root(SPEED, contact).imag
-    assert rate == pytest.approx(theory.root(SPEED, half).imag, rel=6e-3)       # 0.02 % and 0.5 %
+    assert rate == pytest.approx(theory.root(SPEED, half).imag, rel=6e-3)  # 0.02 % and 0.5 %
 
 
 def test_a_swing_is_read():
     time = np.linspace(0.4, 2.0, 300)
-    shifts = [size * np.exp(0.3 * time) * np.cos(25 * time + phase) + 1e-5
-              for size, phase in ((3e-4, 0), (2e-4, 1))]
+    shifts = [
+        size * np.exp(0.3 * time) * np.cos(25 * time + phase) + 1e-5 for size, phase in ((3e-4, 0), (2e-4, 1))
+    ]
     growth, rate, missed = hunting.swing(time, np.array(shifts).T, 24.0)
     assert (growth, rate) == pytest.approx((0.3, 25.0), rel=1e-6) and missed < 1e-12
     assert hunting.critical_speed([70.0, 80.0, 90.0], [-1.0, 0.0, 1.2]) == pytest.approx(80.0)

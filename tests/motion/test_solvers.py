@@ -6,18 +6,21 @@ import pytest
 from examples.implicit_wheelset import SOLVERS, Nearby, Wheelset, run
 from wrcontact.kernel.binding.library import default_kernel
 
-pytestmark = pytest.mark.skipif(not default_kernel().compiled,
-                                reason="the derivatives are those of the compiled library, and none is here")
+pytestmark = pytest.mark.skipif(
+    not default_kernel().compiled,
+    reason="the derivatives are those of the compiled library, and none is here",
+)
 #: Steps and derivatives of the contact that a step of the solver takes at most; a vehicle with four
 #: wheelsets and an implicit solver has to do with 30.
 CALLS = {"Euler, semi-implicit, 0.25 ms": 1, "trapezoidal, linearised, 1 ms": 3}
 
 
-@pytest.mark.parametrize("name", [name if name in CALLS else pytest.param(name, marks=pytest.mark.full)
-                                  for name in SOLVERS])
+@pytest.mark.parametrize(
+    "name", [name if name in CALLS else pytest.param(name, marks=pytest.mark.full) for name in SOLVERS]
+)
 def test_solvers_agree(name):
     steps, evaluated, derived, largest, _ = run(name)
-    assert largest == pytest.approx(0.9757e-3, rel=2e-3)        # mm; RK45 at a hundredth of the tolerance
+    assert largest == pytest.approx(0.9757e-3, rel=2e-3)  # mm; RK45 at a hundredth of the tolerance
     if name in CALLS:
         assert evaluated + derived <= CALLS[name] * steps and 4 * CALLS[name] <= 30
 

@@ -37,8 +37,10 @@ def test_every_name_has_its_place(stations):
         assert [stepper.place(name) for name in stepper.output_names] == list(range(len(stepper.outputs)))
 
 
-@pytest.mark.parametrize("name, meant", [("force.yy", "force.y"), ("lateral_shft", "lateral_shift"),
-                                         (None, "list them"), (["yaw"], "list them")])
+@pytest.mark.parametrize(
+    "name, meant",
+    [("force.yy", "force.y"), ("lateral_shft", "lateral_shift"), (None, "list them"), (["yaw"], "list them")],
+)
 def test_a_wrong_name_gets_a_proposal(name, meant):
     with pytest.raises(ValueError, match=f"no input or output.*{meant}"):
         wrcontact.ContactSystem().stepper().place(name)
@@ -47,10 +49,16 @@ def test_a_wrong_name_gets_a_proposal(name, meant):
 def test_the_resultant_is_that_of_evaluate():
     system = wrcontact.ContactSystem(**COMPLIANT)
     stands = system.evaluate(2e-3).equilibrium
-    turned = np.array([[1, 0, 0], [0, np.cos(stands.roll), -np.sin(stands.roll)],
-                       [0, np.sin(stands.roll), np.cos(stands.roll)]])
-    motion = wrcontact.motion_of([0, 2e-3, stands.vertical_shift - 0.46], turned, [20, 0.01, 0],
-                                 [0, -43.6, 0.02])
+    turned = np.array(
+        [
+            [1, 0, 0],
+            [0, np.cos(stands.roll), -np.sin(stands.roll)],
+            [0, np.sin(stands.roll), np.cos(stands.roll)],
+        ]
+    )
+    motion = wrcontact.motion_of(
+        [0, 2e-3, stands.vertical_shift - 0.46], turned, [20, 0.01, 0], [0, -43.6, 0.02]
+    )
     state = system.evaluate(**motion)
     stepper = system.stepper(outputs="patches")
     for one in (stepper, copy.deepcopy(stepper)):
@@ -59,7 +67,7 @@ def test_the_resultant_is_that_of_evaluate():
         assert np.array_equal(moment, np.asarray(state.moment))
         assert np.array_equal(one.force, force) and np.array_equal(one.moment, moment)
     kept = force.copy()
-    assert np.isnan(stepper.resultant({"lateral_shift": 0.02})).all()       # off the profile
+    assert np.isnan(stepper.resultant({"lateral_shift": 0.02})).all()  # off the profile
     assert np.array_equal(force, kept)
     with pytest.raises(TypeError, match="did you mean lateral_shift"):
         stepper.resultant({"lateral_shft": 0.0})
@@ -78,10 +86,15 @@ def test_the_reaction_on_a_rail(side):
     wheel = getattr(state, side)
     y = np.sign(wheel.contact.y_track) * system.profile_tables(side)[2] + 1e-3
     point = np.array([0.0, y, -5e-4])
-    of_patches = sum((np.cross(np.array([patch.x_track, patch.y_track, patch.z_track]) - point,
-                               np.asarray(patch.force)) for patch in wheel.patches), np.zeros(3))
+    of_patches = sum(
+        (
+            np.cross(np.array([patch.x_track, patch.y_track, patch.z_track]) - point, np.asarray(patch.force))
+            for patch in wheel.patches
+        ),
+        np.zeros(3),
+    )
     assert np.array_equal(force, -np.asarray(wheel.force))
-    assert moment[0] == pytest.approx(-of_patches[0], rel=2e-3)         # of forces at the centres of load
+    assert moment[0] == pytest.approx(-of_patches[0], rel=2e-3)  # of forces at the centres of load
     stepper = system.stepper()
     for name, value in pose.items():
         stepper.resultant({name: value})
@@ -95,7 +108,7 @@ def test_a_reaction_about_a_known_point():
     that of the lateral one its depth below it."""
     system = wrcontact.ContactSystem(normal_model="hertz")
     state = system.evaluate(2e-3)
-    patch, = state.right.patches
+    (patch,) = state.right.patches
     force, moment = system.rail_reaction(state, "right")
     y = system.profile_tables("right")[2]
     by_hand = (patch.y_track - y) * force[2] - patch.z_track * force[1]

@@ -14,8 +14,10 @@ from tests.helpers.paths import ROOT
 from wrcontact.kernel.binding.library import default_kernel
 
 exudyn = pytest.mark.skipif(not find_spec("exudyn"), reason="exudyn is not installed")
-compiled = pytest.mark.skipif(not default_kernel().compiled,
-                              reason="the derivatives are those of the compiled library, and none is here")
+compiled = pytest.mark.skipif(
+    not default_kernel().compiled,
+    reason="the derivatives are those of the compiled library, and none is here",
+)
 PAGE = (ROOT / "docs" / "guides" / "vehicle.md").read_text(encoding="utf-8")
 
 
@@ -45,15 +47,20 @@ def test_irregular_track_has_its_spectrum():
 def test_near_motions_are_answered_by_derivatives():
     system = contact_system()
     stands = system.evaluate(1e-3, normal_force=vehicle.LOAD / 2).equilibrium
-    motion = dict.fromkeys(NEAR, 0.0) | {"lateral_shift": 1e-3, "vertical_shift_input": stands.vertical_shift,
-                                         "roll_input": stands.roll, "yaw": 1e-3, "speed": 30.0,
-                                         "wheel_rate": 30.0 / vehicle.WHEEL_RADIUS}
+    motion = dict.fromkeys(NEAR, 0.0) | {
+        "lateral_shift": 1e-3,
+        "vertical_shift_input": stands.vertical_shift,
+        "roll_input": stands.roll,
+        "yaw": 1e-3,
+        "speed": 30.0,
+        "wheel_rate": 30.0 / vehicle.WHEEL_RADIUS,
+    }
     near, exact = Nearby(system, vehicle.LOAD / 2), Contact(system, vehicle.LOAD / 2)
     near.resultant(motion)
     for name, size in NEAR.items():
         moved = motion | {name: motion[name] + 0.5 * size}
         wanted = exact.resultant(moved)
-        np.testing.assert_allclose(near.resultant(moved), wanted, rtol=1e-6, atol=0.05)     # [N]
+        np.testing.assert_allclose(near.resultant(moved), wanted, rtol=1e-6, atol=0.05)  # [N]
     assert (near.steps, near.derivatives) == (1, 1)
     far = motion | {"yaw": motion["yaw"] + 3e-7}
     assert np.array_equal(near.resultant(far), exact.resultant(far)) and near.steps == 2
@@ -63,8 +70,8 @@ def test_near_motions_are_answered_by_derivatives():
 def test_weight():
     run = runs.vehicle(40.0).run(0.05, 0.5e-3)
     for side in ("left", "right"):
-        assert run[f"{side}_load"] == pytest.approx(vehicle.LOAD / 2, rel=3e-4)     # [N]; 2.2e-4
-    assert run.failed == 0 and run.calls == 20.0        # four stages and a start of RK44, four wheelsets
+        assert run[f"{side}_load"] == pytest.approx(vehicle.LOAD / 2, rel=3e-4)  # [N]; 2.2e-4
+    assert run.failed == 0 and run.calls == 20.0  # four stages and a start of RK44, four wheelsets
 
 
 @exudyn
@@ -95,4 +102,4 @@ def test_implicit_and_explicit_solvers_agree_over_the_bulge():
 def test_forces_in_the_curve():
     """Newton's law for all bodies together."""
     pushed, needed = runs.needed_in_curve(runs.through_curve(3.0))
-    assert needed > 25e3 and pushed == pytest.approx(needed, rel=1e-3)      # [N]; 1.2e-4
+    assert needed > 25e3 and pushed == pytest.approx(needed, rel=1e-3)  # [N]; 1.2e-4

@@ -28,8 +28,11 @@ ROOT = (6.29e-3, 6.295e-3, 6.30e-3)
 def compliant(state, **parameters):
     """A compliant wheelset that stands as an elastic one, and its inputs."""
     system = wrcontact.ContactSystem(contact_mode="compliant", normal_model="hertz", **parameters)
-    return system, {"lateral_shift": state.inputs[0], "vertical_shift_input": state.vertical_shift,
-                    "roll_input": state.roll}
+    return system, {
+        "lateral_shift": state.inputs[0],
+        "vertical_shift_input": state.vertical_shift,
+        "roll_input": state.roll,
+    }
 
 
 @pytest.mark.parametrize("shift", ROOT)
@@ -43,8 +46,14 @@ def test_an_ellipse_ends_where_the_rail_does(shift):
         # 1e-8 m is the error of the table of arcs
         half_width = CORNER * (END - patch.contact_angle)
         assert patch.width == pytest.approx(2.0 * half_width, abs=1e-7)
-        B = np.exp(brentq(lambda B: np.log(hertz(A, np.exp(B), FORCE)[2] / half_width),
-                          np.log(1e-3 * A), np.log(1e2 * A), xtol=1e-13))
+        B = np.exp(
+            brentq(
+                lambda B: np.log(hertz(A, np.exp(B), FORCE)[2] / half_width),
+                np.log(1e-3 * A),
+                np.log(1e2 * A),
+                xtol=1e-13,
+            )
+        )
         penetration, half_length, _, pressure = hertz(A, B, FORCE)
         assert B > 2.0 * 0.5 * wheel.curvature_y
         # d penetration / d half_width = -penetration / half_width: 1e-5 of both
@@ -74,17 +83,28 @@ def test_derivatives_follow_the_end_of_the_rail(mode):
 
 #: A flange over a rolled rail under a usual load: an ellipse of 127 mm, with -15 kW and then 13 GW of
 #: friction.
-FLANGE = {"lateral_shift": 6.5715e-3, "speed": 20.0, "normal_force": 90.2e3, "load_transfer": 0.688,
-          "lateral_velocity": -0.017, "yaw_rate": 0.062, "left_friction": 0.3, "right_friction": 0.3,
-          "right_rail_roll": 0.0026, "right_rail_vertical": 0.002, "left_rail_roll": -0.0012,
-          "left_rail_vertical": 0.0011}
+FLANGE = {
+    "lateral_shift": 6.5715e-3,
+    "speed": 20.0,
+    "normal_force": 90.2e3,
+    "load_transfer": 0.688,
+    "lateral_velocity": -0.017,
+    "yaw_rate": 0.062,
+    "left_friction": 0.3,
+    "right_friction": 0.3,
+    "right_rail_roll": 0.0026,
+    "right_rail_vertical": 0.002,
+    "left_rail_roll": -0.0012,
+    "left_rail_vertical": 0.0011,
+}
 
 
 @pytest.mark.parametrize("model", CREEP_MODELS)
 def test_friction_takes_no_more_than_it_can(model):
     """At a contact angle of 0.8 rad places 6 mm apart differ by 1 % in rolling radius."""
-    state = wrcontact.ContactSystem(contact_mode="elastic", normal_model="hertz",
-                                    tangential_model=model).evaluate(**FLANGE)
+    state = wrcontact.ContactSystem(
+        contact_mode="elastic", normal_model="hertz", tangential_model=model
+    ).evaluate(**FLANGE)
     patch = state.right.patches[0]
     assert state.status == 0 and patch.width < 20e-3
     assert 0.0 < patch.friction_power < 0.05 * 0.3 * patch.normal_force * FLANGE["speed"]

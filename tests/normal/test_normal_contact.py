@@ -1,6 +1,5 @@
 """Normal contact: Hertz in closed form, the complete theory's tables, balances, limits and scaling."""
 
-
 import numpy as np
 import pytest
 
@@ -46,8 +45,9 @@ def solve_constant_curvatures(A, B, force, half_nodes=15, window=3):
     """The kernel's ANALYN, from nodes to patches, on the gap B s^2 and constant A: penetration [m], side,
     strips and outputs of the side."""
     tables, work, penetration = lay_constant_curvatures(A, B, force, half_nodes, window)
-    found, satisfied = analyn.solve_penetrations(tables, work.contact.regions, work.contact.nodes, 1,
-                                                 force, 0.7 * penetration, 0)
+    found, satisfied = analyn.solve_penetrations(
+        tables, work.contact.regions, work.contact.nodes, 1, force, 0.7 * penetration, 0
+    )
     assert satisfied == 1
     side, out = work.sides[1], work.outputs.left[1]
     fill_from_nodes(work.contact, side, 1)
@@ -82,7 +82,7 @@ def test_strips_of_a_solved_patch_are_slices_of_hertz_s_ellipse(A, B):
     patch = side.patches[0]
     assert (patch.rank, patch.rule) == (1, layout.RULE_QUADRATIC)
     assert (patch.totals.start, patch.totals.stop) == pytest.approx((-b, b), rel=1e-9)
-    strips = np.ctypeslib.as_array(strips)[patch.first:patch.last + 1]
+    strips = np.ctypeslib.as_array(strips)[patch.first : patch.last + 1]
     assert strips["width"].sum() == pytest.approx(patch.totals.width, rel=1e-12)
     inside = strips[strips["width"] > 0.0]
     share = 1 - (inside["station"] / b) ** 2
@@ -104,15 +104,21 @@ def test_hertz_model_is_hertz_with_the_curvatures_at_the_contact(shift):
     side = wrcontact.ContactSystem(normal_model="hertz").evaluate(lateral_shift=shift).right
     A, B = side.curvature_x / 2, max(side.curvature_y / 2, FLOOR * side.curvature_x / 2)
     penetration, a, b, pressure = hertz(A, B, 78.5e3)
-    assert (side.penetration, side.area,
-            side.max_pressure) == pytest.approx((penetration, np.pi * a * b, pressure), rel=1e-8)
+    assert (side.penetration, side.area, side.max_pressure) == pytest.approx(
+        (penetration, np.pi * a * b, pressure), rel=1e-8
+    )
     outline = side.outline
     np.testing.assert_allclose((outline.half_length / a) ** 2 + (outline.station / b) ** 2, 1.0, atol=1e-8)
 
 
-@pytest.mark.parametrize("model, penetration, area, pressure, centroid", [
-    # measured 0.58, 1.39, 3.34 % and 0.29 mm on a tread patch 20 mm wide; 0.12, 0.54, 0.68 % and 0.032 mm
-    ("analyn", 0.0088, 0.0209, 0.048, 4.3e-4), ("analyn_strip", 0.0017, 0.0081, 0.0102, 4.8e-5)])
+@pytest.mark.parametrize(
+    "model, penetration, area, pressure, centroid",
+    [
+        # measured 0.58, 1.39, 3.34 % and 0.29 mm on a tread patch 20 mm wide; 0.12, 0.54, 0.68 % and 0.032 mm
+        ("analyn", 0.0088, 0.0209, 0.048, 4.3e-4),
+        ("analyn_strip", 0.0017, 0.0081, 0.0102, 4.8e-5),
+    ],
+)
 @pytest.mark.parametrize("case", planar_cases(), ids=lambda case: f"{case['y_ws_mm']}mm")
 def test_complete_theory_on_the_planar_gap(case, model, penetration, area, pressure, centroid):
     """CONTACT's frictionless solution for the gap in the tangent plane, whose area follows elements of 0.1 mm
@@ -131,17 +137,20 @@ def test_complete_theory_on_the_planar_gap(case, model, penetration, area, press
     assert side.area == pytest.approx(truth["area_fit_mm2"] * 1e-6, rel=area)
     assert side.max_pressure == pytest.approx(truth["pmax_MPa"] * 1e6, rel=pressure)
     centre = sum(region["s_centroid_mm"] * region["fn_N"] for region in truth["regions"]) / 78500
-    assert side.patch_centroid == pytest.approx(centre * 1e-3, abs=centroid)        # [m]
+    assert side.patch_centroid == pytest.approx(centre * 1e-3, abs=centroid)  # [m]
 
 
-@pytest.mark.parametrize("model, mean, worst", [
-    # measured 0.71, 1.29, 0.72 % and 1.29, 6.48, 3.21 %
-    ("analyn", (0.0092, 0.0168, 0.0094), (0.0194, 0.0972, 0.0481)),
-    # measured 0.22, 0.44, 0.42 % and 0.72, 0.97, 0.78 %
-    ("analyn_strip", (0.0033, 0.0066, 0.0063), (0.0108, 0.0146, 0.0117)),
-    # measured 0.20, 0.24, 0.11 % and 0.57, 1.05, 0.30 %
-    ("halfspace", (0.0027, 0.0032, 0.0014), (0.0086, 0.0158, 0.0045)),
-])
+@pytest.mark.parametrize(
+    "model, mean, worst",
+    [
+        # measured 0.71, 1.29, 0.72 % and 1.29, 6.48, 3.21 %
+        ("analyn", (0.0092, 0.0168, 0.0094), (0.0194, 0.0972, 0.0481)),
+        # measured 0.22, 0.44, 0.42 % and 0.72, 0.97, 0.78 %
+        ("analyn_strip", (0.0033, 0.0066, 0.0063), (0.0108, 0.0146, 0.0117)),
+        # measured 0.20, 0.24, 0.11 % and 0.57, 1.05, 0.30 %
+        ("halfspace", (0.0027, 0.0032, 0.0014), (0.0086, 0.0158, 0.0045)),
+    ],
+)
 def test_complete_theory_with_full_geometry_and_yaw(model, mean, worst):
     """CONTACT with wheel and rail as they are, some yawed, finest grid of each pose. Its contact plane is the
     load-weighted one; at 5 and 6 mm that is 0.09 and 0.02 rad away from the rigid one, which turns the
@@ -152,9 +161,13 @@ def test_complete_theory_with_full_geometry_and_yaw(model, mean, worst):
     compared = []
     for (shift, yaw), row in finest.items():
         side = system.evaluate(lateral_shift=shift * 1e-3, yaw=np.radians(yaw), side="right").right
-        compared.append([side.penetration * 1e3 / row["penetration_mm"],
-                         side.area * 1e6 / row["area_fit_mm2"],
-                         side.max_pressure * 1e-6 / row["max_pressure_MPa"]])
+        compared.append(
+            [
+                side.penetration * 1e3 / row["penetration_mm"],
+                side.area * 1e6 / row["area_fit_mm2"],
+                side.max_pressure * 1e-6 / row["max_pressure_MPa"],
+            ]
+        )
     error = np.abs(np.array(compared) - 1)
     assert len(error) == 8
     assert np.all(error.mean(axis=0) < mean), error
@@ -222,17 +235,22 @@ def test_flat_and_concave_pairs_are_handled(system):
 def test_basic_and_effective_longitudinal_curvature():
     """At the flange the effective radius is longer: the patch grows along the track and shrinks
     across (source, ch. 7.2)."""
-    states = [wrcontact.ContactSystem(longitudinal_curvature=kind).evaluate(lateral_shift=6.5e-3)
-              for kind in ("effective", "basic")]
+    states = [
+        wrcontact.ContactSystem(longitudinal_curvature=kind).evaluate(lateral_shift=6.5e-3)
+        for kind in ("effective", "basic")
+    ]
     effective, basic = (state.right for state in states)
     in_the_wheelset = effective.contact_angle + states[0].roll
-    assert 1 / effective.curvature_x == pytest.approx(effective.rolling_radius / np.cos(in_the_wheelset),
-                                                      rel=1e-9)
+    assert 1 / effective.curvature_x == pytest.approx(
+        effective.rolling_radius / np.cos(in_the_wheelset), rel=1e-9
+    )
     assert 1 / basic.curvature_x == pytest.approx(basic.rolling_radius, rel=1e-12)
     assert effective.patch_length > 1.2 * basic.patch_length
     assert effective.patch_width < basic.patch_width
-    tread = [wrcontact.ContactSystem(longitudinal_curvature=kind).evaluate().right.area
-             for kind in ("effective", "basic")]
+    tread = [
+        wrcontact.ContactSystem(longitudinal_curvature=kind).evaluate().right.area
+        for kind in ("effective", "basic")
+    ]
     assert tread[0] == pytest.approx(tread[1], rel=1e-3)
 
 

@@ -37,17 +37,22 @@ def solve(ratio, force=FORCE, squeeze=1.0, **given):
     run.start, run.stop = squeeze * run.start, squeeze * run.stop
     found = sweep_constant_curvatures(tables, work, force)
     penetration, a, b, pressure = hertz(A, ratio * A, force)
-    return (found / [penetration, math.pi * a * b, pressure] - 1,
-            work.sides[1].totals.width / (2 * b) - 1)
+    return (found / [penetration, math.pi * a * b, pressure] - 1, work.sides[1].totals.width / (2 * b) - 1)
 
 
 # --- one sweep ------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("count, middle, ends", [
-    # measured 0.080, 0.049, 0.015 % in the middles; 2.6 % of the gap at the next strips to the
-    # outermost, 0.9 % further in
-    (8, 1.2e-3, (0.039, 0.013)), (10, 7.5e-4, (0.039, 0.013)), (16, 2.3e-4, (0.039, 0.013))])
+@pytest.mark.parametrize(
+    "count, middle, ends",
+    [
+        # measured 0.080, 0.049, 0.015 % in the middles; 2.6 % of the gap at the next strips to the
+        # outermost, 0.9 % further in
+        (8, 1.2e-3, (0.039, 0.013)),
+        (10, 7.5e-4, (0.039, 0.013)),
+        (16, 2.3e-4, (0.039, 0.013)),
+    ],
+)
 @pytest.mark.parametrize("ratio", [0.1, 0.3, 1.0, 3.0, 10.0])
 def test_hertz_s_pressures_displace_as_hertz_s_gap_wants(ratio, count, middle, ends):
     """In the middles the displacement is the penetration less the gap (of the penetration), and at 0.9 of the
@@ -69,9 +74,11 @@ def test_hertz_s_pressures_displace_as_hertz_s_gap_wants(ratio, count, middle, e
     np.testing.assert_allclose(half, a * np.sqrt(1 - (station / b) ** 2), rtol=1e-12)
     np.testing.assert_allclose(strip_numbers(problem, "gap"), ratio * A * station**2, atol=1e-12 * exact)
     np.testing.assert_allclose(displaced, exact - ratio * A * station**2, atol=middle * exact)
-    beside = [strip_pressures.local_displacement(tables, problem, 0, i)
-              + np.mean(strip_pressures.tested_displacements(tables, problem, i, TESTED * half[i], False))
-              for i in range(count)]
+    beside = [
+        strip_pressures.local_displacement(tables, problem, 0, i)
+        + np.mean(strip_pressures.tested_displacements(tables, problem, i, TESTED * half[i], False))
+        for i in range(count)
+    ]
     error = (displaced - beside) / (A * (TESTED * half) ** 2) - 1
     assert np.all(np.abs(error[[1, -2]]) < ends[0]), error
     assert np.all(np.abs(error[2:-2]) < ends[1]), error
@@ -165,11 +172,16 @@ def test_no_axis_is_much_longer_than_those_beside_it():
         assert strip.next_axis == pytest.approx(found, rel=1e-12)
 
 
-@pytest.mark.parametrize("squeeze, sweeps, width, errors", [
-    # measured 0.10, 0.05, 0.92 % of the width; 0.13, 0.16, 0.15, then 0.25, 0.20, 0.28 and 0.38, 0.60, 0.39 %
-    # of penetration, area and peak
-    (0.9, 12, 1.5e-3, (2e-3, 2.4e-3, 2.3e-3)), (1.1, 12, 1.5e-3, (2e-3, 2.4e-3, 2.8e-3)),
-    (0.7, 6, 0.014, (5.7e-3, 9e-3, 5.9e-3))])
+@pytest.mark.parametrize(
+    "squeeze, sweeps, width, errors",
+    [
+        # measured 0.10, 0.05, 0.92 % of the width; 0.13, 0.16, 0.15, then 0.25, 0.20, 0.28 and 0.38, 0.60, 0.39 %
+        # of penetration, area and peak
+        (0.9, 12, 1.5e-3, (2e-3, 2.4e-3, 2.3e-3)),
+        (1.1, 12, 1.5e-3, (2e-3, 2.4e-3, 2.8e-3)),
+        (0.7, 6, 0.014, (5.7e-3, 9e-3, 5.9e-3)),
+    ],
+)
 @pytest.mark.parametrize("ratio", [0.1, 1.0, 10.0])
 def test_runs_that_begin_wrong_end_right(ratio, squeeze, sweeps, width, errors):
     found, wide = solve(ratio, squeeze=squeeze, sweeps=sweeps)
@@ -180,9 +192,15 @@ def test_runs_that_begin_wrong_end_right(ratio, squeeze, sweeps, width, errors):
 # --- all sweeps -----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("strips, sweeps, allowed", [
-    # measured 0.049, 0.253, 0.740 %, 0.055, 0.156, 0.186 % and 0.033, 0.081, 0.031 % at most
-    (8, 4, (7.5e-4, 3.9e-3, 7.5e-3)), (10, 6, (8.5e-4, 2.4e-3, 2.8e-3)), (16, 20, (5e-4, 1.3e-3, 5e-4))])
+@pytest.mark.parametrize(
+    "strips, sweeps, allowed",
+    [
+        # measured 0.049, 0.253, 0.740 %, 0.055, 0.156, 0.186 % and 0.033, 0.081, 0.031 % at most
+        (8, 4, (7.5e-4, 3.9e-3, 7.5e-3)),
+        (10, 6, (8.5e-4, 2.4e-3, 2.8e-3)),
+        (16, 20, (5e-4, 1.3e-3, 5e-4)),
+    ],
+)
 @pytest.mark.parametrize("ratio", RATIOS)
 def test_strips_on_constant_curvatures_are_hertz(ratio, strips, sweeps, allowed):
     """Whatever the load: the coarsest, the usual and the finest."""
@@ -246,9 +264,15 @@ def peaks_at_a_joint(at, strips, sweeps):
     return sweep_constant_curvatures(tables, work, FORCE)[2]
 
 
-@pytest.mark.parametrize("at, allowed", [
-    # measured 0.03, 0.06, 0.29 %; 2.2, 2.2 and 1.1 % without the fine part
-    (0.0, 5e-4), (0.2, 9e-4), (0.45, 4.4e-3)])
+@pytest.mark.parametrize(
+    "at, allowed",
+    [
+        # measured 0.03, 0.06, 0.29 %; 2.2, 2.2 and 1.1 % without the fine part
+        (0.0, 5e-4),
+        (0.2, 9e-4),
+        (0.45, 4.4e-3),
+    ],
+)
 def test_the_peak_of_a_gap_with_a_joint(at, allowed):
     """The curvature changes threefold at a share of the half-width: 8 strips have the peak of 16 strips after
     20 sweeps, eq. (S13)."""

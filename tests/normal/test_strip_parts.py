@@ -79,15 +79,16 @@ def test_a_single_strip_between_strips_that_pull_counts_from_a_tenth_on():
         assert problem.run_count == count
 
 
-@pytest.mark.parametrize("start, wanted", [(9e-4, [(-4e-3, 3e-3)]),
-                                           (1.1e-3, [(-4e-3, 1e-3), (1.1e-3, 3e-3)])])
+@pytest.mark.parametrize(
+    "start, wanted", [(9e-4, [(-4e-3, 3e-3)]), (1.1e-3, [(-4e-3, 1e-3), (1.1e-3, 3e-3)])]
+)
 def test_runs_of_one_curve_that_overlap_are_one(start, wanted):
     problem, _ = one_run(lambda s: 1.0)
     problem.next_count = 0
     last = problem.traced_count - 1
     add_run(problem, 0, last, -4e-3, 1e-3)
     add_run(problem, 0, last, start, 3e-3)
-    add_run(problem, 0, last, 3.5e-3, 3.5e-3 + 1e-9)       # too narrow
+    add_run(problem, 0, last, 3.5e-3, 3.5e-3 + 1e-9)  # too narrow
     adopt_runs(problem)
     assert edges(problem) == wanted
     assert problem.runs[0].origin == -1

@@ -31,8 +31,9 @@ def test_nothing_is_read_from_the_workspace_that_was_not_written(model, poison):
     rows = random_poses(50, 41)
     rows[::10, layout.IN_NORMAL_FORCE] = 0.0
     clean = step_all(system_of(model).stepper(), rows)
-    poisoned = step_all(system_of(model).stepper(), rows,
-                        before=lambda stepper: POISONS[poison](workspace_of(stepper)))
+    poisoned = step_all(
+        system_of(model).stepper(), rows, before=lambda stepper: POISONS[poison](workspace_of(stepper))
+    )
     assert np.all(np.isfinite(clean))
     np.testing.assert_array_equal(poisoned.view(np.int64), clean.view(np.int64))
 
@@ -48,8 +49,8 @@ def test_a_half_width_survives_a_first_guess_beyond_the_outline():
         side = system_of(model, rail="54E1", rail_inclination=1 / 20).stepper("left")
         side.inputs[POSE] = pose
         assert side.step() == Status.VALID
-        left = side.outputs[layout.OUT_LEFT:]
-        assert left[layout.SIDE_AREA] == pytest.approx(2.000e-5, rel=0.05)              # half-space
+        left = side.outputs[layout.OUT_LEFT :]
+        assert left[layout.SIDE_AREA] == pytest.approx(2.000e-5, rel=0.05)  # half-space
         assert left[layout.SIDE_MAX_PRESSURE] == pytest.approx(4.982e9, rel=0.05)
 
 
@@ -69,8 +70,9 @@ def test_light_loads_are_ellipses(force, yaw):
     """A patch of micrometres sees constant curvatures, where ANALYN is Hertz: strips as ANALYN, and no peak,
     p_max area / N = 1.5. Worst are patches on the flange, twenty times as long as wide."""
     shifts = np.linspace(-6.6e-3, 6.6e-3, 133)
-    strip, plain = (system_of(model).evaluate_many(shifts, yaw, force)
-                    for model in ("analyn_strip", "analyn"))
+    strip, plain = (
+        system_of(model).evaluate_many(shifts, yaw, force) for model in ("analyn_strip", "analyn")
+    )
     assert not strip.status.any() and not plain.status.any()
     for here, there in ((strip.left, plain.left), (strip.right, plain.right)):
         single = (here.patch_count == 1) & (there.patch_count == 1)
@@ -78,8 +80,11 @@ def test_light_loads_are_ellipses(force, yaw):
         peak = here.max_pressure * here.area / force
         assert np.all(peak[single] > 1.4) and np.all(peak[single] < 1.6)
         # measured 0.04, 0.07, 0.09 % in the mean and 0.30, 1.40, 3.20 % at most
-        for name, mean, allowed in (("penetration", 6e-4, 0.0045), ("area", 1.1e-3, 0.021),
-                                    ("max_pressure", 1.35e-3, 0.048)):
+        for name, mean, allowed in (
+            ("penetration", 6e-4, 0.0045),
+            ("area", 1.1e-3, 0.021),
+            ("max_pressure", 1.35e-3, 0.048),
+        ):
             ratio = getattr(here, name) / getattr(there, name)
             difference = np.abs(ratio[single] - 1)
             assert difference.mean() < mean, name
@@ -99,9 +104,14 @@ def test_light_loads_scale_like_hertz(shift, yaw):
 # --- prescribed penetration -----------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("model, middle, most, worst", [
-    # measured 0.0014, 0.11, 0.40 % with strips
-    ("analyn_strip", 2.2e-5, 1.7e-3, 6e-3), ("analyn", 2e-3, 0.03, 0.1)])
+@pytest.mark.parametrize(
+    "model, middle, most, worst",
+    [
+        # measured 0.0014, 0.11, 0.40 % with strips
+        ("analyn_strip", 2.2e-5, 1.7e-3, 6e-3),
+        ("analyn", 2e-3, 0.03, 0.1),
+    ],
+)
 def test_prescribed_penetration_is_the_inverse(model, middle, most, worst):
     """The first strips lie over what overlaps at the estimated penetration in one case, and at the prescribed
     one in the other: some parts of a thousand of the load, where a region appears. So does the window over
@@ -128,12 +138,14 @@ def test_the_depth_is_that_of_the_load_with_every_separation(separation, yaw):
     along = system_of().evaluate_many(shift.ravel(), yaw, force.ravel())
     found = system_of(separation=separation).evaluate_many(shift.ravel(), yaw, force.ravel())
     for side in ("left", "right"):
-        np.testing.assert_allclose(getattr(found, side).penetration, getattr(along, side).penetration,
-                                   rtol=6e-3)
+        np.testing.assert_allclose(
+            getattr(found, side).penetration, getattr(along, side).penetration, rtol=6e-3
+        )
 
 
-@pytest.mark.parametrize("pose, side", [((0.39926e-3, 0.0, 3010.27), "right"),
-                                        ((-0.65543e-3, -1.31087e-3, 9696.16), "left")])
+@pytest.mark.parametrize(
+    "pose, side", [((0.39926e-3, 0.0, 3010.27), "right"), ((-0.65543e-3, -1.31087e-3, 9696.16), "left")]
+)
 def test_a_region_that_is_deeper_than_estimated_takes_up_load(pose, side):
     """By the half-space; the strips find it where they are given the same penetration."""
     truth = getattr(system_of("halfspace").evaluate(*pose), side)
@@ -149,9 +161,12 @@ def test_a_region_that_is_deeper_than_estimated_takes_up_load(pose, side):
 @pytest.mark.parametrize("yaw", [0.0, 0.01, 0.02])
 def test_force_rises_with_penetration(yaw, model):
     for shift in np.linspace(-6.6e-3, 6.6e-3, 23):
-        loads = [system_of(model).evaluate(shift, yaw, penetration=depth, side="right",
-                                           outputs="patches").right.normal_force
-                 for depth in np.linspace(5e-6, 2e-4, 60)]
+        loads = [
+            system_of(model)
+            .evaluate(shift, yaw, penetration=depth, side="right", outputs="patches")
+            .right.normal_force
+            for depth in np.linspace(5e-6, 2e-4, 60)
+        ]
         assert np.all(np.diff(loads) > 0), shift
 
 
@@ -173,8 +188,9 @@ def test_nearly_conformal_pairs(hollow, model):
     """A hollow wheel of almost the rail's radius: valid or not converged, and never anything but numbers."""
     wheel = Profile("hollow", "wheel", (Arc(-35.0, 35.0, hollow, 0.0, hollow, -1),))
     rail = Profile("crown", "rail", (Arc(-30.0, 30.0, 90.0, 0.0, 90.0, -1),))
-    system = wrcontact.ContactSystem(wheel, rail, rail_inclination=0.0, gauge=1.44, gauge_depth=5e-3,
-                                     normal_model=model)
+    system = wrcontact.ContactSystem(
+        wheel, rail, rail_inclination=0.0, gauge=1.44, gauge_depth=5e-3, normal_model=model
+    )
     table = system.evaluate_many(np.repeat([-2e-3, 0.0, 1e-3], 4), 0.0, np.tile([1.0, 1e3, 3e4, 1.5e5], 3))
     assert set(table.status) <= {Status.VALID, Status.NOT_CONVERGED, Status.OFF_PROFILE}
     valid = table.status == Status.VALID
@@ -188,15 +204,21 @@ def test_sharp_crowns(radius, model):
     the track than across."""
     wheel = Profile("flat", "wheel", (Arc(-50.0, 50.0, 5000.0, 0.0, -5000.0, 1),))
     rail = Profile("ridge", "rail", (Arc(-0.99 * radius, 0.99 * radius, radius, 0.0, radius, -1),))
-    system = wrcontact.ContactSystem(wheel, rail, rail_inclination=0.0,
-                                     gauge=1.5 - 2e-3 * math.sqrt(10 * radius - 25), gauge_depth=0.005,
-                                     normal_model=model)
+    system = wrcontact.ContactSystem(
+        wheel,
+        rail,
+        rail_inclination=0.0,
+        gauge=1.5 - 2e-3 * math.sqrt(10 * radius - 25),
+        gauge_depth=0.005,
+        normal_model=model,
+    )
     table = system.evaluate_many([0.0, 1e-3, -2e-3, 0.0], [0.0, 0.01, 0.0, 0.02], [1.0, 100.0, 1e3, 1e4])
     assert set(table.status) <= {Status.VALID, Status.NOT_CONVERGED}
     assert np.all(np.isfinite(table.values[table.status == Status.VALID]))
     assert table.status[0] == Status.VALID
-    penetration, a, b, pressure = hertz(0.5 * table.right.curvature_x[0], 0.5 * table.right.curvature_y[0],
-                                        1.0)
+    penetration, a, b, pressure = hertz(
+        0.5 * table.right.curvature_x[0], 0.5 * table.right.curvature_y[0], 1.0
+    )
     assert table.right.penetration[0] == pytest.approx(penetration, rel=0.01)
     assert table.right.area[0] == pytest.approx(math.pi * a * b, rel=0.02)
     assert table.right.max_pressure[0] == pytest.approx(pressure, rel=0.02)
@@ -214,12 +236,22 @@ ROUGH = {
     "the contact passes a joint of the flange's arcs: the half-space moves that fast too": [(6.33, 6.44)],
 }
 #: The same with strips, at the same places, but narrower.
-ROUGH_STRIPS = [(-0.37, -0.33), (0.18, 0.27), (4.41, 4.58), (4.77, 4.90), (5.34, 5.58), (6.13, 6.31),
-                (6.34, 6.46)]
+ROUGH_STRIPS = [
+    (-0.37, -0.33),
+    (0.18, 0.27),
+    (4.41, 4.58),
+    (4.77, 4.90),
+    (5.34, 5.58),
+    (6.13, 6.31),
+    (6.34, 6.46),
+]
 #: Of area, peak and width also where the patch's edge passes the joint of the wheel's arcs, from -1.09 mm on,
 #: and where the second part of a patch becomes a run of its own, from 5.58 mm on.
-ROUGH_EDGES = {"area": [(-1.09, -1.01)], "max_pressure": [(-1.09, -1.01), (5.66, 5.72)],
-               "patch_width": [(5.58, 5.66)]}
+ROUGH_EDGES = {
+    "area": [(-1.09, -1.01)],
+    "max_pressure": [(-1.09, -1.01), (5.66, 5.72)],
+    "patch_width": [(5.58, 5.66)],
+}
 #: Second differences there; measured 1.5 %.
 ROUGHEST_EDGE = 0.02
 #: The median everywhere; measured 2.4e-5 and 1.7e-5, both of the width.
@@ -247,8 +279,10 @@ def test_outputs_move_smoothly(model, yaw, name):
     if model == "analyn_strip":
         windows, edges = ROUGH_STRIPS, ROUGH_EDGES.get(name, [])
     shift = SWEEP[1:-1] * 1e3
-    named, beside = (np.any([(shift >= low) & (shift <= high) for low, high in [(9.0, 9.0), *places]], axis=0)
-                     for places in (windows, edges))
+    named, beside = (
+        np.any([(shift >= low) & (shift <= high) for low, high in [(9.0, 9.0), *places]], axis=0)
+        for places in (windows, edges)
+    )
     assert np.all(rough[beside & ~named] < ROUGHEST_EDGE)
     inside = named | beside
     worst = np.argmax(np.where(inside, 0.0, rough))

@@ -36,6 +36,7 @@ TABLE = layout.HertzTable.at(hertz_table())
 
 def line_integral(t, e):
     """Phi(t, e) by quadrature over v = -cos(angle)."""
+
     def integrand(angle):
         return math.sin(angle) ** 2 / math.hypot(math.cos(angle) + e, t)
 
@@ -68,8 +69,9 @@ def test_influence_close_by_is_a_logarithm_and_far_away_a_point():
     assert float(influence(1e3, 0.0)) == pytest.approx(math.pi / 2e3, rel=1e-6)
 
 
-@pytest.mark.parametrize("e, height, constant", [(0.0, 1.0, MIDDLE_CONSTANT),
-                                                 (TESTED, TESTED_HEIGHT, TESTED_CONSTANT)])
+@pytest.mark.parametrize(
+    "e, height, constant", [(0.0, 1.0, MIDDLE_CONSTANT), (TESTED, TESTED_HEIGHT, TESTED_CONSTANT)]
+)
 def test_constants_beside_the_logarithm(e, height, constant):
     """k(e) from Phi very near the middle line: what is left falls like t."""
     near = line_integral(1e-5, e) + 2 * height * math.log(1e-5)
@@ -106,7 +108,8 @@ def test_spacing_is_what_lines_leave_out(e, first):
     assert spacing_at(table, first, math.log(CLOSEST_SPACING)) == pytest.approx(0.0, abs=8e-4)
     for beyond, end in ((1e-5, CLOSEST_SPACING), (1e3, WIDEST_SPACING)):
         assert spacing_at(table, first, math.log(beyond)) == pytest.approx(
-            spacing_at(table, first, math.log(end)), abs=1e-9)
+            spacing_at(table, first, math.log(end)), abs=1e-9
+        )
 
 
 # --- the linear system ----------------------------------------------------------------------------
@@ -120,12 +123,13 @@ def test_elimination(size):
     array = np.zeros(layout.WORK_SIZE)
     equations = layout.Work.at(array).contact.equations
     rows = np.frombuffer(equations).reshape(len(equations), -1)
-    rows[:size, :size + 2] = np.hstack([matrix, sides])
+    rows[:size, : size + 2] = np.hstack([matrix, sides])
     others = np.ones_like(array, dtype=bool)
-    others[layout.offset(equations, array):][:rows.size].reshape(rows.shape)[:size, :size + 2] = False
+    others[layout.offset(equations, array) :][: rows.size].reshape(rows.shape)[:size, : size + 2] = False
     eliminate(equations, size)
-    np.testing.assert_allclose(rows[:size, size:size + 2], np.linalg.solve(matrix, sides), rtol=1e-11,
-                               atol=1e-14)
+    np.testing.assert_allclose(
+        rows[:size, size : size + 2], np.linalg.solve(matrix, sides), rtol=1e-11, atol=1e-14
+    )
     assert not array[others].any()
 
 
@@ -141,15 +145,18 @@ def skewed_hertz(A, B, slant):
     along, across, nr = hertz_coefficients(TABLE, small, large)
     # the ellipse x^T E x = penetration, with its axes along the eigenvectors
     ellipse = axes @ np.diag([along * small, across * large]) @ axes.T
-    length = ellipse[0, 0]                                   # penetration / a^2 on s = 0
-    width = 1 / np.linalg.inv(ellipse)[1, 1]                 # penetration / b^2, b the largest s
+    length = ellipse[0, 0]  # penetration / a^2 on s = 0
+    width = 1 / np.linalg.inv(ellipse)[1, 1]  # penetration / b^2, b the largest s
     # line load (pi/2) a p_0 on s = 0 per penetration is E* / (n r)
     return length / A, width / B, nr * math.sqrt(length / (along * small))
 
 
-SKEWED = [(A, B, slant) for A, B in ((1.0, 0.2), (1.0, 1.0), (0.7, 5.0), (0.3, 60.0))
-          for slant in (-0.3, 0.01, 0.1, 0.3)
-          if A * slant**2 <= STEEPEST_SLANT * B]
+SKEWED = [
+    (A, B, slant)
+    for A, B in ((1.0, 0.2), (1.0, 1.0), (0.7, 5.0), (0.3, 60.0))
+    for slant in (-0.3, 0.01, 0.1, 0.3)
+    if A * slant**2 <= STEEPEST_SLANT * B
+]
 
 
 @pytest.mark.parametrize("A, B, slant", SKEWED)
@@ -171,12 +178,15 @@ def test_a_steep_slant_counts_as_the_steepest_permitted():
     np.testing.assert_allclose(skewed_coefficients(TABLE, 1.0, 0.02, 3.0), at_limit, rtol=1e-12)
 
 
-@pytest.mark.parametrize("force, analyn", [
-    # the patch is too small to turn: measured 6e-6, 8.1e-5, 1.1e-5 at most
-    (20.0, (1e-5, 1.5e-4, 1.7e-5)),
-    # it turns by 1.7 degrees to either side: measured 8.6e-5, 5.1e-4, 4.1e-4 at most
-    (2e4, (1.3e-4, 7.7e-4, 6.1e-4)),
-])
+@pytest.mark.parametrize(
+    "force, analyn",
+    [
+        # the patch is too small to turn: measured 6e-6, 8.1e-5, 1.1e-5 at most
+        (20.0, (1e-5, 1.5e-4, 1.7e-5)),
+        # it turns by 1.7 degrees to either side: measured 8.6e-5, 5.1e-4, 4.1e-4 at most
+        (2e4, (1.3e-4, 7.7e-4, 6.1e-4)),
+    ],
+)
 @pytest.mark.parametrize("yaw", [0.0, 0.01, 0.035])
 def test_yawed_ball_end_to_end(yaw, force, analyn):
     """Constant radii on both bodies, flank contact of a yawed wheel: Hertz's tilted ellipse;
@@ -184,12 +194,16 @@ def test_yawed_ball_end_to_end(yaw, force, analyn):
     wheel = Profile("ball", "wheel", (Arc(-50.0, 50.0, 200.0, 20.0, -199.0, 1),))
     rail = Profile("crown", "rail", (Arc(-36.0, 36.0, 90.0, 0.0, 90.0, -1),))
     given = {"analyn": {}, "analyn_strip": {}, "halfspace": {"tolerance": 2e-3}}
-    state = {model: wrcontact.ContactSystem(wheel, rail, rail_inclination=0.02, gauge=1.4, gauge_depth=6e-3,
-                                            normal_model=model, **more).evaluate(2e-3, yaw, force)
-             for model, more in given.items()}
+    state = {
+        model: wrcontact.ContactSystem(
+            wheel, rail, rail_inclination=0.02, gauge=1.4, gauge_depth=6e-3, normal_model=model, **more
+        ).evaluate(2e-3, yaw, force)
+        for model, more in given.items()
+    }
     for side in ("left", "right"):
         truth = getattr(state["halfspace"], side)
         assert np.all(np.abs(errors(getattr(state["analyn"], side), truth)) < analyn), side
         # measured 0.061, 0.087, 0.071 % at most
-        assert np.all(np.abs(errors(getattr(state["analyn_strip"], side), truth))
-                      < (9.2e-4, 1.3e-3, 1.06e-3)), side
+        assert np.all(
+            np.abs(errors(getattr(state["analyn_strip"], side), truth)) < (9.2e-4, 1.3e-3, 1.06e-3)
+        ), side

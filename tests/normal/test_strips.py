@@ -22,13 +22,15 @@ def truth_at(shift):
 
 
 def errors_at(model, shifts):
-    return np.array([errors(system_of(model).evaluate(shift * 1e-3).right, truth_at(shift))
-                     for shift in shifts])
+    return np.array(
+        [errors(system_of(model).evaluate(shift * 1e-3).right, truth_at(shift)) for shift in shifts]
+    )
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("model, worst",
-                         [("analyn", (0.05, 0.08, 0.09)), ("analyn_strip", (0.0035, 0.031, 0.018))])
+@pytest.mark.parametrize(
+    "model, worst", [("analyn", (0.05, 0.08, 0.09)), ("analyn_strip", (0.0035, 0.031, 0.018))]
+)
 def test_half_space_where_a_region_appears(model, worst):
     """Strips measure 0.23, 2.1 and 1.2 % at most."""
     error = np.abs(errors_at(model, HARD))
@@ -69,9 +71,15 @@ def compare_on_random_poses(count, seed, **parameters):
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("count, seed, material", [
-    (24, 31, {}), pytest.param(150, 32, {}, marks=pytest.mark.complete),
-    (18, 33, dict(youngs_modulus=70e9, poisson_ratio=0.33))], ids=["steel", "more", "aluminium"])
+@pytest.mark.parametrize(
+    "count, seed, material",
+    [
+        (24, 31, {}),
+        pytest.param(150, 32, {}, marks=pytest.mark.complete),
+        (18, 33, dict(youngs_modulus=70e9, poisson_ratio=0.33)),
+    ],
+    ids=["steel", "more", "aluminium"],
+)
 def test_half_space_on_random_poses(count, seed, material):
     """Three rails, two inclinations, tread to flange, 3 to 200 kN, half of them yawed; patches of aluminium
     are larger under the same force."""
@@ -80,7 +88,9 @@ def test_half_space_on_random_poses(count, seed, material):
     # measured 0.04, 0.14, 0.12 % on the first poses, 0.03, 0.25, 0.22 % of aluminium
     assert np.all(error[~near].mean(axis=0) <= (5.5e-4, 3.8e-3, 3.4e-3)), error[~near].mean(axis=0)
     # measured 0.20, 3.4, 3.0 % at most on the longest run, near jumps 0.50, 5.0, 2.4 %
-    for rows, limit in ((np.flatnonzero(~near), (0.003, 0.05, 0.045)),
-                        (np.flatnonzero(near), (0.0076, 0.075, 0.036))):
+    for rows, limit in (
+        (np.flatnonzero(~near), (0.003, 0.05, 0.045)),
+        (np.flatnonzero(near), (0.0076, 0.075, 0.036)),
+    ):
         for row in rows:
             assert np.all(error[row] <= limit), (found[row].round(4), where[row])

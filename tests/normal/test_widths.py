@@ -19,12 +19,13 @@ def ridge(track, pose, abscissa):
     x = np.linspace(-0.06, 0.06, 2401)
     depth = overlap(track, pose, x, np.full_like(x, abscissa))
     k = np.argmax(depth)
-    before, here, after = depth[k - 1:k + 2]
+    before, here, after = depth[k - 1 : k + 2]
     return x[k] + 0.5 * (x[1] - x[0]) * (before - after) / (before - 2.0 * here + after)
 
 
 def abscissa_at(track, start, length):
     """The rail's abscissa at this arc length from ``start`` [m]."""
+
     def rest(y):
         return quad(lambda v: math.hypot(1.0, track.rail(v)[1]), start, y, epsabs=1e-12)[0] - length
 
@@ -38,11 +39,11 @@ def test_the_ridge_of_a_yawed_wheel_s_patch_is_as_oblique_as_its_gap(shift, yaw)
     stepper = system().stepper()
     stepper.inputs[:7] = shift, yaw, 0.0, FORCE, 0.0, 0.0, 0.0
     assert stepper.step() == 0
-    contact = work_of(stepper).contact                 # of the right wheel, which came last
+    contact = work_of(stepper).contact  # of the right wheel, which came last
     region, point = contact.regions[0], contact.overlap.points[0]
     state = system().evaluate(shift, yaw)
     track = brute_force.track()
-    height = contact.frame.height       # to which it has sunk
+    height = contact.frame.height  # to which it has sunk
     sunk = state.right.penetration / math.cos(state.right.contact_angle)
     assert height - state.vertical_shift == pytest.approx(sunk, rel=0.2)
     pose = brute_force.Pose(shift, yaw, state.roll, height)

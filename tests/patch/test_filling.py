@@ -23,20 +23,28 @@ def filled(loads, parts=None):
 
 def carried(side):
     """Loads of the patches, the sums over their regions, and where the patches are."""
-    patches = side.patches[:side.patch_count]
-    return ([patch.totals.load for patch in patches], [sum(patch.loads) for patch in patches],
-            [patch.rail for patch in patches])
+    patches = side.patches[: side.patch_count]
+    return (
+        [patch.totals.load for patch in patches],
+        [sum(patch.loads) for patch in patches],
+        [patch.rail for patch in patches],
+    )
 
 
-@pytest.mark.parametrize("loads, wanted, places",
-                         [((5.0, 3.0), [5.0, 3.0], [0, 1]),
-                          ((5.0, -3.0), [2.0], [0]),
-                          ((-3.0, 5.0), [2.0], [1]),
-                          ((5.0, -3.0, 4.0), [2.0, 4.0], [0, 2]),
-                          ((5.0, -7.0, 4.0), [2.0], [2]),
-                          ((-1.0, -1.0, 5.0), [3.0], [2]),
-                          ((0.0, 5.0), [5.0], [1]),
-                          ((-1.0,), [-1.0], [0])], ids=str)
+@pytest.mark.parametrize(
+    "loads, wanted, places",
+    [
+        ((5.0, 3.0), [5.0, 3.0], [0, 1]),
+        ((5.0, -3.0), [2.0], [0]),
+        ((-3.0, 5.0), [2.0], [1]),
+        ((5.0, -3.0, 4.0), [2.0, 4.0], [0, 2]),
+        ((5.0, -7.0, 4.0), [2.0], [2]),
+        ((-1.0, -1.0, 5.0), [3.0], [2]),
+        ((0.0, 5.0), [5.0], [1]),
+        ((-1.0,), [-1.0], [0]),
+    ],
+    ids=str,
+)
 def test_a_patch_without_load_counts_for_the_one_before_or_behind(loads, wanted, places):
     side = filled(loads)
     finish_patches(side)
@@ -44,7 +52,7 @@ def test_a_patch_without_load_counts_for_the_one_before_or_behind(loads, wanted,
     assert found == parts == wanted and where == [4e-3 * place for place in places]
     assert side.totals.load == sum(loads) and side.totals.area == pytest.approx(1e-6 * len(loads))
     assert side.totals.moment == pytest.approx(sum(4e-3 * index * load for index, load in enumerate(loads)))
-    ranks = sorted(patch.rank for patch in side.patches[:side.patch_count])
+    ranks = sorted(patch.rank for patch in side.patches[: side.patch_count])
     assert ranks == ([0] if sum(loads) < 0 else list(range(1, side.patch_count + 1)))
 
 

@@ -16,12 +16,12 @@ from wrcontact.state import WheelsetState
 METHODS = {**{model: {"normal_model": model} for model in MODELS}, "elastic": {"contact_mode": "elastic"}}
 NUMBERS = (3, 7, 61, 201)
 RUNS = ("station", "half_length", "pressure")
-SAME = 1e-12        # [relative to the largest]: where a station lies is rounded
-TWO_PATCHES = {"lateral_shift": 6.2e-3, "yaw": 0.01}     # root and flange on the right
+SAME = 1e-12  # [relative to the largest]: where a station lies is rounded
+TWO_PATCHES = {"lateral_shift": 6.2e-3, "yaw": 0.01}  # root and flange on the right
 ONE_PATCH = {"lateral_shift": 2e-3}
 SCALARS = np.ones(layout.OUTPUT_COUNT, dtype=bool)
 for side in (layout.OUT_LEFT, layout.OUT_RIGHT):
-    SCALARS[side + layout.SIDE_STATION:side + layout.SIDE_SIZE] = False
+    SCALARS[side + layout.SIDE_STATION : side + layout.SIDE_SIZE] = False
 
 
 def sides(state):
@@ -40,7 +40,7 @@ def test_common_stations_and_all_else_are_equal(name, pose):
     usual = ContactSystem(**METHODS[name]).evaluate(**pose)
     for number in NUMBERS:
         state = ContactSystem(stations=number, **METHODS[name]).evaluate(**pose)
-        assert (state.values[:layout.OUTPUT_COUNT][SCALARS] == usual.values[SCALARS]).all()
+        assert (state.values[: layout.OUTPUT_COUNT][SCALARS] == usual.values[SCALARS]).all()
         ours, theirs = common_places(number)
         for side, other in zip(sides(state), sides(usual)):
             for run in RUNS:
@@ -58,6 +58,7 @@ def test_common_stations_and_all_else_are_equal(name, pose):
 @pytest.mark.parametrize("name", ("analyn", "analyn_strip", "hertz"))
 def test_rates_of_common_stations_and_of_all_else_are_equal(name, pose):
     """An outline's edge, where half-length and pressure begin as a root, has no rate worth comparing."""
+
     def along_the_shift(number):
         stepper = ContactSystem(stations=number, **METHODS[name]).stepper()
         stepper.inputs[:] = 0.0
@@ -69,18 +70,21 @@ def test_rates_of_common_stations_and_of_all_else_are_equal(name, pose):
     usual = along_the_shift(31)
     for number in NUMBERS:
         rates = along_the_shift(number)
-        assert (rates[:layout.OUTPUT_COUNT][SCALARS] == usual[SCALARS]).all()
+        assert (rates[: layout.OUTPUT_COUNT][SCALARS] == usual[SCALARS]).all()
         ours, theirs = (places[1:-1] for places in common_places(number))
         for side, other in zip(sides(WheelsetState(rates, 0, None)), sides(WheelsetState(usual, 0, None))):
             for run in RUNS:
                 found, wanted = getattr(side.outline, run), getattr(other.outline, run)
-                np.testing.assert_allclose(found[ours], wanted[theirs], rtol=0.0,
-                                           atol=1e-9 * np.abs(wanted).max(), err_msg=run)
+                np.testing.assert_allclose(
+                    found[ours], wanted[theirs], rtol=0.0, atol=1e-9 * np.abs(wanted).max(), err_msg=run
+                )
 
 
 def test_stations_31_is_the_default_to_the_last_bit():
-    usual, chosen = (ContactSystem().evaluate(**TWO_PATCHES),
-                     ContactSystem(stations=31).evaluate(**TWO_PATCHES))
+    usual, chosen = (
+        ContactSystem().evaluate(**TWO_PATCHES),
+        ContactSystem(stations=31).evaluate(**TWO_PATCHES),
+    )
     assert usual.values.shape == chosen.values.shape and (usual.values == chosen.values).all()
 
 
@@ -88,10 +92,12 @@ def test_an_ellipse_at_every_station():
     state = ContactSystem(normal_model="hertz", stations=61).evaluate(**ONE_PATCH)
     for side in sides(state):
         height = np.sqrt(np.maximum(1.0 - (2.0 * side.outline.station / side.patch_width) ** 2, 0.0))
-        np.testing.assert_allclose(side.outline.half_length, 0.5 * side.patch_length * height,
-                                   atol=1e-7 * side.patch_length)
-        np.testing.assert_allclose(side.outline.pressure, side.max_pressure * height,
-                                   atol=1e-7 * side.max_pressure)
+        np.testing.assert_allclose(
+            side.outline.half_length, 0.5 * side.patch_length * height, atol=1e-7 * side.patch_length
+        )
+        np.testing.assert_allclose(
+            side.outline.pressure, side.max_pressure * height, atol=1e-7 * side.max_pressure
+        )
 
 
 def trapezoid(values, stations):
@@ -114,8 +120,8 @@ def test_area_and_load_of_the_outline_tend_to_those_of_the_patch():
     n^-2 of its load; the line load is the product of two interpolated roots, with an error of its own."""
     coarse, fine = misses(51, **ONE_PATCH), misses(201, **ONE_PATCH)
     assert (np.abs(fine) < 5e-4).all()
-    np.testing.assert_allclose(coarse[:, 0] / fine[:, 0], 4.0 ** 1.5, rtol=0.15)
-    assert (np.abs(misses(201, **TWO_PATCHES)) < 2e-3).all()      # the inner edges lie between stations
+    np.testing.assert_allclose(coarse[:, 0] / fine[:, 0], 4.0**1.5, rtol=0.15)
+    assert (np.abs(misses(201, **TWO_PATCHES)) < 2e-3).all()  # the inner edges lie between stations
 
 
 def test_tables_of_poses():
@@ -133,8 +139,9 @@ def test_tables_of_poses():
 
 @pytest.mark.parametrize("model", [*MODELS, "halfspace"])
 def test_what_is_not_wanted_is_not_a_number(model):
-    system = ContactSystem(normal_model=model, stations=7,
-                           **({"tolerance": 0.03} if model == "halfspace" else {}))
+    system = ContactSystem(
+        normal_model=model, stations=7, **({"tolerance": 0.03} if model == "halfspace" else {})
+    )
     patches = system.evaluate(outputs="patches")
     assert all(np.isnan(side.outline.station).all() and side.area > 0.0 for side in sides(patches))
     left = system.evaluate(side="left")
@@ -152,19 +159,22 @@ def test_an_unloaded_wheel_has_an_empty_outline_and_an_invalid_step_keeps_the_la
     assert stepper.step() == Status.OFF_PROFILE and (stepper.outputs == valid).all()
     stepper.inputs[0], stepper.inputs[4] = 2e-3, -1.0
     assert stepper.step() == Status.UNLOADED
-    left, right = stepper.outputs[-2 * runs:-runs], stepper.outputs[-runs:]
+    left, right = stepper.outputs[-2 * runs : -runs], stepper.outputs[-runs:]
     assert left.any() and not right.any()
 
 
 def test_halfspace_at_other_stations():
-    usual, fine = (ContactSystem(normal_model="halfspace", tolerance=0.03, stations=number).evaluate()
-                   for number in (31, 61))
+    usual, fine = (
+        ContactSystem(normal_model="halfspace", tolerance=0.03, stations=number).evaluate()
+        for number in (31, 61)
+    )
     for side, other in zip(sides(fine), sides(usual)):
         assert side.area == other.area
         for run in RUNS:
             wanted = getattr(other.outline, run)
-            np.testing.assert_allclose(getattr(side.outline, run)[::2], wanted, rtol=0.0,
-                                       atol=SAME * np.abs(wanted).max())
+            np.testing.assert_allclose(
+                getattr(side.outline, run)[::2], wanted, rtol=0.0, atol=SAME * np.abs(wanted).max()
+            )
 
 
 @pytest.mark.parametrize("wrong", [2, 0, 202, -31, 31.5, math.nan, "31", None, True])

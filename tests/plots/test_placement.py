@@ -14,7 +14,7 @@ from wrcontact.plots.geometry import stations_along
 from wrcontact.plots.patch import patch_places
 
 SYSTEM = ContactSystem()
-YAWED = {"lateral_shift": 4.9e-3, "yaw": 0.02}      # [m, rad] two patches on the right wheel
+YAWED = {"lateral_shift": 4.9e-3, "yaw": 0.02}  # [m, rad] two patches on the right wheel
 MM = 1e-3
 
 
@@ -72,20 +72,22 @@ def test_contact_points_are_drawn_without_distortion(check_picture):
 def test_the_locus_passes_the_contact_point_and_the_other_patch(shift, side, yaw):
     """The contact point of a shift just behind the jump lies where the second patch is before it."""
     state = SYSTEM.evaluate(lateral_shift=shift, yaw=yaw)
-    assert stations_along(SYSTEM, state, side, np.zeros(1))[0] == pytest.approx(0.0, abs=1e-5)      # [m]
+    assert stations_along(SYSTEM, state, side, np.zeros(1))[0] == pytest.approx(0.0, abs=1e-5)  # [m]
     if abs(shift) < 6e-3:
         behind = SYSTEM.evaluate(lateral_shift=shift * 5.05 / 4.9, yaw=yaw)
         found, other = (getattr(one, side) for one in (state, behind))
         at = stations_along(SYSTEM, state, side, np.array([found.patches[1].centroid]))[0]
-        assert at == pytest.approx(other.contact.x_track - found.contact.x_track, abs=0.3e-3)       # [m]
+        assert at == pytest.approx(other.contact.x_track - found.contact.x_track, abs=0.3e-3)  # [m]
         assert abs(at) > 1.5e-3
 
 
 def test_two_patches_are_drawn_at_their_own_places():
     state = SYSTEM.evaluate(**YAWED)
-    first, second = (mesh.get_coordinates()[..., 1] for mesh in
-                     panel(plots.outline_figure(SYSTEM, state), "right patch").collections[:2])
-    middles = [np.mean([part.min(), part.max()]) for part in (first, second)]     # [mm] flange root, tread
+    first, second = (
+        mesh.get_coordinates()[..., 1]
+        for mesh in panel(plots.outline_figure(SYSTEM, state), "right patch").collections[:2]
+    )
+    middles = [np.mean([part.min(), part.max()]) for part in (first, second)]  # [mm] flange root, tread
     assert middles == pytest.approx([1.8, 0.0], abs=0.15)
     axes = panel(plots.outline_figure(SYSTEM, state), "right patch")
     low, high = axes.get_ylim()
@@ -141,13 +143,25 @@ def test_an_unknown_side_is_refused():
 def test_the_system_comes_first_and_may_come_second(draw):
     """In one order; calls in the other one work too."""
     shown = list(inspect.signature(draw).parameters)
-    assert shown == ["system", "state", "ax", "side"][:len(shown)]
+    assert shown == ["system", "state", "ax", "side"][: len(shown)]
     state = SYSTEM.evaluate(**YAWED)
-    pictures = [draw(SYSTEM, state), draw(state, SYSTEM), draw(state=state, system=SYSTEM),
-                draw(state, system=SYSTEM)]
-    shapes = [[[np.concatenate([[(0, 0)], *(path.vertices for path in part.get_paths())])
-                for part in axes.collections]
-               + [line.get_xydata() for line in axes.lines] for axes in picture.axes] for picture in pictures]
+    pictures = [
+        draw(SYSTEM, state),
+        draw(state, SYSTEM),
+        draw(state=state, system=SYSTEM),
+        draw(state, system=SYSTEM),
+    ]
+    shapes = [
+        [
+            [
+                np.concatenate([[(0, 0)], *(path.vertices for path in part.get_paths())])
+                for part in axes.collections
+            ]
+            + [line.get_xydata() for line in axes.lines]
+            for axes in picture.axes
+        ]
+        for picture in pictures
+    ]
     for other in shapes[1:]:
         assert len(other) == len(shapes[0]) > 1
         for some, same in zip(shapes[0], other):
@@ -163,20 +177,36 @@ def test_axes_and_side_follow_in_this_order():
             assert draw(*first, figure.subplots(*shape), "left") is figure
 
 
-@pytest.mark.parametrize("draw, given, words", [
-    (plots.pose_figure, lambda state: (state,), r"system is None; permitted is pose_figure\(system, state\)"),
-    (plots.contact_figure, lambda state: (SYSTEM,), "state is None; permitted is what system.evaluate"),
-    (plots.outline_figure, lambda state: (SYSTEM, SYSTEM.evaluate_many([0.0, 1e-3])),
-     r"state is a table of 2 poses; permitted is one of them, such as table\[0\]"),
-])
+@pytest.mark.parametrize(
+    "draw, given, words",
+    [
+        (
+            plots.pose_figure,
+            lambda state: (state,),
+            r"system is None; permitted is pose_figure\(system, state\)",
+        ),
+        (plots.contact_figure, lambda state: (SYSTEM,), "state is None; permitted is what system.evaluate"),
+        (
+            plots.outline_figure,
+            lambda state: (SYSTEM, SYSTEM.evaluate_many([0.0, 1e-3])),
+            r"state is a table of 2 poses; permitted is one of them, such as table\[0\]",
+        ),
+    ],
+)
 def test_a_picture_of_no_pose_is_refused(draw, given, words):
     with pytest.raises(TypeError, match=f"^{words}"):
         draw(*given(SYSTEM.evaluate()))
 
 
-@pytest.mark.parametrize("wanted, left, right", [
-    ({"side": "right"}, "not computed", ""), ({"outputs": "patches"}, "not computed", "not computed"),
-    ({"outputs": "geometry"}, "not computed", "not computed"), ({"load_transfer": 1.0}, "unloaded", "")])
+@pytest.mark.parametrize(
+    "wanted, left, right",
+    [
+        ({"side": "right"}, "not computed", ""),
+        ({"outputs": "patches"}, "not computed", "not computed"),
+        ({"outputs": "geometry"}, "not computed", "not computed"),
+        ({"load_transfer": 1.0}, "unloaded", ""),
+    ],
+)
 def test_a_wheel_that_is_not_drawn_says_why(wanted, left, right):
     figure = plots.outline_figure(SYSTEM, SYSTEM.evaluate(1e-3, **wanted))
     for side, words in (("left", left), ("right", right)):

@@ -32,11 +32,17 @@ SYSTEM = ContactSystem()
 MM = 1e-3
 #: Shifts [m] at which the right contact jumps, from the independent search of
 #: data/find_jumps.py, by yaw [deg].
-JUMPS = {0.0: (4.847933 * MM, 6.251818 * MM), 0.5: (4.867662 * MM, 6.228034 * MM),
-         1.0: (4.926844 * MM, 6.157520 * MM)}
-POSES = {"tread": dict(lateral_shift=1 * MM), "flange_root": dict(lateral_shift=5.5 * MM, yaw=0.02),
-         "flange": dict(lateral_shift=7 * MM, yaw=-0.01),
-         "left_flange": dict(lateral_shift=-6.8 * MM, yaw=0.015)}
+JUMPS = {
+    0.0: (4.847933 * MM, 6.251818 * MM),
+    0.5: (4.867662 * MM, 6.228034 * MM),
+    1.0: (4.926844 * MM, 6.157520 * MM),
+}
+POSES = {
+    "tread": dict(lateral_shift=1 * MM),
+    "flange_root": dict(lateral_shift=5.5 * MM, yaw=0.02),
+    "flange": dict(lateral_shift=7 * MM, yaw=-0.01),
+    "left_flange": dict(lateral_shift=-6.8 * MM, yaw=0.015),
+}
 
 
 def panel(figure, label):
@@ -79,8 +85,13 @@ def test_zones_are_bounded_by_joints_of_the_standard():
     joints = [joint.y for joint in standard_profile("S1002").joints]
     for limit in (WHEEL_ZONES["tread"][0], WHEEL_ZONES["flange"][1]):
         assert min(abs(limit - joint) for joint in joints) < 1e-9  # [m]
-    assert [wheel_zone(y * MM) for y in (3.3, -17.9, -28.6, -38.43, -42)] == ["tread", "tread", "flange root",
-                                                                              "flange", "flange"]
+    assert [wheel_zone(y * MM) for y in (3.3, -17.9, -28.6, -38.43, -42)] == [
+        "tread",
+        "tread",
+        "flange root",
+        "flange",
+        "flange",
+    ]
 
 
 # --- contacts and roll over the lateral shift --------------------------------------------------------
@@ -94,8 +105,11 @@ def test_curve_breaks_and_is_labelled_where_the_contact_jumps(swept, side, sign)
     breaks = sorted(abs(shift[np.isnan(place)]))
     for jump in JUMPS[0.0]:
         assert min(abs(breaks - np.float64(jump / MM))) < 3e-4  # [mm]
-    labels = [float(re.search(r"[\d.]+", text.replace("\N{MINUS SIGN}", "-"))[0]) for text in texts(axes)
-              if "jump" in text]
+    labels = [
+        float(re.search(r"[\d.]+", text.replace("\N{MINUS SIGN}", "-"))[0])
+        for text in texts(axes)
+        if "jump" in text
+    ]
     assert sorted(labels) == [0.21, 4.85, 6.25]
     dotted = [line.get_xdata()[0] for line in axes.lines if line.get_gid() == "jump"]
     assert sorted(sign * np.array(dotted)) == pytest.approx([0.2089, 4.8479, 6.2518], abs=5e-4)  # [mm]
@@ -146,8 +160,9 @@ def test_contact_plane_is_tangent(side):
     axes = panel(contact_figure(SYSTEM, state), f"{side} contact")
     *_, plane, point = axes.lines
     contact = getattr(state, side)
-    assert point.get_xydata()[0] == pytest.approx([contact.contact.y_track / MM,
-                                                   -contact.contact.z_track / MM])
+    assert point.get_xydata()[0] == pytest.approx(
+        [contact.contact.y_track / MM, -contact.contact.z_track / MM]
+    )
     (y0, y1), (z0, z1) = plane.get_data()
     outwards = 1 if side == "right" else -1
     assert np.arctan2(z1 - z0, outwards * (y1 - y0)) % np.pi == pytest.approx(contact.contact_angle)
@@ -160,8 +175,11 @@ def test_contact_plane_is_tangent(side):
 def test_drawn_outline_holds_area_and_force(shift):
     side = SYSTEM.evaluate(lateral_shift=shift).right
     station, half_length, pressure = fine_outline(side.outline)
-    area = np.trapezoid(2 * half_length,
-                        station) if hasattr(np, "trapezoid") else np.trapz(2 * half_length, station)
+    area = (
+        np.trapezoid(2 * half_length, station)
+        if hasattr(np, "trapezoid")
+        else np.trapz(2 * half_length, station)
+    )
     assert area == pytest.approx(side.area, rel=0.01)
     line_load = np.pi / 2 * half_length * pressure  # elliptic in the rolling direction
     force = np.sum(0.5 * (line_load[1:] + line_load[:-1]) * np.diff(station))
@@ -194,16 +212,22 @@ def test_wheel_without_load_is_drawn_as_unloaded(transfer):
     assert panel(figure, f"{loaded} patch").collections
 
 
-@pytest.mark.parametrize("mode, given, told", [
-    ("elastic", {}, "78.5 kN per wheel"),
-    ("compliant", {"vertical_shift_input": 0.25 * MM}, "0.250 mm down"),
-])
+@pytest.mark.parametrize(
+    "mode, given, told",
+    [
+        ("elastic", {}, "78.5 kN per wheel"),
+        ("compliant", {"vertical_shift_input": 0.25 * MM}, "0.250 mm down"),
+    ],
+)
 def test_a_pressed_wheelset_is_drawn_too(tmp_path, mode, given, told):
     system = ContactSystem(contact_mode=mode)
     state = system.evaluate(**given)
     figure = pose_figure(system, state)
-    assert told in figure.get_suptitle() if hasattr(figure,
-                                                    "get_suptitle") else told in figure._suptitle.get_text()
+    assert (
+        told in figure.get_suptitle()
+        if hasattr(figure, "get_suptitle")
+        else told in figure._suptitle.get_text()
+    )
     mesh = panel(figure, "right patch").collections[0]
     assert np.max(mesh.get_array()) == pytest.approx(np.max(state.right.outline.pressure) / 1e6, rel=0.01)
     assert save(figure, tmp_path / "pressed.png").stat().st_size > 20_000
@@ -238,18 +262,25 @@ def test_demo_draws_answers_and_stored_values(demo_picture, run):
         np.testing.assert_array_equal(right_line.get_ydata(), answers[f"right.{name}"] / unit)
         np.testing.assert_array_equal(right_circles.get_ydata(), stored[f"right.{name}"] / unit)
         assert len(left_circles.get_ydata()) == len(stored["time"])  # none is left out
-    np.testing.assert_allclose(panel(demo_picture, "run yaw").lines[0].get_ydata(), np.degrees(stored["yaw"]),
-                               rtol=1e-12)
+    np.testing.assert_allclose(
+        panel(demo_picture, "run yaw").lines[0].get_ydata(), np.degrees(stored["yaw"]), rtol=1e-12
+    )
 
 
 def test_demo_patches_are_drawn_to_one_scale(demo_picture):
     panels = [panel(demo_picture, f"patch at {shift / MM:g} mm") for shift in SHOWN_SHIFTS]
-    assert len({(round(np.ptp(axes.get_xlim()), 9), round(np.ptp(axes.get_ylim()), 9))
-                for axes in panels}) == 1
+    assert (
+        len({(round(np.ptp(axes.get_xlim()), 9), round(np.ptp(axes.get_ylim()), 9)) for axes in panels}) == 1
+    )
     assert len({axes.collections[0].norm.vmax for axes in panels}) == 1
     titles = [axes.get_title(loc="left") for axes in panels]
-    assert [title.split(",")[0] for title in titles] == ["tread", "tread", "flange root", "flange root",
-                                                         "flange"]
+    assert [title.split(",")[0] for title in titles] == [
+        "tread",
+        "tread",
+        "flange root",
+        "flange root",
+        "flange",
+    ]
 
 
 # --- looks -------------------------------------------------------------------------------------------
@@ -268,8 +299,9 @@ def test_settings_of_the_caller_are_left_alone(tmp_path):
         assert not figure.axes[0].spines["top"].get_visible()
 
 
-@pytest.mark.parametrize("value, digits, text",
-                         [(-28.61, 1, "\N{MINUS SIGN}28.6"), (-0.001, 1, "0.0"), (5.0, 2, "5.00")])
+@pytest.mark.parametrize(
+    "value, digits, text", [(-28.61, 1, "\N{MINUS SIGN}28.6"), (-0.001, 1, "0.0"), (5.0, 2, "5.00")]
+)
 def test_number(value, digits, text):
     assert number(value, digits) == text
 
@@ -295,5 +327,5 @@ def test_creep_forces_are_drawn():
         assert len(lower.lines) == (1 if model == "none" else 2)
         assert ("creep force" in title) == (model != "none")
     np.testing.assert_array_equal(lower.lines[1].get_ydata(), state.right.outline.shear / 1e6)
-    patch, = state.right.patches
+    (patch,) = state.right.patches
     assert f"creep force {np.hypot(patch.tangential.x, patch.tangential.y) / 1e3:.1f} kN" in title

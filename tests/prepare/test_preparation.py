@@ -30,28 +30,36 @@ from wrcontact.profiles.zones import Arc, Polynomial
 from wrcontact.stepper import Stepper
 
 MM = 1e-3
-LARGE_STEP = {"rail": "54E1", "rail_inclination": 1 / 20, "gauge": 1.43, "gauge_depth": 0.012,
-              "nominal_radius": 0.5}
+LARGE_STEP = {
+    "rail": "54E1",
+    "rail_inclination": 1 / 20,
+    "gauge": 1.43,
+    "gauge_depth": 0.012,
+    "nominal_radius": 0.5,
+}
 
 
 def worn_wheel():
     y = np.arange(-60.0, 56.0, 0.5)
-    return Profile.from_points(y, -y / 20 + np.where(y < -30, 0.05 * (y + 30) ** 2, 0.0), name="worn",
-                               kind="wheel")
+    return Profile.from_points(
+        y, -y / 20 + np.where(y < -30, 0.05 * (y + 30) ** 2, 0.0), name="worn", kind="wheel"
+    )
 
 
 def measured_rail():
     y = np.arange(-36.0, 36.1, 0.4)
-    return Profile.from_points(y, 1e3 * standard_profile("UIC60").height(1e-3 * y), name="measured",
-                               kind="rail")
+    return Profile.from_points(
+        y, 1e3 * standard_profile("UIC60").height(1e-3 * y), name="measured", kind="rail"
+    )
 
 
 def stepped_wheel():
     """A cone with a zone of 0.6 mm that is a step of 0.1 um higher: too short for the usual
     repair at both its ends."""
     zones = ((-60.0, -10.0, 0.0), (-10.0, -9.4, 1e-4), (-9.4, 55.0, 0.0))
-    return Profile("stepped", "wheel",
-                   tuple(Polynomial(low, high, (step, -0.05), 0.0) for low, high, step in zones))
+    return Profile(
+        "stepped", "wheel", tuple(Polynomial(low, high, (step, -0.05), 0.0) for low, high, step in zones)
+    )
 
 
 CASES = {
@@ -60,9 +68,16 @@ CASES = {
     "upright": {"rail": "60E1", "rail_inclination": 0.0, "running_circle_distance": 1.51},
     "measured": {"wheel": worn_wheel(), "rail": measured_rail()},
     "stepped": {"wheel": stepped_wheel()},
-    "methods": {"normal_model": "analyn_strip", "contact_mode": "elastic", "load": "vertical",
-                "separation": "vertical", "longitudinal_curvature": "basic", "tolerance": 0.02,
-                "youngs_modulus": 2e11, "poisson_ratio": 0.3},
+    "methods": {
+        "normal_model": "analyn_strip",
+        "contact_mode": "elastic",
+        "load": "vertical",
+        "separation": "vertical",
+        "longitudinal_curvature": "basic",
+        "tolerance": 0.02,
+        "youngs_modulus": 2e11,
+        "poisson_ratio": 0.3,
+    },
     "rough": {"lateral_curvature": "rough", "rail": measured_rail()},
     "smooth": {"lateral_curvature": "smooth", "curvature_reach": 1.7e-3},
 }
@@ -78,8 +93,12 @@ def prepared(request):
 def exact_profiles(system):
     """Wheel and placed rail as their definitions have them."""
     chosen = system.parameters
-    placed = place_rail(system.rail, inclination=chosen["rail_inclination"], gauge=chosen["gauge"],
-                        gauge_depth=chosen["gauge_depth"])
+    placed = place_rail(
+        system.rail,
+        inclination=chosen["rail_inclination"],
+        gauge=chosen["gauge"],
+        gauge_depth=chosen["gauge_depth"],
+    )
     return readable_wheel(system.wheel), placed
 
 
@@ -91,17 +110,32 @@ def test_settings_are_the_parameters(prepared):
     for pair in tables.pairs:
         assert pair.radius == chosen["nominal_radius"]
         assert pair.rail_y == pytest.approx(exact_profiles(system)[1].y_track, rel=1e-15)
-    wanted = dict(height=chosen["nominal_radius"], arm=0.5 * chosen["running_circle_distance"],
-                  contact_modulus=modulus / (2 * (1 - nu**2)), shear_modulus=modulus / (2 * (1 + nu)),
-                  lateral_limit=LATERAL_LIMIT, yaw_limit=YAW_LIMIT, sides=layout.SIDES_BOTH,
-                  depth=layout.DEPTH_ALL, absent=np.nan, stations=layout.STATION_COUNT,
-                  mode=methods["contact_mode"], load=methods["load"], normal_model=methods["normal_model"],
-                  separation=methods["separation"], longitudinal=methods["longitudinal_curvature"],
-                  lateral=methods["lateral_curvature"], tangential=methods["tangential_model"])
+    wanted = dict(
+        height=chosen["nominal_radius"],
+        arm=0.5 * chosen["running_circle_distance"],
+        contact_modulus=modulus / (2 * (1 - nu**2)),
+        shear_modulus=modulus / (2 * (1 + nu)),
+        lateral_limit=LATERAL_LIMIT,
+        yaw_limit=YAW_LIMIT,
+        sides=layout.SIDES_BOTH,
+        depth=layout.DEPTH_ALL,
+        absent=np.nan,
+        stations=layout.STATION_COUNT,
+        mode=methods["contact_mode"],
+        load=methods["load"],
+        normal_model=methods["normal_model"],
+        separation=methods["separation"],
+        longitudinal=methods["longitudinal_curvature"],
+        lateral=methods["lateral_curvature"],
+        tangential=methods["tangential_model"],
+    )
     np.testing.assert_allclose([getattr(tables, name) for name in wanted], list(wanted.values()), rtol=1e-15)
     resolution = system.resolution
-    assert (tables.nodes, tables.stride, tables.sweeps) == (resolution.nodes, resolution.stride,
-                                                            resolution.sweeps)
+    assert (tables.nodes, tables.stride, tables.sweeps) == (
+        resolution.nodes,
+        resolution.stride,
+        resolution.sweeps,
+    )
     if methods["normal_model"] == layout.MODEL_ANALYN_STRIP:
         assert tables.waves.count == resolution.strips
     assert np.isnan(tables.penetration[:]).all()
@@ -114,9 +148,21 @@ def test_tables_lie_one_after_the_other(prepared):
     numbers = tables_of(system)
     tables = layout.Tables.at(numbers)
     pair = tables.pairs[1]
-    places = [layout.offset(part, numbers) for part in (
-        tables.hertz, tables.influence, tables.starts, pair.wheel, pair.wheel_curvature, pair.rail,
-        pair.rail_curvature, pair.rail_arc, pair.rail_at_arc, pair.scan)]
+    places = [
+        layout.offset(part, numbers)
+        for part in (
+            tables.hertz,
+            tables.influence,
+            tables.starts,
+            pair.wheel,
+            pair.wheel_curvature,
+            pair.rail,
+            pair.rail_curvature,
+            pair.rail_arc,
+            pair.rail_at_arc,
+            pair.scan,
+        )
+    ]
     hertz, influence, starts, wheel, wheel_bends, rail, rail_bends, arc, at_arc, scan = places
     assert hertz == layout.SETTING_COUNT and places == sorted(places)
     np.testing.assert_array_equal(numbers[hertz:influence], hertz_table())
@@ -168,11 +214,16 @@ def check_pieces(table, profile):
     for index, low, high, row in zip(owners, edges, edges[1:], pieces):
         wanted, stepped = joint_jets(profile, index, np.array([low, high]))
         quintic = np.polynomial.Polynomial(row[1:])
+
         def jets(u):
             return np.array([quintic(u), quintic.deriv()(u), quintic.deriv(2)(u)])
+
         width = high - low
-        rounding = 1e-13 * np.abs(wanted).max(axis=1, keepdims=True) + [[1e-17], [1e-16 / width],
-                                                                        [1e-15 / width**2]]
+        rounding = 1e-13 * np.abs(wanted).max(axis=1, keepdims=True) + [
+            [1e-17],
+            [1e-16 / width],
+            [1e-15 / width**2],
+        ]
         assert (np.abs(jets(np.array([0.0, width])) - wanted) <= rounding).all(), (low, high)
         if stepped:
             zone = profile.zones[index]
@@ -187,7 +238,7 @@ def check_pieces(table, profile):
     left = head.start + made.BIN_WIDTH * MM * np.arange(int(head.bin_count))
     assert head.stop - made.BIN_WIDTH * MM <= left[-1] < head.stop
     assert head.bins_per_metre == 1 / (made.BIN_WIDTH * MM)
-    first = (np.asarray(head.bins[:len(left)]) - head.bins[0]) / layout.PIECE_SIZE
+    first = (np.asarray(head.bins[: len(left)]) - head.bins[0]) / layout.PIECE_SIZE
     np.testing.assert_array_equal(first, np.searchsorted(edges[:-1], left + 1e-15, side="right") - 1)
 
 
@@ -232,7 +283,8 @@ class Samples:
         self.y = pieces[:, 0] + u
         self.slopes, self.bends = (
             quintics.polyval(u, quintics.polyder(coefficients, order)[:, None, :], tensor=False)
-            for order in (1, 2))
+            for order in (1, 2)
+        )
 
     def between(self, low, high):
         """Smallest and largest second derivative [1/m], and largest absolute slope, with both ends'."""
@@ -249,14 +301,20 @@ def test_the_raster_and_its_bounds_are_those_of_samples(prepared):
     scan, of_wheel, of_rail = tables.pairs[1].scan, Samples(wheel), Samples(rail)
     nodes = [scan.nodes[k] for k in range(int(scan.count))]
     y = np.array([node.y for node in nodes])
-    coarse = np.linspace(of_wheel.start, of_wheel.stop,
-                         int(np.ceil((of_wheel.stop - of_wheel.start) / raster.COARSE_STEP)) + 1)
-    middles = [0.5 * (low + high) for low, high in zip(coarse, coarse[1:])
-               if np.abs(of_wheel.between(low, high)[:2]).max() > raster.FLAT_BEND]
+    coarse = np.linspace(
+        of_wheel.start, of_wheel.stop, int(np.ceil((of_wheel.stop - of_wheel.start) / raster.COARSE_STEP)) + 1
+    )
+    middles = [
+        0.5 * (low + high)
+        for low, high in zip(coarse, coarse[1:])
+        if np.abs(of_wheel.between(low, high)[:2]).max() > raster.FLAT_BEND
+    ]
     np.testing.assert_allclose(y, np.sort([*coarse, *middles]), atol=1e-16)
-    assert (scan.bin_count, scan.bins_per_metre) == (len(coarse) - 1,
-                                                     (len(coarse) - 1) / (of_wheel.stop - of_wheel.start))
-    np.testing.assert_array_equal(scan.bins[:len(coarse) - 1], np.searchsorted(y, coarse[:-1] - 1e-12))
+    assert (scan.bin_count, scan.bins_per_metre) == (
+        len(coarse) - 1,
+        (len(coarse) - 1) / (of_wheel.stop - of_wheel.start),
+    )
+    np.testing.assert_array_equal(scan.bins[: len(coarse) - 1], np.searchsorted(y, coarse[:-1] - 1e-12))
     height, slope, _ = evaluate_table(wheel, y)
     np.testing.assert_array_equal([(node.height, node.slope) for node in nodes], np.array([height, slope]).T)
     near = dict(rel=1e-11, abs=1e-9)
@@ -264,15 +322,17 @@ def test_the_raster_and_its_bounds_are_those_of_samples(prepared):
         for exponent in range(layout.EXPONENTS):
             least, most, steepest = of_wheel.between(y[k], y[min(k + 2**exponent, len(y) - 1)])
             assert node.steepest_bends[exponent] == pytest.approx(max(abs(least), abs(most)), **near)
-            assert node.most_bends[exponent] == pytest.approx(most if steepest < STEEP else raster.TOO_STEEP,
-                                                              **near)
+            assert node.most_bends[exponent] == pytest.approx(
+                most if steepest < STEEP else raster.TOO_STEEP, **near
+            )
         assert node.least_bend == pytest.approx(of_wheel.between(y[k], y[min(k + 1, len(y) - 1)])[0], **near)
     assert scan.steepest == pytest.approx(of_wheel.between(-1.0, 1.0)[2], **near)
     at = y[:, None] + np.append(np.diff(y), 0.0)[:, None] * np.linspace(0.0, 1.0, raster.LAST_SAMPLE + 1)[:-1]
     z, slope, _ = evaluate_table(wheel, at)
     levers = (-slope * (tables.pairs[1].radius + z) - (tables.arm + at)).max(axis=1)
-    np.testing.assert_allclose([node.lever for node in nodes], np.maximum.accumulate(levers[::-1])[::-1],
-                               rtol=1e-12)
+    np.testing.assert_allclose(
+        [node.lever for node in nodes], np.maximum.accumulate(levers[::-1])[::-1], rtol=1e-12
+    )
     step = raster.FINE_STEP
     assert (scan.rail_start, scan.rail_per_metre) == (of_rail.start, 1.0 / step)
     assert scan.rail_count == np.ceil((of_rail.stop - of_rail.start) / step)
@@ -281,8 +341,10 @@ def test_the_raster_and_its_bounds_are_those_of_samples(prepared):
         # a wheel's cell starts in one of the rail's and is COARSE_STEP long, a quarter more when yawed
         least, most, _ = of_rail.between(edge - step, edge + step + 1.5 * raster.COARSE_STEP)
         assert (cell.least_bend, cell.most_bend) == pytest.approx((least, most), **near)
-        wanted = [of_rail.between(edge - 0.01 * step, edge + step * (1.01 + (1 + WIDEST) * 1.01 * 2**n))[0]
-                  for n in range(layout.EXPONENTS + 1)]
+        wanted = [
+            of_rail.between(edge - 0.01 * step, edge + step * (1.01 + (1 + WIDEST) * 1.01 * 2**n))[0]
+            for n in range(layout.EXPONENTS + 1)
+        ]
         assert cell.least_bends[:] == pytest.approx(wanted, **near)
 
 
@@ -300,7 +362,7 @@ def test_departures_from_straight_lines_are_bounded(prepared):
         departure = np.abs(bends - np.interp(y, y[[0, -1]], bends[[0, -1]])).max()
         assert departure - 1e-9 <= node.departure <= 1.3 * departure + 2e-2, node.y
     joints = [scan.joints[k] for k in range(200)]
-    joints = joints[:next(k for k, joint in enumerate(joints) if joint.place > 1.0)]
+    joints = joints[: next(k for k, joint in enumerate(joints) if joint.place > 1.0)]
     for joint in joints:
         before, after = evaluate_table(rail, joint.place + np.array([-1e-12, 0.0]))[2]
         assert joint.jump == pytest.approx(after - before, abs=1e-6 * abs(after))
@@ -309,8 +371,9 @@ def test_departures_from_straight_lines_are_bounded(prepared):
         cell, edge = scan.rail[k], rail[0] + raster.FINE_STEP * k
         assert np.count_nonzero(places < edge - scan_bends.FOOT_REACH) == cell.joint
         for _ in range(5):
-            low = np.clip(edge + rng.uniform(-scan_bends.FOOT_REACH, raster.FINE_STEP), rail[0],
-                          rail[1] - 1e-4)
+            low = np.clip(
+                edge + rng.uniform(-scan_bends.FOOT_REACH, raster.FINE_STEP), rail[0], rail[1] - 1e-4
+            )
             x = np.linspace(low, min(low + rng.uniform(1e-4, scan_bends.CELL_REACH), rail[1]), 101)
             bends = evaluate_table(rail, x)[2] - (jumps * (places <= x[:, None])).sum(axis=1)
             departure = np.abs(bends - np.interp(x, x[[0, -1]], bends[[0, -1]])).max()
@@ -324,8 +387,11 @@ def test_starts_are_those_of_steps(prepared):
     system, tables = prepared
     starts, middle = tables.starts, layout.START_COUNT // 2
     assert layout.START_COUNT == 2 * round(LATERAL_LIMIT / START_STEP) + 1
-    assert (starts.count, starts.first_shift, starts.per_metre) == (layout.START_COUNT, -LATERAL_LIMIT,
-                                                                    STARTS_EACH_METRE)
+    assert (starts.count, starts.first_shift, starts.per_metre) == (
+        layout.START_COUNT,
+        -LATERAL_LIMIT,
+        STARTS_EACH_METRE,
+    )
     shifts = starts.first_shift + np.arange(layout.START_COUNT) / STARTS_EACH_METRE
     table = system.evaluate_many(shifts, normal_force=0.0, outputs="geometry")
     for k, status in enumerate(table.status):
@@ -345,8 +411,9 @@ def nodes_of(table):
     """Ends of the cells of a table of cubics, and value and slope there, (n,) each, on which the cubics
     of both sides agree."""
     count, width = int(table.count), 1 / table.cells_per_unit
-    cells = np.array([(cell.value, cell.slope, cell.bend, cell.third)
-                      for cell in (table.cells[k] for k in range(count))])
+    cells = np.array(
+        [(cell.value, cell.slope, cell.bend, cell.third) for cell in (table.cells[k] for k in range(count))]
+    )
     ahead = np.stack([cells.sum(axis=1), cells @ [0, 1, 2, 3]], axis=1)
     np.testing.assert_allclose(ahead[:-1], cells[1:, :2], rtol=1e-9)
     jets = np.append(cells[:, :2], ahead[-1:], axis=0) * [1.0, 1 / width]
@@ -372,8 +439,10 @@ def test_arc_lengths_are_integrals_along_the_rail(prepared):
         piece = min(np.searchsorted(ends, y, side="right"), len(ends) - 1) - 1
         return lengths[piece] + arc(ends[piece], y)
 
-    for table, start, whole in ((pair.rail_arc, head.start, head.stop - head.start),
-                                (pair.rail_at_arc, 0.0, lengths[-1])):
+    for table, start, whole in (
+        (pair.rail_arc, head.start, head.stop - head.start),
+        (pair.rail_at_arc, 0.0, lengths[-1]),
+    ):
         assert (table.start, table.count) == (start, np.ceil(whole / 1e-4))
         assert table.count / table.cells_per_unit == pytest.approx(whole, abs=1e-13)
     y, found, slope = (np.append(each[:-1:11], each[-1]) for each in nodes_of(pair.rail_arc))
@@ -410,11 +479,14 @@ def test_no_room_is_told(monkeypatch):
 
 
 def test_what_does_not_fit_is_refused_in_a_sentence():
-    with pytest.raises(ValueError,
-                       match=r"gauge_depth reaches 0\.029\d* m, but the inner side of the rail profile "
-                       r"crown ends at"):
-        wrcontact.ContactSystem(rail=Profile("crown", "rail", (Arc(-30.0, 30.0, 300.0, 0.0, 300.0, -1),)),
-                                gauge_depth=0.03)
+    with pytest.raises(
+        ValueError,
+        match=r"gauge_depth reaches 0\.029\d* m, but the inner side of the rail profile "
+        r"crown ends at",
+    ):
+        wrcontact.ContactSystem(
+            rail=Profile("crown", "rail", (Arc(-30.0, 30.0, 300.0, 0.0, 300.0, -1),)), gauge_depth=0.03
+        )
     with pytest.raises(ValueError, match=r"the wheel profile is 0\.\d+ m wide; permitted are at most 0\.2 m"):
         wide = tuple(Polynomial(low, low + 1.0, (0.0, 0.0, 0.0)) for low in range(-150, 250))
         wrcontact.ContactSystem(wheel=Profile("wide", "wheel", bent(wide)))
@@ -425,8 +497,9 @@ def test_what_does_not_fit_is_refused_in_a_sentence():
 def bent(zones):
     """The same zones on a parabola that is bent enough for the fine raster."""
     bend = 0.02 / 2  # [1/mm]
-    return tuple(Polynomial(z.start, z.stop, (bend * z.start**2, 2 * bend * z.start, bend), z.start)
-                 for z in zones)
+    return tuple(
+        Polynomial(z.start, z.stop, (bend * z.start**2, 2 * bend * z.start, bend), z.start) for z in zones
+    )
 
 
 def test_a_definition_is_read_exactly():
@@ -434,8 +507,9 @@ def test_a_definition_is_read_exactly():
     wheel = standard_profile("S1002")
     held = definition(wheel)
     for zone in wheel.zones:
-        numbers = [value for value in vars(zone).values()
-                   if isinstance(value, float)] + list(getattr(zone, "coefficients", ()))
+        numbers = [value for value in vars(zone).values() if isinstance(value, float)] + list(
+            getattr(zone, "coefficients", ())
+        )
         assert all(value in held for value in numbers)
 
 
@@ -454,7 +528,7 @@ def test_a_rail_is_exchanged_by_itself():
     assert size < end <= len(array)
     expected = tables_of(other).copy()
     for each in (array, expected):
-        layout.Tables.at(each).starts.count = 0.0       # they are those of another rail
+        layout.Tables.at(each).starts.count = 0.0  # they are those of another rail
     changed, wanted = Stepper(array), Stepper(expected)
     for shift, yaw in ((0.0, 0.0), (2e-3, 5e-3), (-5.5e-3, -0.01), (6.5e-3, 0.02)):
         for one in (changed, wanted):

@@ -27,8 +27,8 @@ def test_places_of_strips_and_fine_strips(count):
     assert waves.count == count
     np.testing.assert_allclose(waves.cos[:count], np.cos(t), atol=1e-15)
     np.testing.assert_allclose(waves.sin[:count], np.sin(t), atol=1e-15)
-    np.testing.assert_allclose(waves.fine_cos[:3 * count], np.cos(fine), atol=1e-15)
-    np.testing.assert_allclose(waves.fine_sin[:3 * count], np.sin(fine), atol=1e-15)
+    np.testing.assert_allclose(waves.fine_cos[: 3 * count], np.cos(fine), atol=1e-15)
+    np.testing.assert_allclose(waves.fine_sin[: 3 * count], np.sin(fine), atol=1e-15)
     np.testing.assert_allclose(waves.spread[:count], np.log(count / (np.pi * np.sin(t))), atol=1e-14)
 
 
@@ -65,8 +65,10 @@ def test_what_is_too_fine_for_strips_is_rough_and_no_more(count):
     """Cosines from the number of strips on give nothing to the strips' gap, and m times themselves to the
     roughness, eq. (S13); those below give it nothing."""
     waves, fine = waves_of(count), angles(3 * count)
-    smoothing, roughness = (table(rows, height, 3 * count) for rows, height in (
-        (waves.smoothing, count), (waves.roughness, 3 * count)))
+    smoothing, roughness = (
+        table(rows, height, 3 * count)
+        for rows, height in ((waves.smoothing, count), (waves.roughness, 3 * count))
+    )
     for m in range(3 * count):
         wave = np.cos(m * fine)
         if m >= count:

@@ -55,12 +55,26 @@ def damaged(table, damages):
 def damaged_files(draw):
     """Bytes, the name's end and the kind asked for."""
     kind = draw(st.sampled_from(sorted(NAMES)))
-    end = draw(st.sampled_from({"wheel": [".txt", ".csv", ".prw", ".whl", ".json"],
-                                "rail": [".txt", ".csv", ".prr", ".ban", ".json"]}[kind]))
+    end = draw(
+        st.sampled_from(
+            {
+                "wheel": [".txt", ".csv", ".prw", ".whl", ".json"],
+                "rail": [".txt", ".csv", ".prr", ".ban", ".json"],
+            }[kind]
+        )
+    )
     y, z = damaged(COARSE[kind], draw(st.lists(DAMAGE, max_size=3)))
     if end in (".prw", ".prr"):
-        names = ["shift.y", "mirror.z", "rotate", "units.len.f", "units.ang.f", "bound.z.max",
-                 "point.dist.min", "inversion"]
+        names = [
+            "shift.y",
+            "mirror.z",
+            "rotate",
+            "units.len.f",
+            "units.ang.f",
+            "bound.z.max",
+            "point.dist.min",
+            "inversion",
+        ]
         keys = draw(st.dictionaries(st.sampled_from(names), VALUES, max_size=3))
         text = simpack(y, z, kind, "\n".join(f"{key} = {value}" for key, value in keys.items()))
     elif end in (".whl", ".ban"):
@@ -73,8 +87,16 @@ def damaged_files(draw):
     for _ in range(draw(st.integers(0, 2))):
         place = draw(st.integers(0, len(content)))
         junk = draw(st.binary(max_size=40))
-        content = draw(st.sampled_from([content[:place], content[place:],
-                                        content[:place] + junk + content[place:], content[:place] + content]))
+        content = draw(
+            st.sampled_from(
+                [
+                    content[:place],
+                    content[place:],
+                    content[:place] + junk + content[place:],
+                    content[:place] + content,
+                ]
+            )
+        )
     return content, end, kind
 
 
@@ -95,7 +117,7 @@ def check_any_file(folder, content, end, kind):
     else:
         assert profile.kind == kind and profile.start < profile.stop
         assert np.all(np.isfinite(profile.height(np.linspace(profile.start, profile.stop, 50)[1:-1])))
-    assert time.perf_counter() - began < 20.0      # [s]; some tenths alone
+    assert time.perf_counter() - began < 20.0  # [s]; some tenths alone
 
 
 QUIET = [HealthCheck.function_scoped_fixture, HealthCheck.too_slow, HealthCheck.data_too_large]
@@ -116,17 +138,27 @@ def test_many_damaged_files_are_read_or_refused(tmp_path, file):
 
 
 @settings(max_examples=60, deadline=None, suppress_health_check=QUIET, derandomize=True, print_blob=True)
-@given(content=st.binary(max_size=2000),
-       end=st.sampled_from([".txt", ".prw", ".whl", ".prr", ".ban", ".json"]),
-       kind=st.sampled_from(sorted(NAMES)))
+@given(
+    content=st.binary(max_size=2000),
+    end=st.sampled_from([".txt", ".prw", ".whl", ".prr", ".ban", ".json"]),
+    kind=st.sampled_from(sorted(NAMES)),
+)
 def test_any_bytes_are_read_or_refused(tmp_path, content, end, kind):
     check_any_file(tmp_path, content, end, kind)
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("text", [b"1" * 3_000_000 + b"x", b"\n" * 3_000_000, b" " * 3_000_000,
-                                  b'{"a":' + b"[" * 3_000_000, b"point.begin\n" * 200_000,
-                                  b"1,2,3," * 50_000],
-                         ids=["digits", "lines", "blanks", "brackets", "sections", "fields"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        b"1" * 3_000_000 + b"x",
+        b"\n" * 3_000_000,
+        b" " * 3_000_000,
+        b'{"a":' + b"[" * 3_000_000,
+        b"point.begin\n" * 200_000,
+        b"1,2,3," * 50_000,
+    ],
+    ids=["digits", "lines", "blanks", "brackets", "sections", "fields"],
+)
 def test_large_nonsense_does_not_hang(tmp_path, text):
     check_any_file(tmp_path, text, ".txt", "wheel")

@@ -31,8 +31,10 @@ def check_kept(folder, name, spacing, share, along):
     profile, said = read(folder, text, kind)
     case = (name, spacing, share, along)
     assert said == "" and profile.reading.points == len(y), case
-    low, high = (max(limit, edge) if limit < 0 else min(limit, edge)
-                 for limit, edge in zip(INSIDE[kind], (y[0], y[-1])))
+    low, high = (
+        max(limit, edge) if limit < 0 else min(limit, edge)
+        for limit, edge in zip(INSIDE[kind], (y[0], y[-1]))
+    )
     exact = standard_profile(name)
     for places, most in ((y[(y > low) & (y < high)], 5e-6), (np.linspace(low, high, 3001), 2e-3)):
         error = np.abs(profile.height(places * MM) - exact.height(places * MM)) / MM

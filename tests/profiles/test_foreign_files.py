@@ -24,18 +24,23 @@ def write(folder, text, name):
 TWO = several([("first", RAIL_Y, -RAIL_Z), ("second", RAIL_Y[::2], -RAIL_Z[::2])])
 
 
-@pytest.mark.parametrize("select, count", [(1, len(RAIL_Y)), ("first", len(RAIL_Y)), ("2", len(RAIL_Y[::2])),
-                                           ("second", len(RAIL_Y[::2]))])
+@pytest.mark.parametrize(
+    "select, count",
+    [(1, len(RAIL_Y)), ("first", len(RAIL_Y)), ("2", len(RAIL_Y[::2])), ("second", len(RAIL_Y[::2]))],
+)
 def test_one_of_several_profiles_is_chosen_by_number_or_name(tmp_path, select, count):
     profile = Profile.from_file(write(tmp_path, TWO, "own.mpt"), "rail", select=select)
     assert profile.reading.points == count and error(profile) < 1e-3
 
 
-@pytest.mark.parametrize("select, sentence", [
-    (None, r"contains 2 profiles \(1: first, 2: second\); select is None; permitted are a number or"),
-    (3, r"contains 1: first, 2: second; select is 3; permitted are the numbers 1 \.\.\. 2 and names"),
-    ("third", "contains 1: first, 2: second; select is 'third'"),
-])
+@pytest.mark.parametrize(
+    "select, sentence",
+    [
+        (None, r"contains 2 profiles \(1: first, 2: second\); select is None; permitted are a number or"),
+        (3, r"contains 1: first, 2: second; select is 3; permitted are the numbers 1 \.\.\. 2 and names"),
+        ("third", "contains 1: first, 2: second; select is 'third'"),
+    ],
+)
 def test_a_choice_that_is_not_there_is_refused(tmp_path, select, sentence):
     for kind in ("wheel", "rail"):
         with pytest.raises(ValueError, match=sentence):
@@ -54,10 +59,13 @@ def test_a_single_profile_needs_no_choice(tmp_path):
     assert error(profile) < 1e-3 and "lines" not in said
 
 
-@pytest.mark.parametrize("name, kind, sentence", [
-    ("own.slcs", "rail", "ends in .slcs, a list of slices of a profile that varies along the rail;"),
-    ("own.slcw", "wheel", "ends in .slcw, a list of slices of a profile that varies around the wheel;"),
-])
+@pytest.mark.parametrize(
+    "name, kind, sentence",
+    [
+        ("own.slcs", "rail", "ends in .slcs, a list of slices of a profile that varies along the rail;"),
+        ("own.slcw", "wheel", "ends in .slcw, a list of slices of a profile that varies around the wheel;"),
+    ],
+)
 def test_a_list_of_slices_is_refused_by_what_it_is(tmp_path, name, kind, sentence):
     with pytest.raises(ValueError, match=re.escape(sentence)):
         Profile.from_file(write(tmp_path, "1.0 'a.prr'\n2.0 'b.prr'\n", name), kind)
@@ -84,12 +92,18 @@ def test_a_vampire_rail_has_two_sides(tmp_path, select):
         assert error(Profile.from_file(path, "rail", select=select)) < 1e-3
 
 
-@pytest.mark.parametrize("change, sentence", [
-    (("EUROPEAN", "MARTIAN"), r"has no tread datum in line 3 \('treaddatum martian'\); permitted are"),
-    (("FLANGEBACK", "BACK"), r"has no distance of the flange backs in line 4 \('back 1360.0'\); permitted"),
-    (("WHEELPROFILE", "RAILPROFILE"), "starts with RAILPROFILE; permitted are wheel profiles"),
-    (("WHEELPROFILE", "PROFILE"), "starts with 'profile'; permitted are Vampire profiles, which start"),
-])
+@pytest.mark.parametrize(
+    "change, sentence",
+    [
+        (("EUROPEAN", "MARTIAN"), r"has no tread datum in line 3 \('treaddatum martian'\); permitted are"),
+        (
+            ("FLANGEBACK", "BACK"),
+            r"has no distance of the flange backs in line 4 \('back 1360.0'\); permitted",
+        ),
+        (("WHEELPROFILE", "RAILPROFILE"), "starts with RAILPROFILE; permitted are wheel profiles"),
+        (("WHEELPROFILE", "PROFILE"), "starts with 'profile'; permitted are Vampire profiles, which start"),
+    ],
+)
 def test_a_vampire_file_that_is_none_is_refused(tmp_path, change, sentence):
     with pytest.raises(ValueError, match=sentence):
         read(tmp_path, vampire("wheel", Y, Z).replace(*change), "wheel", "own.whe")
@@ -103,7 +117,8 @@ def test_gensys_has_y_towards_the_track_centre(tmp_path, kind, name):
     assert "mirrored" not in said
     assert profile.stop == pytest.approx(y[-1] * MM, abs=1e-4)
     assert profile.height(40e-3 if kind == "wheel" else 20e-3) == pytest.approx(
-        np.interp(40.0 if kind == "wheel" else 20.0, y, z) * MM, abs=1e-6)
+        np.interp(40.0 if kind == "wheel" else 20.0, y, z) * MM, abs=1e-6
+    )
 
 
 # --- shapes of genuine files ----------------------------------------------------------------------
@@ -145,8 +160,9 @@ def test_a_gauge_face_that_recedes_is_taken_as_vertical(tmp_path):
     y, z = points("rail")
     recess = np.where((y < 0) & (z > 11.0), 0.15 * (z - 11.0), 0.0)
     profile, said = read(tmp_path, columns(y + recess, z), "rail")
-    assert re.search(r"the gauge face recedes by 0\.\d+ mm from 1\d\.?\d* mm below the top on; it is taken",
-                     said)
+    assert re.search(
+        r"the gauge face recedes by 0\.\d+ mm from 1\d\.?\d* mm below the top on; it is taken", said
+    )
     assert ContactSystem(rail=profile).evaluate(normal_force=78.5e3).status == 0
 
 

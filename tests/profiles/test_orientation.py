@@ -98,8 +98,15 @@ def head(y_top=0.0, wider=0.0):
     """y, z (n,) [mm] of a head that is 60 mm wide and 30 mm high: straight lines through its highest point at
     ``y_top`` and the corners 5 and 14 mm below it, of which the one at smaller y is ``wider`` by so much [mm]
     than the other."""
-    corners = [(-SIDE - 1.0, 30.0), (-SIDE, 14.0), (-SIDE + 5.0 + wider, 5.0), (y_top, 0.0),
-               (SIDE - 5.0, 5.0), (SIDE, 14.0), (SIDE + 1.0, 30.0)]
+    corners = [
+        (-SIDE - 1.0, 30.0),
+        (-SIDE, 14.0),
+        (-SIDE + 5.0 + wider, 5.0),
+        (y_top, 0.0),
+        (SIDE - 5.0, 5.0),
+        (SIDE, 14.0),
+        (SIDE + 1.0, 30.0),
+    ]
     places = np.array(corners)
     y = np.arange(-SIDE - 1.0, SIDE + 1.0, 0.1)
     return y, np.interp(y, *places.T)
@@ -131,7 +138,7 @@ def test_corner_and_highest_point_that_disagree_tell_nothing():
 
 def test_an_ambiguous_shape_is_reported(tmp_path):
     y, z = points("rail")
-    z = z + 0.8 * np.exp(-((y + 12.0) / 4.0) ** 2)
+    z = z + 0.8 * np.exp(-(((y + 12.0) / 4.0) ** 2))
     _, said = read(tmp_path, miniprof(y, -z), "rail", "own.ban")
     assert "the gauge side cannot be found from the shape; the smaller y is used" in said
     assert "its head is not symmetric, so its shape does not tell whether it is already inclined" in said
@@ -164,15 +171,21 @@ def test_a_given_shift_replaces_the_one_from_the_shape(tmp_path):
     assert error(profile) < 2e-4
 
 
-@pytest.mark.parametrize("options, sentence", [
-    (dict(mirror_y="yes"), "mirror_y is 'yes'; permitted are True, False and None"),
-    (dict(rotate=4.0), r"rotate is 4.0; permitted is -3.14159 \.\.\. 3.14159 rad"),
-    (dict(shift=3.0), r"shift is 3.0; permitted are two numbers \(y, z\) in m"),
-    (dict(shift=(3.0, 0.0)), r"shift in y is 3.0; permitted is -1 \.\.\. 1 m"),
-    (dict(file_inclination=0.2), r"file_inclination is 0.2; permitted is 0 \.\.\. 0.1"),
-    (dict(select=0), "select is 0; permitted are the number of a profile in the file, from 1, and its name"),
-    (dict(select=2), "contains one profile; select is 2; permitted is None"),
-])
+@pytest.mark.parametrize(
+    "options, sentence",
+    [
+        (dict(mirror_y="yes"), "mirror_y is 'yes'; permitted are True, False and None"),
+        (dict(rotate=4.0), r"rotate is 4.0; permitted is -3.14159 \.\.\. 3.14159 rad"),
+        (dict(shift=3.0), r"shift is 3.0; permitted are two numbers \(y, z\) in m"),
+        (dict(shift=(3.0, 0.0)), r"shift in y is 3.0; permitted is -1 \.\.\. 1 m"),
+        (dict(file_inclination=0.2), r"file_inclination is 0.2; permitted is 0 \.\.\. 0.1"),
+        (
+            dict(select=0),
+            "select is 0; permitted are the number of a profile in the file, from 1, and its name",
+        ),
+        (dict(select=2), "contains one profile; select is 2; permitted is None"),
+    ],
+)
 def test_options_that_are_not_permitted_are_refused(tmp_path, options, sentence):
     path = write(tmp_path, columns(*points("rail")), "own.txt")
     with pytest.raises(ValueError, match=sentence):
@@ -200,12 +213,16 @@ def test_the_command_line_takes_the_options(tmp_path, run):
     code, _, said = run("solve", "--rail", path, "--rail-mirror-y", "--rail-file-inclination", "1:40")
     assert not code and said == ""
     for words, sentence in (
-            (["--rail-mirror-y"], "--rail-mirror-y is given; it is permitted only with --rail FILE"),
-            (["--rail", path, "--rail-rotate-deg", "300"],
-             "'300' is out of range; permitted is -180 ... 180 deg"),
-            (["--rail", path, "--rail-shift-mm", "3"],
-             "'3' is not of the permitted form, two numbers Y,Z"),
-            (["--rail", path, "--rail-file-inclination", "1:5"],
-             "'1:5' is out of range; permitted is 0 ... 1:10")):
+        (["--rail-mirror-y"], "--rail-mirror-y is given; it is permitted only with --rail FILE"),
+        (
+            ["--rail", path, "--rail-rotate-deg", "300"],
+            "'300' is out of range; permitted is -180 ... 180 deg",
+        ),
+        (["--rail", path, "--rail-shift-mm", "3"], "'3' is not of the permitted form, two numbers Y,Z"),
+        (
+            ["--rail", path, "--rail-file-inclination", "1:5"],
+            "'1:5' is out of range; permitted is 0 ... 1:10",
+        ),
+    ):
         code, _, said = run("solve", *words)
         assert code == 2 and sentence in said and said.count("\n") == 1

@@ -36,8 +36,10 @@ def shifted(folder, shift, part="back"):
 # --- what is said -----------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("part, shifts", [
-    ("back", (-20, -10, -6, 4, 6, 10, 20)), ("tip", (-20, -10, 4, 10, 20)), ("face", (-20, -9, 4, 10))])
+@pytest.mark.parametrize(
+    "part, shifts",
+    [("back", (-20, -10, -6, 4, 6, 10, 20)), ("tip", (-20, -10, 4, 10, 20)), ("face", (-20, -9, 4, 10))],
+)
 def test_a_wrong_origin_is_reported(tmp_path, part, shifts):
     for shift in shifts:
         said = " ".join(remarks_on(shifted(tmp_path, shift, part), TRACK))
@@ -47,17 +49,21 @@ def test_a_wrong_origin_is_reported(tmp_path, part, shifts):
 
 
 def test_the_numbers_are_those_of_the_standard(tmp_path):
-    back, = remarks_on(shifted(tmp_path, 10.0), TRACK)
-    for words in ("the back of its flange is at y = -60 mm", "the back-to-back distance is 1380 mm",
-                  "with running circles 1500 mm apart", "usual is 1350 ... 1368 mm on a gauge of 1435 mm"):
+    (back,) = remarks_on(shifted(tmp_path, 10.0), TRACK)
+    for words in (
+        "the back of its flange is at y = -60 mm",
+        "the back-to-back distance is 1380 mm",
+        "with running circles 1500 mm apart",
+        "usual is 1350 ... 1368 mm on a gauge of 1435 mm",
+    ):
         assert words in back
-    tip, = remarks_on(shifted(tmp_path, -10.0, "tip"), TRACK)      # S1002's is 15 mm from the back
+    (tip,) = remarks_on(shifted(tmp_path, -10.0, "tip"), TRACK)  # S1002's is 15 mm from the back
     assert "the tip of its flange is at y = -65 mm" in tip and "is 1340 mm" in tip
 
 
 @pytest.mark.parametrize("middle", [1.5, 3.0])
 def test_a_wheel_that_has_grown_is_reported(tmp_path, middle):
-    said, = remarks_on(wheel(tmp_path, Y, Z + middle), TRACK)
+    (said,) = remarks_on(wheel(tmp_path, Y, Z + middle), TRACK)
     assert said.startswith(f"at y = 0 it is {middle:g} mm larger than nominal_radius")
 
 
@@ -81,9 +87,9 @@ def test_wheels_of_the_standard_are_not_reported(letter):
 
 
 WORN = {
-    "hollow": (Y, Z - 3.0 * np.exp(-((Y - 5.0) / 18.0) ** 2)),
+    "hollow": (Y, Z - 3.0 * np.exp(-(((Y - 5.0) / 18.0) ** 2))),
     "worn tread": (Y, Z - 5.0 * (Y > -30.0) - 5.0 * np.clip((Y + 38.0) / 8.0, 0.0, 1.0) * (Y <= -30.0)),
-    "thin flange": (Y - 6.0 * np.exp(-((Y + 39.0) / 6.0) ** 2), Z),
+    "thin flange": (Y - 6.0 * np.exp(-(((Y + 39.0) / 6.0) ** 2)), Z),
     "noise": noisy("wheel", 0.05, 3),
     "new at 2 mm": (Y + 2.0, Z),
 }
@@ -96,9 +102,17 @@ def test_ordinary_wheels_are_not_reported(tmp_path, case):
     assert remarks_on(found, TRACK) == () and remarks_on(found, {**TRACK, "gauge": 1.465}) == ()
 
 
-@pytest.mark.parametrize("gauge, circles, back", [
-    (1.435, 1.5, -72.2), (1.435, 1.511, -77.8), (1.520, 1.58, -70.0), (1.668, 1.733, -70.0),
-    (1.0, 1.07, -70.0), (1.067, 1.13, -70.0)])
+@pytest.mark.parametrize(
+    "gauge, circles, back",
+    [
+        (1.435, 1.5, -72.2),
+        (1.435, 1.511, -77.8),
+        (1.520, 1.58, -70.0),
+        (1.668, 1.733, -70.0),
+        (1.0, 1.07, -70.0),
+        (1.067, 1.13, -70.0),
+    ],
+)
 def test_other_railways_have_their_own_distances(tmp_path, gauge, circles, back):
     """AAR's narrow and wide tread datum, Russia, Spain, the Rhaetian Railway, the Cape gauge."""
     track = {"gauge": gauge, "running_circle_distance": circles}
@@ -121,7 +135,7 @@ def test_python_check_and_the_build_say_it_once(tmp_path):
         system = ContactSystem(wheel=tmp_path / "own.txt")
     assert said[0].filename == __file__
     with warnings.catch_warnings():
-        warnings.simplefilter("error")          # the user has been told
+        warnings.simplefilter("error")  # the user has been told
         assert words in wrcontact.check(system).remarks[0]
     with pytest.warns(ProfileWarning, match=words) as said:
         chosen_starts(wheel_profile=str(tmp_path / "own.txt"))

@@ -35,14 +35,15 @@ def test_s1002_joints_are_as_the_standard_prints_them():
 def test_s1002_known_points():
     wheel = standard_profile("S1002")
     assert wheel.height(0.0) == pytest.approx(0.0, abs=1e-12)
-    assert wheel.height(-0.055) == pytest.approx(0.028, abs=1e-9)           # flange tip: 16 + 12 mm
+    assert wheel.height(-0.055) == pytest.approx(0.028, abs=1e-9)  # flange tip: 16 + 12 mm
     assert wheel.slope(-0.039) == pytest.approx(-np.tan(np.radians(70)), rel=1e-6)
-    assert wheel.slope(0.05) == pytest.approx(-1 / 15, rel=1e-6)            # the field side's 1:15 cone
+    assert wheel.slope(0.05) == pytest.approx(-1 / 15, rel=1e-6)  # the field side's 1:15 cone
     assert abs(wheel.curvature(-0.037)) == pytest.approx(1 / 0.013, rel=1e-9)
 
 
-@pytest.mark.parametrize("name, corner, depth",
-                         [("UIC60", 0.036, 0.014259738), ("60E1", 0.0359998, 0.0142999)])
+@pytest.mark.parametrize(
+    "name, corner, depth", [("UIC60", 0.036, 0.014259738), ("60E1", 0.0359998, 0.0142999)]
+)
 def test_rail_chain_ends_where_published(name, corner, depth):
     assert standard_profile(name).height(corner) == pytest.approx(depth, abs=1e-6)
 
@@ -97,8 +98,10 @@ def test_inclined_rail_is_the_turned_one(name, inclination):
     if top is None:
         finest = np.linspace(0.0, 0.02, 2000001)
         k = np.argmin(np.sin(angle) * finest + np.cos(angle) * rail.height(finest))
-        top = (np.cos(angle) * finest[k] - np.sin(angle) * rail.height(finest[k]),
-               np.sin(angle) * finest[k] + np.cos(angle) * rail.height(finest[k]))
+        top = (
+            np.cos(angle) * finest[k] - np.sin(angle) * rail.height(finest[k]),
+            np.sin(angle) * finest[k] + np.cos(angle) * rail.height(finest[k]),
+        )
     np.testing.assert_allclose(head.height(turned_y - top[0]), turned_z - top[1], atol=1e-8)
 
 
@@ -142,8 +145,9 @@ def test_points_file_gives_the_profile_back(tmp_path):
     wheel = standard_profile("S1002")
     y = np.concatenate([np.arange(-0.069, -0.0305, 5e-5), np.arange(-0.03, 0.06, 5e-4)])
     path = tmp_path / "worn wheel.csv"
-    path.write_text("y;z\n" + "\n".join(f"{a / MM!r}; {b / MM!r}"
-                                        for a, b in zip(y.tolist(), wheel.height(y).tolist())))
+    path.write_text(
+        "y;z\n" + "\n".join(f"{a / MM!r}; {b / MM!r}" for a, b in zip(y.tolist(), wheel.height(y).tolist()))
+    )
     read = Profile.from_file(path, "wheel")
     assert read.name == "worn wheel"
     smooth = np.random.default_rng(3).uniform(-0.06, 0.059, 2000)
@@ -162,24 +166,30 @@ def test_prepared_file_gives_the_profile_back_bit_for_bit(tmp_path):
     assert rail.slope(0.0) == pytest.approx(0.0, abs=1e-12)
 
 
-@pytest.mark.parametrize("source, kind, sentence", [
-    ("S1003", "wheel", "wheel is 'S1003'; permitted are S1002"),
-    ("UIC60", "wheel", "a profile of the other kind"),
-    (3.0, "rail", "rail is '3.0'; permitted are UIC60, 60E1, 54E1"),
-    (standard_profile("UIC60"), "wheel", "wheel is a rail profile"),
-])
+@pytest.mark.parametrize(
+    "source, kind, sentence",
+    [
+        ("S1003", "wheel", "wheel is 'S1003'; permitted are S1002"),
+        ("UIC60", "wheel", "a profile of the other kind"),
+        (3.0, "rail", "rail is '3.0'; permitted are UIC60, 60E1, 54E1"),
+        (standard_profile("UIC60"), "wheel", "wheel is a rail profile"),
+    ],
+)
 def test_what_is_no_profile_is_refused(source, kind, sentence):
     with pytest.raises(ValueError, match=sentence):
         find_profile(source, kind)
 
 
-@pytest.mark.parametrize("text, sentence", [
-    ("nothing here", "no lines of two numbers"),
-    ("\n".join(f"{k} 0" for k in range(5)), "5 points; permitted are 10 or more"),
-    ("\n".join(f"{k % 7} 0" for k in range(30)), "has 7 points; permitted are 10 or more"),
-    ("\n".join(f"{k * 1e-4} 0" for k in range(60)), "0.0059 mm wide; permitted are 20 ... 200 mm"),
-    ("\n".join(f"{k} nan" for k in range(60)), "not finite"),
-])
+@pytest.mark.parametrize(
+    "text, sentence",
+    [
+        ("nothing here", "no lines of two numbers"),
+        ("\n".join(f"{k} 0" for k in range(5)), "5 points; permitted are 10 or more"),
+        ("\n".join(f"{k % 7} 0" for k in range(30)), "has 7 points; permitted are 10 or more"),
+        ("\n".join(f"{k * 1e-4} 0" for k in range(60)), "0.0059 mm wide; permitted are 20 ... 200 mm"),
+        ("\n".join(f"{k} nan" for k in range(60)), "not finite"),
+    ],
+)
 def test_unusable_points_are_refused(tmp_path, text, sentence):
     path = tmp_path / "broken.txt"
     path.write_text(text)

@@ -51,13 +51,20 @@ def test_noise_in_z_alone_counts_less_on_flanks():
 
 #: Noise [mm]; median and 90 % of: contact position [mm], patch area, largest pressure. About twice what
 #: docs/guides/profiles.md tabulates, the most that a share of its seeds has shown.
-ACCURACY = {1e-3: (0.25, 0.7, 0.012, 0.04, 0.05, 0.12), 1e-2: (0.8, 2.4, 0.07, 0.2, 0.13, 0.45),
-            5e-2: (3.0, 8.0, 0.26, 0.7, 0.45, 1.5)}
+ACCURACY = {
+    1e-3: (0.25, 0.7, 0.012, 0.04, 0.05, 0.12),
+    1e-2: (0.8, 2.4, 0.07, 0.2, 0.13, 0.45),
+    5e-2: (3.0, 8.0, 0.26, 0.7, 0.45, 1.5),
+}
 
 
-@pytest.mark.parametrize("spacing, both, seeds", [
-    (0.2, True, 2),
-    *(pytest.param(*row, 6, marks=pytest.mark.full) for row in ((0.1, True), (0.5, True), (0.2, False)))])
+@pytest.mark.parametrize(
+    "spacing, both, seeds",
+    [
+        (0.2, True, 2),
+        *(pytest.param(*row, 6, marks=pytest.mark.full) for row in ((0.1, True), (0.5, True), (0.2, False))),
+    ],
+)
 @pytest.mark.parametrize("deviation", ACCURACY)
 @pytest.mark.turns(3)
 def test_contacts_of_smoothed_profiles(tmp_path, deviation, spacing, both, seeds):
@@ -70,8 +77,9 @@ def test_contacts_of_smoothed_profiles(tmp_path, deviation, spacing, both, seeds
 def test_smoothing_is_worth_it(tmp_path):
     """Noise of 10 um read as it is makes asperities of every pressure; smoothed it moves the
     median by a few per cent."""
-    pressures = [np.nanmedian(case(0.2, 1e-2, False, tmp_path, [3], smoothing)[0][2])
-                 for smoothing in (None, 0.0)]
+    pressures = [
+        np.nanmedian(case(0.2, 1e-2, False, tmp_path, [3], smoothing)[0][2]) for smoothing in (None, 0.0)
+    ]
     assert pressures[0] < 0.15 and pressures[1] > 1.0
 
 
@@ -107,10 +115,12 @@ def test_a_fold_where_wheel_and_rail_meet_is_refused(tmp_path):
     """Noise that takes y back is smoothed; without smoothing the curve folds back there."""
     y, z = noisy("wheel", 2e-3, 6, 0.1)
     y = np.where(np.arange(len(y)) == 800, y[799] - 0.02, y)
-    with pytest.raises(ValueError,
-                       match=r"folds back or is vertical at y = -\d+\.\d+ mm, z = .* mm; permitted is that "
-                       r"from "
-                                         r"z = 5 mm on, behind the flange and beyond y = 25 mm$"):
+    with pytest.raises(
+        ValueError,
+        match=r"folds back or is vertical at y = -\d+\.\d+ mm, z = .* mm; permitted is that "
+        r"from "
+        r"z = 5 mm on, behind the flange and beyond y = 25 mm$",
+    ):
         read(tmp_path, columns(y, z), smoothing=0.0)
     assert "noise of 2" in read(tmp_path, columns(y, z))[1]
 
@@ -119,7 +129,7 @@ def test_pieces_meet_in_curvature(tmp_path):
     for kind in NAMES:
         profile, _ = read(tmp_path, columns(*noisy(kind, 0.01, 1)), kind)
         bends = [joint.bend_step for joint in profile.joints if abs(joint.y) < 30 * MM]
-        assert np.max(np.abs(bends)) < 1e-6         # [1/m]; rounding of quintics 0.5 mm wide
+        assert np.max(np.abs(bends)) < 1e-6  # [1/m]; rounding of quintics 0.5 mm wide
 
 
 def test_prepared_text_is_bit_exact(tmp_path):
@@ -159,17 +169,23 @@ def test_the_command_line_says_each_in_a_line(measured, capsys):
             main(words + more, prog_name="wrcontact")
         said = capsys.readouterr().err.splitlines()
         assert not ended.value.code and len(said) == 4
-        for line, start in zip(said, ("wheel profile worn.csv: 3 outliers of up to ",
-                                      f"wheel profile worn.csv: {done}, points moved by up to",
-                                      "rail profile worn.prr: z was positive upwards; its sign is changed",
-                                      f"rail profile worn.prr: {done}")):
+        for line, start in zip(
+            said,
+            (
+                "wheel profile worn.csv: 3 outliers of up to ",
+                f"wheel profile worn.csv: {done}, points moved by up to",
+                "rail profile worn.prr: z was positive upwards; its sign is changed",
+                f"rail profile worn.prr: {done}",
+            ),
+        ):
             assert re.match(f"wrcontact: {start}", line)
 
 
 def test_build_packs_the_smoothed_profile_and_says_so_once(measured, capsys):
     with remarks_in_lines("build_fmu.py"):
-        _, own = chosen_starts(wheel_profile=str(measured / "worn.csv"),
-                                 rail_profile=str(measured / "worn.prr"))
+        _, own = chosen_starts(
+            wheel_profile=str(measured / "worn.csv"), rail_profile=str(measured / "worn.prr")
+        )
         starts, profiles = packed_profiles(2e-5, wheel_profile=str(measured / "worn.csv"))
     said = capsys.readouterr().err.splitlines()
     assert len(said) == len(set(said)) == 5 and all(line.startswith("build_fmu.py: ") for line in said)
@@ -177,6 +193,7 @@ def test_build_packs_the_smoothed_profile_and_says_so_once(measured, capsys):
     (measured / "packed" / "worn.csv").write_text(prepared_text(own["worn.csv"]))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ProfileWarning)
-        assert Profile.from_file(measured / "packed" / "worn.csv",
-                                 "wheel") == Profile.from_file(measured / "worn.csv", "wheel")
+        assert Profile.from_file(measured / "packed" / "worn.csv", "wheel") == Profile.from_file(
+            measured / "worn.csv", "wheel"
+        )
         assert profiles[starts["wheel_profile"]] == Profile.from_file(measured / "worn.csv", "wheel", 2e-5)

@@ -53,7 +53,7 @@ def test_work_is_shown_with_its_share_and_removed(opened):
         wait_for(terminal, "75%")
         advance(words="the rest")
         wait_for(terminal, "the rest", "100%")
-    assert terminal.getvalue().endswith("\x1b[2K\x1b[?25h\r")     # the line is erased
+    assert terminal.getvalue().endswith("\x1b[2K\x1b[?25h\r")  # the line is erased
     assert progress._board is None
 
 
@@ -83,6 +83,7 @@ def test_an_error_removes_it(opened):
 
 def test_threads_share_one_display(opened):
     terminal = opened()
+
     def work(number):
         for _ in progress.tracked(range(3), f"thread {number}"):
             time.sleep(0.05)
@@ -161,11 +162,18 @@ def test_evaluate_many_shows_how_far_it_is(opened, monkeypatch):
 
 @pytest.mark.full
 def test_rich_is_not_imported_without_a_terminal(tmp_path):
-    script = ("import sys, wrcontact; wrcontact.ContactSystem().evaluate_many([0.0])\n"
-              "assert not {'rich', 'matplotlib', 'pandas', 'scipy.interpolate'} & set(sys.modules)\n"
-              "wrcontact.plots.pose_figure")
-    done = subprocess.run([sys.executable, "-W", "error", "-c", script], env=OUTSIDE, capture_output=True,
-                          text=True, cwd=tmp_path)
+    script = (
+        "import sys, wrcontact; wrcontact.ContactSystem().evaluate_many([0.0])\n"
+        "assert not {'rich', 'matplotlib', 'pandas', 'scipy.interpolate'} & set(sys.modules)\n"
+        "wrcontact.plots.pose_figure"
+    )
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", script],
+        env=OUTSIDE,
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+    )
     assert done.returncode == 0, done.stderr
 
 
@@ -174,10 +182,20 @@ def test_the_kernel_shows_nothing():
         assert "progress" not in file.read_text(encoding="utf-8"), file
 
 
-LONG_WORK = ("benchmarks/__main__.py", "benchmarks/parts.py", "benchmarks/random_poses.py",
-             "benchmarks/curvature.py", "benchmarks/errors.py", "benchmarks/studies.py",
-             "wrcontact/cli/commands.py", "wrcontact/cli/demo.py", "wrcontact/study/figures.py",
-             "wrcontact/fmu/native.py", "wrcontact/fmu/online.py", "wrcontact/halfspace/stepping.py")
+LONG_WORK = (
+    "benchmarks/__main__.py",
+    "benchmarks/parts.py",
+    "benchmarks/random_poses.py",
+    "benchmarks/curvature.py",
+    "benchmarks/errors.py",
+    "benchmarks/studies.py",
+    "wrcontact/cli/commands.py",
+    "wrcontact/cli/demo.py",
+    "wrcontact/study/figures.py",
+    "wrcontact/fmu/native.py",
+    "wrcontact/fmu/online.py",
+    "wrcontact/halfspace/stepping.py",
+)
 
 
 @pytest.mark.parametrize("name", LONG_WORK)

@@ -24,7 +24,7 @@ def test_everything_in_native_fmus_is_ours_or_named(fmus):
     for version, fmu in fmus.items():
         # without a library for Windows
         assert names_in(fmu) == {f"FMI {version}.0 headers", "compiler-rt"}
-        headers, = (part for part in bill.parts_in(Path(fmu)) if part.name.startswith("FMI"))
+        (headers,) = (part for part in bill.parts_in(Path(fmu)) if part.name.startswith("FMI"))
         for name, content in bill.entries_of(Path(fmu)).items():
             theirs = b"Modelica Association Project" in content and name.endswith(".h")
             assert theirs == (name in bill.parts_in(Path(fmu))[headers]), name
@@ -67,11 +67,11 @@ def test_bill_of_materials(fmu, fmus):
     names = {component["name"] for component in page["components"]}
     assert {"FMI 2.0 headers", "FMI 3.0 headers", "PythonFMU", "numpy", "scipy", "typer"} <= names
     assert "fmpy" in map(str.lower, names)
-    assert "pytest" not in names                                        # of an extra
+    assert "pytest" not in names  # of an extra
     references = [component["bom-ref"] for component in page["components"]]
     assert len(set(references)) == len(references) and page["dependencies"][0]["dependsOn"] == references
     for component in page["components"]:
-        (one,), = (entry.values() for entry in component["licenses"])
+        ((one,),) = (entry.values() for entry in component["licenses"])
         assert {*one} <= {"id", "name"} and all(one.values()), component
         assert f"{component['name']} {component.get('version', '')}".strip() in licences
     assert bill.bill(archives) == (text, licences)

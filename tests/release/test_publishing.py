@@ -26,7 +26,7 @@ def steps(jobs):
 
 @needs_yaml
 def test_every_command_exists():
-    project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")     # Python 3.10 has no reader of TOML
+    project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")  # Python 3.10 has no reader of TOML
     known = re.findall(r"^(\w+) = \[", project.partition("[project.optional-dependencies]")[2], re.MULTILINE)
     modules = {"pip", "pytest", "mkdocs"}
     seen = []
@@ -55,12 +55,20 @@ def test_only_what_publishes_may_write():
     page = read(WORKFLOW)
     # YAML takes the key "on" for true
     assert page[True] == {"push": {"tags": ["v*"]}} and page["permissions"] == {}
-    rights = {name: {right for right, kind in job["permissions"].items() if kind == "write"}
-              for name, job in page["jobs"].items() if "permissions" in job}
-    assert rights == {"build": set(), "site": set(), "packages": {"id-token"}, "files": {"contents"},
-                      "pages": {"pages", "id-token"}}
+    rights = {
+        name: {right for right, kind in job["permissions"].items() if kind == "write"}
+        for name, job in page["jobs"].items()
+        if "permissions" in job
+    }
+    assert rights == {
+        "build": set(),
+        "site": set(),
+        "packages": {"id-token"},
+        "files": {"contents"},
+        "pages": {"pages", "id-token"},
+    }
     for name, job in page["jobs"].items():
-        assert ("environment" in job) == bool(rights[name])         # so each of them asks before it publishes
+        assert ("environment" in job) == bool(rights[name])  # so each of them asks before it publishes
         assert set(job.get("needs", [])) <= set(page["jobs"])
     text = WORKFLOW.read_text(encoding="utf-8")
     assert "secrets." not in text and not re.search(r"https?:|password:|repository-url", text)
@@ -70,11 +78,12 @@ def test_only_what_publishes_may_write():
 def test_what_is_handed_on_is_what_was_built():
     found = steps(read(WORKFLOW)["jobs"])
     given = [step["with"] for _, step in found if step.get("uses", "").startswith("actions/upload-artifact")]
-    taken = [step["with"] for _, step in found
-             if step.get("uses", "").startswith("actions/download-artifact")]
+    taken = [
+        step["with"] for _, step in found if step.get("uses", "").startswith("actions/download-artifact")
+    ]
     assert [entry["name"] for entry in given] == ["release"]
     assert {entry["name"] for entry in taken} == {"release"}
-    site, = (step["with"]["path"] for _, step in found if "upload-pages-artifact" in step.get("uses", ""))
+    (site,) = (step["with"]["path"] for _, step in found if "upload-pages-artifact" in step.get("uses", ""))
     assert f"site_dir: {site}\n" in (ROOT / "mkdocs.yml").read_text(encoding="utf-8")
     assert given[0]["path"] == "dist/release"
 
@@ -84,8 +93,16 @@ def test_citation():
     """The fields that the schema of CFF 1.2.0 requires, and none that it does not know."""
     cited = read(ROOT / "CITATION.cff")
     assert {"cff-version", "message", "title", "authors"} <= set(cited)
-    assert set(cited) <= {"cff-version", "message", "title", "authors", "abstract", "keywords", "license",
-                          "type"}
+    assert set(cited) <= {
+        "cff-version",
+        "message",
+        "title",
+        "authors",
+        "abstract",
+        "keywords",
+        "license",
+        "type",
+    }
     assert cited["cff-version"] == "1.2.0" and cited["type"] == "software" and cited["license"] == "MIT"
     licence = (ROOT / "LICENSE").read_text(encoding="utf-8")
     assert [set(author) for author in cited["authors"]] == [{"name"}]

@@ -25,8 +25,12 @@ def test_a_flange_that_slides_has_the_quotient_of_nadal(climbs):
     is pushed up.  A wheel that nearly stands slides as it is moved, along its contact plane."""
     friction = 0.3
     state = system(normal_model="hertz", tangential_model="strips", contact_mode="rigid").evaluate(
-        6.6e-3, speed=1e-4, wheel_rate=1e-4, lateral_velocity=10.0 if climbs else -10.0,
-        right_friction=friction)
+        6.6e-3,
+        speed=1e-4,
+        wheel_rate=1e-4,
+        lateral_velocity=10.0 if climbs else -10.0,
+        right_friction=friction,
+    )
     (patch,) = state.right.patches
     angle = patch.contact_angle
     assert angle > 0.8 and patch.saturation == pytest.approx(1.0, abs=1e-3)
@@ -80,8 +84,9 @@ def test_straight_lines_pass_and_columns_are_filtered_one_by_one():
     line = 3.0 + 2.0 * TIME
     np.testing.assert_allclose(wrcontact.low_pass(line, STEP), line, atol=1e-9)
     waves = np.stack([line, np.sin(40.0 * TIME)], axis=1)
-    np.testing.assert_array_equal(wrcontact.low_pass(waves, STEP)[:, 1],
-                                  wrcontact.low_pass(waves[:, 1], STEP))
+    np.testing.assert_array_equal(
+        wrcontact.low_pass(waves, STEP)[:, 1], wrcontact.low_pass(waves[:, 1], STEP)
+    )
     assert len(wrcontact.low_pass([1.0, 1.0, 1.0], STEP)) == 3
 
 
@@ -114,17 +119,21 @@ def test_a_table_as_long_as_a_window_has_one_mean():
 LOW, MEAN = wrcontact.low_pass, wrcontact.sliding_mean
 
 
-@pytest.mark.parametrize("call, arguments, words", [
-    (LOW, ([1.0, np.nan, 2.0], 1e-3), "values is not finite in row 1; permitted are finite numbers"),
-    (LOW, ([1.0, 2.0], 0.0), "step is 0.0; permitted are numbers above 0, in s"),
-    (LOW, ([1.0, 2.0], 0.025), "frequency is 20 Hz; permitted with a step of 0.025 s is less than 20 Hz"),
-    (LOW, ([1.0], 1e-3), r"values has the shape \(1,\); permitted are two rows at least"),
-    (LOW, ("ab", 1e-3), "values is 'ab'; permitted are numbers"),
-    (MEAN, ([1.0, 2.0], [0.0, 1.0]), "distance covers 1 m; permitted with a window of 2 m is as much"),
-    (MEAN, ([1.0, 2.0, 3.0], [0.0, 4.0, 3.0]), "distance does not rise from row to row"),
-    (MEAN, ([1.0, 2.0], [0.0, 1.0, 2.0]), r"distance has the shape \(3,\); permitted .* is \(2,\)"),
-    (MEAN, ([1.0, 2.0], [0.0, 3.0], -1.0), "length is -1.0; permitted are numbers above 0, in m"),
-    (MEAN, ([1.0, 2.0], [0.0, 3.0], 2.0, True), "step is True; permitted are numbers above 0, in m")])
+@pytest.mark.parametrize(
+    "call, arguments, words",
+    [
+        (LOW, ([1.0, np.nan, 2.0], 1e-3), "values is not finite in row 1; permitted are finite numbers"),
+        (LOW, ([1.0, 2.0], 0.0), "step is 0.0; permitted are numbers above 0, in s"),
+        (LOW, ([1.0, 2.0], 0.025), "frequency is 20 Hz; permitted with a step of 0.025 s is less than 20 Hz"),
+        (LOW, ([1.0], 1e-3), r"values has the shape \(1,\); permitted are two rows at least"),
+        (LOW, ("ab", 1e-3), "values is 'ab'; permitted are numbers"),
+        (MEAN, ([1.0, 2.0], [0.0, 1.0]), "distance covers 1 m; permitted with a window of 2 m is as much"),
+        (MEAN, ([1.0, 2.0, 3.0], [0.0, 4.0, 3.0]), "distance does not rise from row to row"),
+        (MEAN, ([1.0, 2.0], [0.0, 1.0, 2.0]), r"distance has the shape \(3,\); permitted .* is \(2,\)"),
+        (MEAN, ([1.0, 2.0], [0.0, 3.0], -1.0), "length is -1.0; permitted are numbers above 0, in m"),
+        (MEAN, ([1.0, 2.0], [0.0, 3.0], 2.0, True), "step is True; permitted are numbers above 0, in m"),
+    ],
+)
 def test_wrong_input_is_refused_in_a_sentence(call, arguments, words):
     with pytest.raises(ValueError, match=words):
         call(*arguments)

@@ -87,8 +87,9 @@ def test_inputs_have_names(table):
     assert isinstance(inputs.yaw, float)
     assert inputs.left_friction == inputs["left.friction"] == inputs["left_friction"] == 0.2
     assert inputs.to_dict()["left.friction"] == 0.2 and len(inputs.to_dict()) == len(INPUTS)
-    assert {row.keyword: getattr(inputs, row.keyword) for row in INPUTS} == dict(zip(
-        (row.keyword for row in INPUTS), np.asarray(inputs)))
+    assert {row.keyword: getattr(inputs, row.keyword) for row in INPUTS} == dict(
+        zip((row.keyword for row in INPUTS), np.asarray(inputs))
+    )
     np.testing.assert_array_equal(table.inputs.lateral_shift, SHIFTS)
     np.testing.assert_array_equal(table.inputs["yaw"], np.full(4, 0.005))
     assert table.inputs[1].lateral_shift == table[1].inputs.lateral_shift == 5e-3
@@ -103,8 +104,15 @@ def test_inputs_are_an_array(table, state):
     """As before they had names; what is no row of inputs has no names."""
     assert isinstance(state.inputs, np.ndarray) and state.inputs.shape == (len(INPUTS),)
     assert table.inputs.shape == (4, len(INPUTS)) and pickle.loads(pickle.dumps(state.inputs)).yaw == 0.005
-    for part in (state.inputs[:2], table.inputs[:, 0], table.inputs[:, :3], 2.0 * state.inputs,
-                 state.inputs == 1.0, np.asarray(state.inputs), state.inputs.max()):
+    for part in (
+        state.inputs[:2],
+        table.inputs[:, 0],
+        table.inputs[:, :3],
+        2.0 * state.inputs,
+        state.inputs == 1.0,
+        np.asarray(state.inputs),
+        state.inputs.max(),
+    ):
         assert not hasattr(part, "lateral_shift")
     assert state.inputs.max() == 78.5e3 and state.inputs[:2].tolist() == [5e-3, 0.005]
     assert wrcontact.explain(table[2].status, table[2].inputs).startswith("lateral_shift is 0.02 m")
@@ -113,8 +121,12 @@ def test_inputs_are_an_array(table, state):
 def test_a_state_s_inputs_know_its_contact_mode():
     """What a compliant wheelset, or one wheel, is told concerns the inputs that it has."""
     whole, one = wrcontact.ContactSystem(contact_mode="compliant"), wrcontact.WheelContact(side="right")
-    for lifted in (whole.evaluate(), whole.evaluate_many([0.0, 1e-3])[1],
-                   whole.evaluate_many([0.0, 1e-3], outputs=["roll"])[:1][0], one.evaluate()):
+    for lifted in (
+        whole.evaluate(),
+        whole.evaluate_many([0.0, 1e-3])[1],
+        whole.evaluate_many([0.0, 1e-3], outputs=["roll"])[:1][0],
+        one.evaluate(),
+    ):
         assert wrcontact.explain(lifted.status, lifted.inputs).startswith("vertical_shift_input is 0 m at")
     rough = one.evaluate(friction=9.0)
     assert wrcontact.explain(rough.status, rough.inputs) == "friction is 9; permitted is 0 <= friction <= 2"
@@ -126,10 +138,15 @@ def test_a_state_s_inputs_know_its_contact_mode():
 
 def test_the_text_of_inputs_has_units(table):
     state = SYSTEM.evaluate(5e-3, speed=20.0)
-    assert repr(state.inputs) == str(state.inputs) == (
-        "Inputs(lateral_shift=0.005 m, yaw=0 rad, normal_force=78500 N, load_transfer=0, speed=20 m/s)")
-    assert repr(table.inputs) == ("Inputs(4 poses, lateral_shift=-0.003 ... 0.02 m, yaw=0.005 rad, "
-                                  "normal_force=78500 N, load_transfer=0)")
+    assert (
+        repr(state.inputs)
+        == str(state.inputs)
+        == ("Inputs(lateral_shift=0.005 m, yaw=0 rad, normal_force=78500 N, load_transfer=0, speed=20 m/s)")
+    )
+    assert repr(table.inputs) == (
+        "Inputs(4 poses, lateral_shift=-0.003 ... 0.02 m, yaw=0.005 rad, "
+        "normal_force=78500 N, load_transfer=0)"
+    )
 
 
 def test_a_patch_is_true_where_it_is(table, state):
@@ -149,8 +166,9 @@ def test_to_dict(table, state):
     assert content["right"]["contact"]["y_wheel"] == state.right.contact.y_wheel
     assert [patch["area"] for patch in content["right"]["patches"]] == [p.area for p in state.right.patches]
     assert content["left"]["outline"]["station"] == state.left.outline.station.tolist()
-    np.testing.assert_array_equal(table.to_dict()["right"]["outline"]["pressure"],
-                                  table.right.outline.pressure)
+    np.testing.assert_array_equal(
+        table.to_dict()["right"]["outline"]["pressure"], table.right.outline.pressure
+    )
 
 
 def test_a_state_survives_pickling(table, state):
@@ -161,26 +179,37 @@ def test_a_state_survives_pickling(table, state):
 # --- only what is wanted ----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("outputs, side, count", [
-    ("geometry", "both", 41), ("patches", "right", 141), ("all", "left", 296), (["right.area"], "both", 1),
-    (["roll", "left.contact", "right.patch[2]"], "both", 38), (["moment", "left.half_length"], "both", 34)])
+@pytest.mark.parametrize(
+    "outputs, side, count",
+    [
+        ("geometry", "both", 41),
+        ("patches", "right", 141),
+        ("all", "left", 296),
+        (["right.area"], "both", 1),
+        (["roll", "left.contact", "right.patch[2]"], "both", 38),
+        (["moment", "left.half_length"], "both", 34),
+    ],
+)
 def test_a_table_holds_only_what_is_wanted(table, outputs, side, count):
     some = SYSTEM.evaluate_many(SHIFTS, yaw=0.005, outputs=outputs, side=side)
     assert some.values.shape == (4, count) and len(some.names) == count
     for name in some.names:
         if outputs == "geometry" or side != "both":
-            if (name.startswith(("force", "moment", "normal.", "driving_torque"))
-                    or name.endswith("patch_count")):
-                continue        # the resultant needs both loads
+            if name.startswith(("force", "moment", "normal.", "driving_torque")) or name.endswith(
+                "patch_count"
+            ):
+                continue  # the resultant needs both loads
         np.testing.assert_array_equal(some[name], table[name], err_msg=name)
     for name in set(table.names) - set(some.names):
         assert np.all(np.isnan(some[name])), name
-    np.testing.assert_array_equal(some[1].values, np.where(np.isin(table.names, some.names), some[1].values,
-                                                           np.nan))
+    np.testing.assert_array_equal(
+        some[1].values, np.where(np.isin(table.names, some.names), some[1].values, np.nan)
+    )
 
 
-@pytest.mark.parametrize("outputs, word", [("geometri", "'geometri'"), (["right.ara"], "'right.ara'"),
-                                           ([], "empty"), ([3], "3")])
+@pytest.mark.parametrize(
+    "outputs, word", [("geometri", "'geometri'"), (["right.ara"], "'right.ara'"), ([], "empty"), ([3], "3")]
+)
 def test_unknown_outputs_are_refused(outputs, word):
     with pytest.raises(ValueError, match=f"^outputs .*{word}"):
         SYSTEM.evaluate_many(0.0, outputs=outputs)
@@ -196,17 +225,23 @@ def test_parts_are_the_table(table):
 # --- errors name the argument -----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("call, words", [
-    (lambda: SYSTEM.evaluate("a"), "lateral_shift is 'a'"),
-    (lambda: SYSTEM.evaluate(0.0, yaw=[1.0, 2.0]), "yaw has the shape .2,.; permitted is one number"),
-    (lambda: SYSTEM.evaluate_many([0.0], normal_force="much"), "normal_force is 'much'.* in N"),
-    (lambda: SYSTEM.evaluate_many([1.0, 2.0], yaw=[1.0, 2.0, 3.0]), "lateral_shift .2,., yaw .3,."),
-    (lambda: SYSTEM.evaluate_many(0.0, roll_guess=np.zeros((2, 2))), "roll_guess has the shape"),
-    (lambda: SYSTEM.evaluate(0.0, penetration=(1, 2, 3)), "penetration is .1, 2, 3."),
-    (lambda: SYSTEM.evaluate(0.0, penetration="deep"), "penetration is 'deep'"),
-    (lambda: SYSTEM.evaluate(0.0, outputs=["rol"]), "outputs has .rol.; permitted are .*; did you mean roll"),
-    (lambda: wrcontact.ContactSystem(normal_model=[1]), "normal_model is"),
-])
+@pytest.mark.parametrize(
+    "call, words",
+    [
+        (lambda: SYSTEM.evaluate("a"), "lateral_shift is 'a'"),
+        (lambda: SYSTEM.evaluate(0.0, yaw=[1.0, 2.0]), "yaw has the shape .2,.; permitted is one number"),
+        (lambda: SYSTEM.evaluate_many([0.0], normal_force="much"), "normal_force is 'much'.* in N"),
+        (lambda: SYSTEM.evaluate_many([1.0, 2.0], yaw=[1.0, 2.0, 3.0]), "lateral_shift .2,., yaw .3,."),
+        (lambda: SYSTEM.evaluate_many(0.0, roll_guess=np.zeros((2, 2))), "roll_guess has the shape"),
+        (lambda: SYSTEM.evaluate(0.0, penetration=(1, 2, 3)), "penetration is .1, 2, 3."),
+        (lambda: SYSTEM.evaluate(0.0, penetration="deep"), "penetration is 'deep'"),
+        (
+            lambda: SYSTEM.evaluate(0.0, outputs=["rol"]),
+            "outputs has .rol.; permitted are .*; did you mean roll",
+        ),
+        (lambda: wrcontact.ContactSystem(normal_model=[1]), "normal_model is"),
+    ],
+)
 def test_errors_name_the_argument(call, words):
     with pytest.raises(ValueError, match=words):
         call()
@@ -216,9 +251,23 @@ def test_errors_name_the_argument(call, words):
 
 
 def test_texts_are_short(table, state):
-    shown = [SYSTEM, SYSTEM.wheel, SYSTEM.rail, SYSTEM.stepper(), table, state, state.right, state.force,
-             state.right.contact, state.right.patches, state.right.outline, table.right, table.left.patches,
-             wrcontact.check(SYSTEM), wrcontact.plots.sweep(SYSTEM, SHIFTS[:2])]
+    shown = [
+        SYSTEM,
+        SYSTEM.wheel,
+        SYSTEM.rail,
+        SYSTEM.stepper(),
+        table,
+        state,
+        state.right,
+        state.force,
+        state.right.contact,
+        state.right.patches,
+        state.right.outline,
+        table.right,
+        table.left.patches,
+        wrcontact.check(SYSTEM),
+        wrcontact.plots.sweep(SYSTEM, SHIFTS[:2]),
+    ]
     assert {repr(one): len(repr(one)) for one in shown if len(repr(one)) > 600} == {}
     assert "S1002" in repr(SYSTEM.wheel) and "wheel" in repr(SYSTEM.wheel)
 

@@ -11,8 +11,8 @@ from wrcontact.kernel.search import bounds as raster
 from wrcontact.kernel.surface import gap, locus
 from wrcontact.profiles.compiled import evaluate_table
 
-SEARCH_YAWS = (0.0, 0.02, 0.05, 0.105)   # [rad]
-PER_CELL = 8                             # samples of the gap in a cell of the search
+SEARCH_YAWS = (0.0, 0.02, 0.05, 0.105)  # [rad]
+PER_CELL = 8  # samples of the gap in a cell of the search
 
 
 def sampled_placements(count, seed, largest_roll):
@@ -50,9 +50,9 @@ def test_no_cell_of_the_search_holds_more_than_its_bound_says():
             least, most = bounds.bend_bounds(pair.scan, place, cell, abscissa)
             dip = min(gaps[inside][0], gaps[inside][-1]) - gaps[inside].min()
             where = (cell, y[inside][0], inputs.yaw)
-            assert dip <= most * np.ptp(y[inside])**2 / 8 + 1e-12, where
+            assert dip <= most * np.ptp(y[inside]) ** 2 / 8 + 1e-12, where
             if least > 0.0 and mismatches[inside].max() < gap.FOLDED:
-                assert np.all(np.diff(mismatches[inside]) > -1e-12), where     # one place of contact at most
+                assert np.all(np.diff(mismatches[inside]) > -1e-12), where  # one place of contact at most
     assert checked > 1200
 
 
@@ -73,7 +73,7 @@ def test_a_cell_that_is_certified_to_rise_does():
                 assert mismatches[inside].max() < gap.FOLDED, where
                 assert np.all(steps > 0.0), where
                 bends = steps / np.diff(y[inside])
-                joined += np.ptp(bends) > 5.0          # the curvature jumps in the cell
+                joined += np.ptp(bends) > 5.0  # the curvature jumps in the cell
             rising += np.all(steps > 0.0)
     assert certified > 0.85 * rising > 500 and joined > 50
 
@@ -88,9 +88,10 @@ def test_the_outline_is_bent_and_stretched_no_more_than_the_search_allows():
         z = rng.uniform(-0.02, 0.03)
         locus.place_wheelset(place, 0.0, yaw, turn, 0.46, 0.46, 0.75)
         _, _, _, stretch, rate = locus.outline_jet(place, rng.uniform(-0.04, 0.03), z, slope, bend)
-        square = np.sin(yaw)**2
-        widened = (bounds.ROLL_STRETCH * abs(np.sin(turn))
-                   + square * (bounds.BEND_STRETCH * 0.46 * abs(bend) + bounds.STEEP_STRETCH))
+        square = np.sin(yaw) ** 2
+        widened = bounds.ROLL_STRETCH * abs(np.sin(turn)) + square * (
+            bounds.BEND_STRETCH * 0.46 * abs(bend) + bounds.STEEP_STRETCH
+        )
         if widened < bounds.WIDEST:
             checked += 1
             assert abs(stretch - 1.0) <= widened + 1e-12, (turn, yaw, slope, bend)
@@ -113,7 +114,7 @@ def test_no_stretch_that_the_search_skips_holds_a_smaller_gap():
                     if not 0 <= end < len(y):
                         continue
                     inside = np.arange(PER_CELL * node, end + direction, direction)
-                    inside = inside[np.cumprod(below[inside]) == 1]      # up to the end of the rail
+                    inside = inside[np.cumprod(below[inside]) == 1]  # up to the end of the rail
                     fall = gap_there - gaps[inside].min()
                     arguments = (pair.scan, place, node, direction, abscissa)
                     where = (inputs.lateral_shift, inputs.yaw, node, direction, exponent)

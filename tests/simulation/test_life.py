@@ -11,8 +11,13 @@ from wrcontact.simulation.life import INITIALISING, INSTANTIATED, RUNNING, TERMI
 from wrcontact.simulation.session import Refused, Session
 
 PHASES = (INSTANTIATED, INITIALISING, RUNNING, TERMINATED)
-CALLS = {"set_up": {INSTANTIATED}, "enter": {INSTANTIATED}, "leave": {INITIALISING}, "terminate": {RUNNING},
-         "step": {RUNNING}}
+CALLS = {
+    "set_up": {INSTANTIATED},
+    "enter": {INSTANTIATED},
+    "leave": {INITIALISING},
+    "terminate": {RUNNING},
+    "step": {RUNNING},
+}
 ARGUMENTS = {"set_up": (0.0, 1.0), "step": (0.0, 1e-3)}
 
 
@@ -20,7 +25,7 @@ def brought_to(phase, start=0.0, stop=1.0):
     """A session in a phase of its life."""
     session = Session(tell=None)
     session.set_up(start, stop)
-    for call in ("enter", "leave", "terminate")[:PHASES.index(phase)]:
+    for call in ("enter", "leave", "terminate")[: PHASES.index(phase)]:
         getattr(session, call)()
     assert session.life.phase == phase
     return session
@@ -50,11 +55,19 @@ def test_times_that_are_none_are_refused(start, stop):
         Session().set_up(start, stop)
 
 
-@pytest.mark.parametrize("time, size, words", [
-    (0.0, -1.0, "-1.0 s at 0.0 s is not possible"), (0.0, math.nan, "nan s"), (0.0, math.inf, "inf s"),
-    (math.nan, 0.0, "at nan s"), (-math.inf, 0.0, "-inf s"), (1e308, 1e308, "is not possible"),
-    (0.5, 0.6, "after the stopTime 1.0 s"), (1.0, 1e-3, "after the stopTime"),
-])
+@pytest.mark.parametrize(
+    "time, size, words",
+    [
+        (0.0, -1.0, "-1.0 s at 0.0 s is not possible"),
+        (0.0, math.nan, "nan s"),
+        (0.0, math.inf, "inf s"),
+        (math.nan, 0.0, "at nan s"),
+        (-math.inf, 0.0, "-inf s"),
+        (1e308, 1e308, "is not possible"),
+        (0.5, 0.6, "after the stopTime 1.0 s"),
+        (1.0, 1e-3, "after the stopTime"),
+    ],
+)
 def test_steps_that_are_none_are_refused(time, size, words):
     session = brought_to(RUNNING)
     with pytest.raises(Refused, match=words):
@@ -64,8 +77,14 @@ def test_steps_that_are_none_are_refused(time, size, words):
 
 def test_steps_up_to_the_stop_with_the_rounding_of_a_sum():
     session = brought_to(RUNNING)
-    for time, size in ((0.0, 0.0), (0.0, 5e-324), (0.0, 1.0), (0.0, 1.0 + 1e-12), (0.9, 0.1 + 1e-8),
-                       (-3.0, 1.0)):
+    for time, size in (
+        (0.0, 0.0),
+        (0.0, 5e-324),
+        (0.0, 1.0),
+        (0.0, 1.0 + 1e-12),
+        (0.9, 0.1 + 1e-8),
+        (-3.0, 1.0),
+    ):
         session.step(time, size)
     unlimited = Session(tell=None)
     unlimited.start()

@@ -64,16 +64,24 @@ def test_outputs_lie_in_the_order_of_the_kernel():
     assert select(INPUT) + select(PARAMETER) + select(OUTPUT) == list(VARIABLES)
 
 
-@pytest.mark.parametrize("name, index", [
-    ("roll", layout.OUT_ROLL),
-    ("force.z", layout.OUT_FORCE + 2),
-    ("moment.x", layout.OUT_MOMENT),
-    ("left.contact.y_rail", layout.OUT_LEFT + layout.SIDE_Y_RAIL),
-    ("right.curvature_y", layout.OUT_RIGHT + layout.SIDE_CURVATURE_Y),
-    ("right.patch[2].width", layout.OUT_RIGHT + layout.SIDE_PATCH + layout.PATCH_OUTPUTS_SIZE
-     + layout.PatchOutputs.width.offset // 8),
-    ("left.half_length[31]", layout.OUT_LEFT + layout.SIDE_HALF_LENGTH + 30),
-])
+@pytest.mark.parametrize(
+    "name, index",
+    [
+        ("roll", layout.OUT_ROLL),
+        ("force.z", layout.OUT_FORCE + 2),
+        ("moment.x", layout.OUT_MOMENT),
+        ("left.contact.y_rail", layout.OUT_LEFT + layout.SIDE_Y_RAIL),
+        ("right.curvature_y", layout.OUT_RIGHT + layout.SIDE_CURVATURE_Y),
+        (
+            "right.patch[2].width",
+            layout.OUT_RIGHT
+            + layout.SIDE_PATCH
+            + layout.PATCH_OUTPUTS_SIZE
+            + layout.PatchOutputs.width.offset // 8,
+        ),
+        ("left.half_length[31]", layout.OUT_LEFT + layout.SIDE_HALF_LENGTH + 30),
+    ],
+)
 def test_names_point_to_the_right_place(name, index):
     assert VARIABLES[PLACE[name]].index == index
 
@@ -100,7 +108,7 @@ def test_values_go_by_their_numbers_where_places_differ(session, monkeypatch):
     session.start()
     session.set_reals([number["lateral_shift"]], [3.0])
     read = [number[name] for name in ("gauge", "lateral_shift", "yaw", "roll", "right.slip[31]")]
-    first = 3.0 + 78500.0 + STARTS - 1.0 + 0.2       # free_rolling is off, the second step
+    first = 3.0 + 78500.0 + STARTS - 1.0 + 0.2  # free_rolling is off, the second step
     assert session.get_reals(read) == pytest.approx([1.5, 3.0, 0.0, first, first + layout.OUTPUT_COUNT - 1])
     assert session.get_booleans([number["free_rolling"]]) == [False]
     assert session.get_integers([number["status"]]) == [0]
@@ -126,8 +134,13 @@ def test_outputs_are_computed_once_per_change(running):
 
 
 def test_values_are_read_in_any_order_and_any_number(running):
-    references = [REFERENCE["right.slip[31]"], REFERENCE["gauge"], SHIFT, REFERENCE["roll"],
-                  REFERENCE["roll"]]
+    references = [
+        REFERENCE["right.slip[31]"],
+        REFERENCE["gauge"],
+        SHIFT,
+        REFERENCE["roll"],
+        REFERENCE["roll"],
+    ]
     values = running.get_reals(references)
     assert values[0] == values[3] + layout.OUTPUT_COUNT - 1 and values[1:3] == [1.435, 0.0]
     assert values[3] == values[4]
@@ -165,8 +178,16 @@ def test_no_file_outside_the_resources_is_read(session, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     session.resources = str(tmp_path / "entry")
     for parameter in ("wheel_profile", "left_rail_profile"):
-        for name in (str(secret), "../secret.txt", "worn/../../secret.txt", "secret.txt", "worn/link.txt",
-                     ".", "worn", "x" * 5000):
+        for name in (
+            str(secret),
+            "../secret.txt",
+            "worn/../../secret.txt",
+            "secret.txt",
+            "worn/link.txt",
+            ".",
+            "worn",
+            "x" * 5000,
+        ):
             session.reset()
             session.set_strings([REFERENCE[parameter]], [name])
             with pytest.raises(Refused, match=f"{parameter} is .*; permitted are .* FMU's resources$"):
@@ -204,15 +225,18 @@ def test_parameters_are_fixed_once_the_simulation_runs(running):
     assert running.get_reals([REFERENCE["gauge"]]) == [1.435]
 
 
-@pytest.mark.parametrize("call, words", [
-    (lambda s: s.set_reals([REFERENCE["roll"]], [1.0]), "roll is an output"),
-    (lambda s: s.set_integers([REFERENCE["status"]], [1]), "status is an output"),
-    (lambda s: s.get_reals([REFERENCE["status"]]), "status is of type Integer"),
-    (lambda s: s.get_reals([REFERENCE["load"]]), "load is of type String"),
-    (lambda s: s.get_integers([len(VARIABLES)]), f"{len(VARIABLES)} does not exist"),
-    (lambda s: s.get_reals([-1]), "-1 does not exist"),
-    (lambda s: s.set_reals([-1], [0.0]), "-1 does not exist"),
-])
+@pytest.mark.parametrize(
+    "call, words",
+    [
+        (lambda s: s.set_reals([REFERENCE["roll"]], [1.0]), "roll is an output"),
+        (lambda s: s.set_integers([REFERENCE["status"]], [1]), "status is an output"),
+        (lambda s: s.get_reals([REFERENCE["status"]]), "status is of type Integer"),
+        (lambda s: s.get_reals([REFERENCE["load"]]), "load is of type String"),
+        (lambda s: s.get_integers([len(VARIABLES)]), f"{len(VARIABLES)} does not exist"),
+        (lambda s: s.get_reals([-1]), "-1 does not exist"),
+        (lambda s: s.set_reals([-1], [0.0]), "-1 does not exist"),
+    ],
+)
 def test_misuse_is_refused(running, call, words):
     with pytest.raises(Refused, match=words):
         call(running)

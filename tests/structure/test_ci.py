@@ -14,8 +14,13 @@ CLEAN = {name: value for name, value in os.environ.items() if not name.startswit
 
 
 def git(folder, *words):
-    subprocess.run(["git", "-c", "user.name=x", "-c", "user.email=x", *words], cwd=folder, check=True,
-                   env=CLEAN, capture_output=True)
+    subprocess.run(
+        ["git", "-c", "user.name=x", "-c", "user.email=x", *words],
+        cwd=folder,
+        check=True,
+        env=CLEAN,
+        capture_output=True,
+    )
 
 
 def ci_run(folder):
@@ -42,8 +47,10 @@ def test_a_file_that_git_does_not_track_ends_ci(tmp_path):
     (tmp_path / "wrcontact" / "forgotten.py").write_text("")
     code, complaint = ci_run(tmp_path)
     assert code == 1 and beyond not in complaint
-    assert complaint == ("not tracked by git, so no other copy has them: wrcontact/forgotten.py - git add "
-                         "them, or ignore them\n")
+    assert complaint == (
+        "not tracked by git, so no other copy has them: wrcontact/forgotten.py - git add "
+        "them, or ignore them\n"
+    )
     git(tmp_path, "add", "wrcontact/forgotten.py")
     assert beyond in ci_run(tmp_path)[1]
 
@@ -68,16 +75,31 @@ UNLISTED = {
 
 @pytest.mark.full
 def test_a_run_of_ci_fails_if_a_test_is_skipped_that_is_not_on_the_list(tmp_path):
-    command = [sys.executable, "-m", "pytest", "-q", "-p", "tests.conftest", "-c", os.devnull, "--rootdir",
-               str(tmp_path), str(tmp_path)]
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-q",
+        "-p",
+        "tests.conftest",
+        "-c",
+        os.devnull,
+        "--rootdir",
+        str(tmp_path),
+        str(tmp_path),
+    ]
     complaint = "skipped, and not on the list in tests/helpers/skips.py: "
     for files in ({"test_some.py": SKIPPED}, UNLISTED):
         for name, content in files.items():
             (tmp_path / name).write_text(content)
-        run = subprocess.run(command, cwd=ROOT, text=True, capture_output=True,
-                             env={**CLEAN, "WRCONTACT_SKIPS": "listed"})
-        told = {line.removeprefix(complaint).partition(":")[0] for line in run.stdout.splitlines()
-                if line.startswith(complaint)}
+        run = subprocess.run(
+            command, cwd=ROOT, text=True, capture_output=True, env={**CLEAN, "WRCONTACT_SKIPS": "listed"}
+        )
+        told = {
+            line.removeprefix(complaint).partition(":")[0]
+            for line in run.stdout.splitlines()
+            if line.startswith(complaint)
+        }
         assert told == (set(UNLISTED) if files is UNLISTED else set()), run.stdout
         assert run.returncode == (files is UNLISTED) and "1 passed" in run.stdout
 
@@ -109,12 +131,25 @@ def test_all(k):
 def test_cases_take_turns(tmp_path):
     """Each turn has some of every test, few turns have all of them, and without a turn all of them run."""
     (tmp_path / "test_some.py").write_text(TURNS)
-    command = [sys.executable, "-m", "pytest", "-q", "--collect-only", "-p", "tests.conftest", "-c",
-               os.devnull, "--rootdir", str(tmp_path), str(tmp_path)]
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-q",
+        "--collect-only",
+        "-p",
+        "tests.conftest",
+        "-c",
+        os.devnull,
+        "--rootdir",
+        str(tmp_path),
+        str(tmp_path),
+    ]
 
     def collected(turn=""):
-        run = subprocess.run(command, cwd=ROOT, text=True, capture_output=True,
-                             env={**CLEAN, "WRCONTACT_TURN": turn})
+        run = subprocess.run(
+            command, cwd=ROOT, text=True, capture_output=True, env={**CLEAN, "WRCONTACT_TURN": turn}
+        )
         assert run.returncode == 0, run.stdout
         return {line.partition("::")[2] for line in run.stdout.splitlines() if "::" in line}
 

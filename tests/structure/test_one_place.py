@@ -6,11 +6,15 @@ from tests.helpers.paths import ROOT
 from wrcontact.kernel import layout
 
 KERNEL = ROOT / "wrcontact" / "kernel"
-FILES = [*(path for path in KERNEL.rglob("*.py") if "generated" not in path.parts),
-         *(ROOT / "wrcontact" / "halfspace").rglob("*.py")]
+FILES = [
+    *(path for path in KERNEL.rglob("*.py") if "generated" not in path.parts),
+    *(ROOT / "wrcontact" / "halfspace").rglob("*.py"),
+]
 #: Vectors and numbers of a record Forces; a patch has its normal moment before, by itself.
-VECTORS, NUMBERS = {"force", "moment", "normal_force"}, {"driving_torque", "friction_power", "damping_power",
-                                                                "wear_number"}
+VECTORS, NUMBERS = (
+    {"force", "moment", "normal_force"},
+    {"driving_torque", "friction_power", "damping_power", "wear_number"},
+)
 OUTPUTS = {"Outputs", "SideOutputs", "PatchOutputs"}
 
 
@@ -27,8 +31,10 @@ def adds(tree):
 
 
 def trees():
-    return {str(path.relative_to(ROOT / "wrcontact")): ast.parse(path.read_text(encoding="utf-8"))
-            for path in FILES}
+    return {
+        str(path.relative_to(ROOT / "wrcontact")): ast.parse(path.read_text(encoding="utf-8"))
+        for path in FILES
+    }
 
 
 def test_forces_are_added_in_one_file():
@@ -38,8 +44,15 @@ def test_forces_are_added_in_one_file():
 
 def test_outputs_are_written_in_one_file_and_read_where_starts_are_noted():
     """Nothing else reads a record of outputs, which so is no place to work in."""
-    reading = {name for name, tree in trees().items() for node in ast.walk(tree)
-               if isinstance(node, ast.Attribute) and node.attr == "outputs"
-               and ast.unparse(node.value) == "work"
-               or isinstance(node, ast.arg) and node.annotation and ast.unparse(node.annotation) in OUTPUTS}
+    reading = {
+        name
+        for name, tree in trees().items()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Attribute)
+        and node.attr == "outputs"
+        and ast.unparse(node.value) == "work"
+        or isinstance(node, ast.arg)
+        and node.annotation
+        and ast.unparse(node.annotation) in OUTPUTS
+    }
     assert reading == {"kernel/wheelset/report.py", "kernel/prepare/tables.py"}

@@ -47,20 +47,34 @@ def test_folders_read_what_stands_before_them(folder):
         permitted = {folder} | MAY_IMPORT[folder]
         if path.relative_to(ROOT).parent.as_posix() in OF_BENCHMARKS:
             permitted.add("benchmarks")
-        found |= {(path.relative_to(ROOT).as_posix(), name) for name in imported(path)
-                  if name.split(".")[0] in set(MAY_IMPORT) - permitted}
+        found |= {
+            (path.relative_to(ROOT).as_posix(), name)
+            for name in imported(path)
+            if name.split(".")[0] in set(MAY_IMPORT) - permitted
+        }
     assert not found
 
 
 def test_no_test_imports_another():
-    found = {(path.relative_to(ROOT).as_posix(), name) for path in files("tests") for name in imported(path)
-             if name.startswith("tests.") and not name.startswith(SHARED)}
+    found = {
+        (path.relative_to(ROOT).as_posix(), name)
+        for path in files("tests")
+        for name in imported(path)
+        if name.startswith("tests.") and not name.startswith(SHARED)
+    }
     assert not found
 
 
 def test_independent_programs_do_not_import_the_package():
     """The witnesses in data: what they compute is compared with the package."""
-    for name in ("brute_force", "conformal_reference", "find_jumps", "halfspace_reference", "hertz",
-                 "hunting_theory"):
-        assert not any(found.startswith(("wrcontact", "examples"))
-                       for found in imported(ROOT / "data" / f"{name}.py")), name
+    for name in (
+        "brute_force",
+        "conformal_reference",
+        "find_jumps",
+        "halfspace_reference",
+        "hertz",
+        "hunting_theory",
+    ):
+        assert not any(
+            found.startswith(("wrcontact", "examples")) for found in imported(ROOT / "data" / f"{name}.py")
+        ), name

@@ -80,6 +80,11 @@ def test_a_copy_is_translated_as_the_kernel_is(tmp_path):
 @pytest.mark.skipif(not (shutil.which("gcc") or shutil.which("cc")), reason="no C compiler here")
 def test_every_planted_error_is_seen():
     pytest.importorskip("pyccel", reason="only Pyccel translates the kernel")
-    run = subprocess.run([sys.executable, "-m", "tests.helpers.plant_errors", "--full"], cwd=ROOT, text=True,
-                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    run = subprocess.run(
+        [sys.executable, "-m", "tests.helpers.plant_errors", "--full"],
+        cwd=ROOT,
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+    )
     assert run.returncode == 0, run.stdout

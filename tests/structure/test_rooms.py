@@ -17,18 +17,44 @@ from wrcontact.kernel.binding.files import ROOMS
 
 PACKAGE = ROOT / "wrcontact"
 #: Rooms from upstream to downstream.
-ORDER = ("storage", "progress", "conventions", "methods", "interface", *(f"kernel.{room}" for room in ROOMS),
-         "kernel.binding", "profiles", "results", "status", "state", "motion", "stepper", "halfspace",
-         "creep", "system", "wheel", "sweeps", "simulation", "conditioning", "wear", "plots", "fleet",
-         "study", "fmu", "cli")
+ORDER = (
+    "storage",
+    "progress",
+    "conventions",
+    "methods",
+    "interface",
+    *(f"kernel.{room}" for room in ROOMS),
+    "kernel.binding",
+    "profiles",
+    "results",
+    "status",
+    "state",
+    "motion",
+    "stepper",
+    "halfspace",
+    "creep",
+    "system",
+    "wheel",
+    "sweeps",
+    "simulation",
+    "conditioning",
+    "wear",
+    "plots",
+    "fleet",
+    "study",
+    "fmu",
+    "cli",
+)
 #: What a user holds; nothing else stands loose at the top of the package.
 TOP = {"system", "wheel", "stepper", "state", "status", "conventions"}
 CODE = ("wrcontact", "fmu_src", "build_hooks", "tools", "benchmarks", "docs", "examples")
 
-MOST_LINES = 399            # of a file
-FUNCTION_LINES = 60
-MOST_ARGUMENTS = 8          # without self
-REASONS = {"lines": "Long because", "arguments": "Many arguments because"}
+#: Statements are counted, not lines, which are the formatter's; of C, which has none, the lines.
+FILE_STATEMENTS = 290
+C_LINES = 399
+FUNCTION_STATEMENTS = 55
+MOST_ARGUMENTS = 8  # without self
+REASONS = {"statements": "Long because", "arguments": "Many arguments because"}
 
 #: Known exceptions, which have to shrink to nothing: a test fails when one is no longer needed.
 BACK_IMPORTS = set()
@@ -67,12 +93,12 @@ def targets(name, node):
         inside = (node.module or "").split(".") if node.module else []
         if not node.level and inside[0] != PACKAGE.name:
             return
-        base = [*package[:len(package) - node.level + 1], *inside] if node.level else inside[1:]
+        base = [*package[: len(package) - node.level + 1], *inside] if node.level else inside[1:]
         yield from ((".".join(base), alias.name) for alias in node.names)
     elif isinstance(node, ast.Call) and getattr(node.func, "id", None) == "import_module":
         words = node.args[0].value
         dots = len(words) - len(words.lstrip("."))
-        yield ".".join([*package[:len(package) - dots + 1], words.lstrip(".")]), None
+        yield ".".join([*package[: len(package) - dots + 1], words.lstrip(".")]), None
 
 
 def home(module, name):
@@ -93,8 +119,11 @@ def home(module, name):
 def imports():
     """Modules that each module imports, anywhere in it; the package's own face, which hands
     names on, imports nothing."""
-    return {name: {home(*target) for node in ast.walk(tree) for target in targets(name, node)} - {name, ""}
-            for name, tree in trees().items() if name}
+    return {
+        name: {home(*target) for node in ast.walk(tree) for target in targets(name, node)} - {name, ""}
+        for name, tree in trees().items()
+        if name
+    }
 
 
 def room(name):
@@ -110,8 +139,12 @@ def test_every_module_has_a_room():
 
 def test_imports_point_upstream():
     place = {name: k for k, name in enumerate(ORDER)}
-    back = {(name, target) for name, targets in imports().items() for target in targets
-            if room(name) != "kernel" and place[room(target)] > place[room(name)]}
+    back = {
+        (name, target)
+        for name, targets in imports().items()
+        for target in targets
+        if room(name) != "kernel" and place[room(target)] > place[room(name)]
+    }
     assert back == BACK_IMPORTS
 
 
@@ -127,12 +160,18 @@ def test_no_modules_import_each_other_in_a_circle():
 
 def test_the_native_fmus_c_has_no_circle():
     """The files of a wheelset and its sentences: what calls none of the others is taken away, and so on."""
-    texts = {path.name: path.read_text(encoding="utf-8")
-             for path in (ROOT / "fmu_src" / "native").glob("[ws]*.c")}
-    homes = {name: file for file, text in texts.items()
-             for name in re.findall(r"^\w[\w *]*?\b((?:wheelset|sentence)_\w+)\(", text, re.MULTILINE)}
-    left = {file: {homes[name] for name in re.findall(r"\b\w+(?=\()", text) if name in homes} - {file}
-            for file, text in texts.items()}
+    texts = {
+        path.name: path.read_text(encoding="utf-8") for path in (ROOT / "fmu_src" / "native").glob("[ws]*.c")
+    }
+    homes = {
+        name: file
+        for file, text in texts.items()
+        for name in re.findall(r"^\w[\w *]*?\b((?:wheelset|sentence)_\w+)\(", text, re.MULTILINE)
+    }
+    left = {
+        file: {homes[name] for name in re.findall(r"\b\w+(?=\()", text) if name in homes} - {file}
+        for file, text in texts.items()
+    }
     assert len(homes) > 40 and left["wheelset.c"]
     while ends := [name for name, targets in left.items() if not targets & set(left)]:
         for name in ends:
@@ -142,10 +181,16 @@ def test_the_native_fmus_c_has_no_circle():
 
 def test_the_whole_workspace_is_handed_on_by_the_wheelset_only():
     """A function reads what its arguments name; the wheelset's recipe and its derivatives see everything."""
-    wide = [f"{name}.{node.name}" for name, tree in trees().items() for node in ast.walk(tree)
-            if isinstance(node, ast.FunctionDef) and name.startswith("kernel.")
-            and any(ast.unparse(argument.annotation) == "Work" for argument in node.args.args
-                    if argument.annotation)]
+    wide = [
+        f"{name}.{node.name}"
+        for name, tree in trees().items()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.FunctionDef)
+        and name.startswith("kernel.")
+        and any(
+            ast.unparse(argument.annotation) == "Work" for argument in node.args.args if argument.annotation
+        )
+    ]
     assert {room(name) for name in wide} == {"kernel.wheelset", "kernel.derivative"}, wide
 
 
@@ -162,20 +207,43 @@ def hand_written(*endings):
 
 
 def test_files_are_short():
-    long = {name for name, text in hand_written(".py", ".c", ".h") if text.count("\n") > MOST_LINES}
+    long = {name for name, text in hand_written(".c", ".h") if text.count("\n") > C_LINES}
+    long |= {name for name, text in hand_written(".py") if statements(ast.parse(text)) > FILE_STATEMENTS}
     assert long == LONG_FILES
 
 
+def statements(tree):
+    """How many statements there are inside a tree; docstrings are none."""
+    return sum(
+        isinstance(node, ast.stmt)
+        and not (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant))
+        for node in ast.walk(tree)
+        if node is not tree
+    )
+
+
 def too_large(node):
-    """By what a function exceeds the limits without a reason in its docstring: "lines", "arguments"."""
+    """By what a function exceeds the limits without a reason in its docstring: "statements", "arguments"."""
     arguments = node.args
-    names = [argument.arg for argument in (*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs,
-                                           *filter(None, (arguments.vararg, arguments.kwarg)))]
-    sizes = {"lines": node.end_lineno - node.lineno + 1 > FUNCTION_LINES,
-             "arguments": len(names) - (names[:1] in (["self"], ["cls"])) > MOST_ARGUMENTS}
+    names = [
+        argument.arg
+        for argument in (
+            *arguments.posonlyargs,
+            *arguments.args,
+            *arguments.kwonlyargs,
+            *filter(None, (arguments.vararg, arguments.kwarg)),
+        )
+    ]
+    sizes = {
+        "statements": statements(node) > FUNCTION_STATEMENTS,
+        "arguments": len(names) - (names[:1] in (["self"], ["cls"])) > MOST_ARGUMENTS,
+    }
     reasons = [line.strip() for line in (ast.get_docstring(node) or "").splitlines()]
-    return [kind for kind, exceeded in sizes.items()
-            if exceeded and not any(line.startswith(REASONS[kind]) for line in reasons)]
+    return [
+        kind
+        for kind, exceeded in sizes.items()
+        if exceeded and not any(line.startswith(REASONS[kind]) for line in reasons)
+    ]
 
 
 def functions(tree):
@@ -183,19 +251,28 @@ def functions(tree):
 
 
 def test_functions_are_small():
-    found = {(name, node.name, kind) for name, text in hand_written(".py")
-             for node in functions(ast.parse(text))
-             for kind in too_large(node)}
+    found = {
+        (name, node.name, kind)
+        for name, text in hand_written(".py")
+        for node in functions(ast.parse(text))
+        for kind in too_large(node)
+    }
     assert found == LARGE_FUNCTIONS
 
 
-@pytest.mark.parametrize("text, found", [
-    ("def f(self, a, b, c, d, e, f, g, h): pass", []),
-    ("def f(a, b, c, d, e, f, *, g, h, **i): pass", ["arguments"]),
-    ("def f(a, b, c, d, e, f, g, h, i):\n    '''F.\n\n    Many arguments because they are one each.\n    '''",
-     []),
-    ("def f():\n" + "    pass\n" * 60, ["lines"]),
-    ("def f():\n" + "    pass\n" * 59, []),
-    ("def f():\n    '''F.\n\n    Long because it is a table.\n    '''\n" + "    pass\n" * 60, [])])
+@pytest.mark.parametrize(
+    "text, found",
+    [
+        ("def f(self, a, b, c, d, e, f, g, h): pass", []),
+        ("def f(a, b, c, d, e, f, *, g, h, **i): pass", ["arguments"]),
+        (
+            "def f(a, b, c, d, e, f, g, h, i):\n    '''F.\n\n    Many arguments because they are one each.\n    '''",
+            [],
+        ),
+        ("def f():\n" + "    pass\n" * 56, ["statements"]),
+        ("def f():\n    '''F.'''\n" + "    pass\n" * 55, []),
+        ("def f():\n    '''F.\n\n    Long because it is a table.\n    '''\n" + "    pass\n" * 60, []),
+    ],
+)
 def test_a_function_s_size_is_seen(text, found):
     assert too_large(ast.parse(text).body[0]) == found

@@ -74,23 +74,25 @@ def test_4_4_the_roll_bends_and_does_not_jump():
 
 def test_4_5_three_jumps():
     numbers = figure("4.5").numbers
-    assert [numbers[f"jump {k} at [mm]"] for k in (1, 2, 3)] == pytest.approx([0.2089, 4.8479, 6.2518],
-                                                                              abs=2e-4)
+    assert [numbers[f"jump {k} at [mm]"] for k in (1, 2, 3)] == pytest.approx(
+        [0.2089, 4.8479, 6.2518], abs=2e-4
+    )
     assert [numbers[f"jump {k} by [mm]"] for k in (1, 2, 3)] == pytest.approx([-10.2, -10.5, -4.2], abs=0.2)
     assert figure("4.5").verdict == HOLDS
 
 
 def test_4_6_the_source_own_search_is_on_the_rigid_contact():
     numbers = figure("4.6").numbers
-    assert numbers["2-D search dy 0.1 mm less exact, flange, largest [mm]"] < 0.06   # half a node
+    assert numbers["2-D search dy 0.1 mm less exact, flange, largest [mm]"] < 0.06  # half a node
     assert numbers["2-D search dy 1 mm less exact, flange, largest [mm]"] > 1.0
     assert figure("4.6").verdict == FAILS
 
 
 def test_elastic_contact_is_smoother_and_tends_to_the_rigid_one():
     numbers = figure("4.5").numbers
-    assert numbers["largest step before the flange, elastic [mm]"] < 0.05 * numbers["largest step, rigid "
-                                                                                    "[mm]"]
+    assert (
+        numbers["largest step before the flange, elastic [mm]"] < 0.05 * numbers["largest step, rigid [mm]"]
+    )
     assert figure("5.6").numbers["yaw 0 deg: elastic slope, 0.4 mm behind / before"] < 1.5
     assert figure("5.6").numbers["yaw 0 deg: share of shifts with less elastic roll"] > 0.8
     numbers = figure("4.4").numbers
@@ -104,8 +106,10 @@ def test_elastic_contact_is_smoother_and_tends_to_the_rigid_one():
 def test_elastic_roll_is_what_the_complete_theory_makes_of_the_levers(shift):
     """Each wheel sinks by its penetration over the cosine of its contact angle; the
     lever is that of the study."""
-    sides = [getattr(STUDY.system(normal_model="halfspace").evaluate(lateral_shift=shift / 1e3), side)
-             for side in SIDES]
+    sides = [
+        getattr(STUDY.system(normal_model="halfspace").evaluate(lateral_shift=shift / 1e3), side)
+        for side in SIDES
+    ]
     left, right = (side.penetration / math.cos(side.contact_angle) for side in sides)
     arms = sum(abs(side.contact.y_track - shift / 1e3) for side in sides)
     turn = (right - left) / (lever_share(STUDY.system(), shift / 1e3) * arms)
@@ -119,9 +123,10 @@ def test_5_6_bends_come_later_with_yaw():
         assert numbers[f"yaw {yaw} deg: bend at [mm]"] == pytest.approx(reference_jumps(yaw)[0], abs=1e-4)
         assert numbers[f"yaw {yaw} deg: slope behind / before"] == pytest.approx(2.45, abs=0.05)
         assert numbers[f"yaw {yaw} deg: step of the roll [deg]"] < 1e-6
-        for shift in (3.0, 5.0, 6.5):   # the source's own search beside the exact one
+        for shift in (3.0, 5.0, 6.5):  # the source's own search beside the exact one
             assert at("5.6", f"source's 3-D search, dx 0.1 mm, yaw {yaw} deg", shift) == pytest.approx(
-                at("5.6", f"rigid, exact, yaw {yaw} deg", shift), abs=1e-3)   # [deg]
+                at("5.6", f"rigid, exact, yaw {yaw} deg", shift), abs=1e-3
+            )  # [deg]
 
 
 def test_5_7_the_contact_at_5_mm():
@@ -147,7 +152,7 @@ def test_5_8_roll_on_the_tread_is_smaller_with_yaw_because_the_wheelset_is_narro
     numbers = figure("5.8").numbers
     assert numbers["3 mm, 1 deg: rise of the contact towards the axle [um]"] < 1
     share = next(value for name, value in numbers.items() if "narrower" in name)
-    assert share == pytest.approx(109, abs=3)   # [%]
+    assert share == pytest.approx(109, abs=3)  # [%]
 
 
 def test_5_9_longitudinal_shift():
@@ -155,15 +160,17 @@ def test_5_9_longitudinal_shift():
     assert numbers["yaw 1 deg: largest [mm]"] == pytest.approx(22.8, abs=0.2)
     for row in data.rows_of(DATA / "rigid_positions.csv"):
         if row["yaw_deg"] in (1, 2, 3) and row["lateral_shift_mm"] >= 0:
-            assert at("5.9", f"exact, yaw {row['yaw_deg']:.0f} deg",
-                      row["lateral_shift_mm"]) == pytest.approx(
-row["R_x_wheel_mm"], abs=2e-3)   # [mm]
+            assert at(
+                "5.9", f"exact, yaw {row['yaw_deg']:.0f} deg", row["lateral_shift_mm"]
+            ) == pytest.approx(row["R_x_wheel_mm"], abs=2e-3)  # [mm]
     assert numbers["yaw 1 deg at 6.5 mm [mm]"] == pytest.approx(18.34, abs=0.01)
     assert numbers["yaw 3 deg at 1 mm [mm]"] < numbers["yaw 2 deg at 1 mm [mm]"]
 
 
-@pytest.mark.parametrize("shift, yaw", [(1.0, 3), pytest.param(6.5, 1, marks=pytest.mark.full),
-                                        pytest.param(8.0, 2, marks=pytest.mark.full)])
+@pytest.mark.parametrize(
+    "shift, yaw",
+    [(1.0, 3), pytest.param(6.5, 1, marks=pytest.mark.full), pytest.param(8.0, 2, marks=pytest.mark.full)],
+)
 def test_5_8_and_5_9_against_the_brute_force(shift, yaw):
     """The search over both parameters of the wheel's surface, which shares no code with the package."""
     found = brute_force.rigid_contact(brute_force.track(), shift / 1e3, math.radians(yaw))
@@ -180,18 +187,24 @@ def test_7_2_and_7_4_separations():
     tread, root = figure("7.2").numbers, figure("7.4").numbers
     assert tread["separations differ inside the patch by [mm]"] < 5e-4
     assert abs(tread["vertical: penetration [%]"]) < 0.5
-    assert 1e-4 < root["separations differ within 0.5 mm by [mm]"] < root["separations differ within 1 mm "
-                                                                          "by [mm]"] < 2e-3
-    assert root["1 / cos(contact angle) [%]"] == pytest.approx(100 / math.cos(math.radians(24.2695)) - 100,
-                                                               abs=0.01)
+    assert (
+        1e-4
+        < root["separations differ within 0.5 mm by [mm]"]
+        < root["separations differ within 1 mm by [mm]"]
+        < 2e-3
+    )
+    assert root["1 / cos(contact angle) [%]"] == pytest.approx(
+        100 / math.cos(math.radians(24.2695)) - 100, abs=0.01
+    )
     # equidistant is narrower in x
     assert root["vertical: length [%]"] == pytest.approx(5.5, abs=0.3)
-    assert root["vertical: width in y [%]"] == pytest.approx(-7, abs=1.5)        # and wider in y
+    assert root["vertical: width in y [%]"] == pytest.approx(-7, abs=1.5)  # and wider in y
     assert root["vertical: penetration [%]"] == pytest.approx(11.4, abs=0.5)
     assert abs(root["vertical, turned: penetration [%]"]) < 2
-    for numbers in (tread, root):   # the equidistant patch is the right one
+    for numbers in (tread, root):  # the equidistant patch is the right one
         assert numbers["wrcontact, equidistant: penetration [um]"] == pytest.approx(
-            numbers["equidistant: penetration [um]"], rel=0.03)
+            numbers["equidistant: penetration [um]"], rel=0.03
+        )
 
 
 @pytest.mark.parametrize("number, factor", [("7.5", 1.0025), ("7.7", 1.0976), ("7.9", 2.58)])
@@ -201,13 +214,14 @@ def test_effective_radius(number, factor):
     assert numbers["effective radius [m]"] == pytest.approx(numbers["wrcontact's radius [m]"], rel=1e-6)
 
 
-@pytest.mark.parametrize("number, length, width",
-                         [("7.6", 0.1, 0.0), ("7.8", 3.9, -2.4), ("7.10", 46.3, -17.4)])
+@pytest.mark.parametrize(
+    "number, length, width", [("7.6", 0.1, 0.0), ("7.8", 3.9, -2.4), ("7.10", 46.3, -17.4)]
+)
 def test_effective_radius_stretches_the_patch(number, length, width):
     numbers = figure(number).numbers
     assert numbers["effective: length [%]"] == pytest.approx(length, abs=0.3)
     assert numbers["effective: width [%]"] == pytest.approx(width, abs=0.3)
-    assert abs(numbers["effective: error of the largest pressure [%]"]) < 2     # against the complete theory
+    assert abs(numbers["effective: error of the largest pressure [%]"]) < 2  # against the complete theory
     assert abs(numbers["effective: length [mm]"] / numbers["complete theory: length [mm]"] - 1) < 0.035
 
 
@@ -217,8 +231,11 @@ def test_7_10_the_basic_radius_is_wrong_by_a_fifth():
 
 def test_7_11_roughness_is_rounding():
     numbers = figure("7.11").numbers
-    scatter = {(ds, step): numbers[f"scatter of B, ds {ds} mm, coordinates to {step} mm [1/m]"]
-               for ds in ("0.2", "1", "2") for step in ("0", "0.0001", "0.001")}
+    scatter = {
+        (ds, step): numbers[f"scatter of B, ds {ds} mm, coordinates to {step} mm [1/m]"]
+        for ds in ("0.2", "1", "2")
+        for step in ("0", "0.0001", "0.001")
+    }
     assert scatter["0.2", "0"] < 1e-3 and 5 < scatter["0.2", "0.001"] < 20
     # two second differences of coordinates rounded to q, each with a variance of 6 q^2 / 12 over ds^4
     assert scatter["1", "0.0001"] == pytest.approx(0.674 * 0.5 * math.sqrt(2 * 6 / 12) * 1e-7 / 1e-6, rel=0.4)
@@ -229,8 +246,9 @@ def test_7_11_roughness_is_rounding():
 @pytest.mark.parametrize("number, rough, smooth", [("7.12", 74, 81), ("7.13", 33, 37), ("7.14", 61, 66)])
 def test_rough_curvature_always_leaves_fewer_nodes(number, rough, smooth):
     numbers = figure(number).numbers
-    assert (numbers["rough: loaded nodes"],
-            numbers["smooth: loaded nodes"]) == pytest.approx((rough, smooth), abs=1)
+    assert (numbers["rough: loaded nodes"], numbers["smooth: loaded nodes"]) == pytest.approx(
+        (rough, smooth), abs=1
+    )
     assert numbers["rough: B <= 0 over [mm]"] > numbers["smooth: B <= 0 over [mm]"] > 4
     true = numbers["complete theory: penetration [um]"]
     assert numbers["rough: penetration [um]"] > 1.15 * true
@@ -244,8 +262,11 @@ def test_rough_curvature_always_leaves_fewer_nodes(number, rough, smooth):
 def test_7_14_exact_profiles_do_not_break_the_patch_and_rounded_ones_do():
     numbers = figure("7.14").numbers
     assert numbers["rough: first contact point in the patch"] == 1
-    assert numbers["first point out, coordinates to 0 mm"] == 0 == numbers["first point out, coordinates to "
-                                                                           "0.0001 mm"]
+    assert (
+        numbers["first point out, coordinates to 0 mm"]
+        == 0
+        == numbers["first point out, coordinates to 0.0001 mm"]
+    )
     assert 0.2 < numbers["first point out, coordinates to 0.001 mm"] < 0.6
     assert numbers["first point out, coordinates to 0.001 mm, corrected"] == 0
     assert numbers["first point out, coordinates to 0.01 mm, corrected"] == pytest.approx(1 / 7, abs=0.1)
@@ -257,16 +278,18 @@ def test_yaw_has_patterns_where_the_contact_does_not_jump():
     area = [tread[f"yaw {yaw} deg: area [mm2]"] for yaw in (0, 1, 2)]
     assert area == sorted(area)
     assert tread["no yaw, wheelset narrower by cos(2 deg): area [mm2]"] == pytest.approx(area[2], rel=0.01)
-    assert root["yaw 2 deg: x_wheel [mm]"] == pytest.approx(42.762, abs=1e-2)   # on the flange
+    assert root["yaw 2 deg: x_wheel [mm]"] == pytest.approx(42.762, abs=1e-2)  # on the flange
     assert root["yaw 2 deg: largest pressure [MPa]"] > 1.8 * root["yaw 0 deg: largest pressure [MPa]"]
-    length, width = ([flange[f"yaw {yaw} deg: {what} [mm]"] for yaw in (0, 1, 2)]
-                     for what in ("length", "width"))
+    length, width = (
+        [flange[f"yaw {yaw} deg: {what} [mm]"] for yaw in (0, 1, 2)] for what in ("length", "width")
+    )
     assert length == sorted(length, reverse=True) and width == sorted(width)
     assert length == pytest.approx([28.6, 25.5, 21.6], abs=0.2)
     for numbers in (tread, root, flange):
         for yaw in (0, 1, 2):
             assert numbers[f"yaw {yaw} deg: area [mm2]"] == pytest.approx(
-                numbers[f"yaw {yaw} deg: complete theory, area [mm2]"], rel=0.05)
+                numbers[f"yaw {yaw} deg: complete theory, area [mm2]"], rel=0.05
+            )
 
 
 # --- files and command ----------------------------------------------------------------------------
@@ -318,7 +341,12 @@ def test_command_writes_only_what_is_asked_for(run, tmp_path):
     code, out, err = run("figures", "--output", tmp_path / "here", "--only", "7.3", "7.10")
     assert code == 0 and err == ""
     assert sorted(path.name for path in (tmp_path / "here").iterdir()) == [
-        "fig_7_10.csv", "fig_7_10.png", "fig_7_3.csv", "fig_7_3.png", "figures.md"]
+        "fig_7_10.csv",
+        "fig_7_10.png",
+        "fig_7_3.csv",
+        "fig_7_3.png",
+        "figures.md",
+    ]
     lines = [line.split() for line in out.splitlines() if line[:1].isdigit()]
     assert [words[0] for words in lines[:2]] == ["7.3", "7.10"] and "2 figures" in out
 
@@ -330,9 +358,15 @@ def test_command_refuses_unknown_figures_in_one_sentence(run, tmp_path):
     assert not (tmp_path / "none").exists()
 
 
-@pytest.mark.parametrize("words, numbers", [
-    ((), NUMBERS), (("7.4,7.2",), ("7.2", "7.4")), (("fig_7_2", "4.4"), ("4.4", "7.2")),
-    (("7.2", "7.2"), ("7.2",))])
+@pytest.mark.parametrize(
+    "words, numbers",
+    [
+        ((), NUMBERS),
+        (("7.4,7.2",), ("7.2", "7.4")),
+        (("fig_7_2", "4.4"), ("4.4", "7.2")),
+        (("7.2", "7.2"), ("7.2",)),
+    ],
+)
 def test_chosen(words, numbers):
     assert chosen(words) == numbers and known() == NUMBERS and tuple(DRAWN) == NUMBERS
 

@@ -31,8 +31,9 @@ def test_nodes_with_no_curvature_drop_out_unless_corrected():
     s = np.linspace(-5e-3, 5e-3, 401)
     B = np.where(np.abs(s - 1e-3) < 0.5e-3, -0.5, 2.0)
     columns = s, 2.0 * s**2, np.ones_like(s), B
-    bare, mended = (solve_analyn(*columns, force=2e4, modulus=MODULUS, correction=degree)
-                    for degree in (None, 2))
+    bare, mended = (
+        solve_analyn(*columns, force=2e4, modulus=MODULUS, correction=degree) for degree in (None, 2)
+    )
     assert not bare.loaded[np.abs(s - 1e-3) < 0.4e-3].any() and bare.regions == 2
     assert mended.regions == 1 and mended.penetration < bare.penetration
     assert np.isnan(corrected(B, np.abs(s) < 3e-3, None)[np.abs(s - 1e-3) < 0.4e-3]).all()
@@ -43,13 +44,16 @@ def test_separations_near_the_contact_are_what_the_curvature_says(shift):
     """B s^2 along the normal and between equal arcs, and 1 / cos(contact angle) more
     vertically at the same place."""
     section = STUDY.section(shift)
-    near = 5e-6   # [m]
+    near = 5e-6  # [m]
     B = float(section.exact_lateral(section.normal(near, 1))[1])
-    for nodes in (section.normal(near, 8), section.equidistant(near, 8),
-                  section.equidistant(near, 8, chords=True)):
+    for nodes in (
+        section.normal(near, 8),
+        section.equidistant(near, 8),
+        section.equidistant(near, 8, chords=True),
+    ):
         assert nodes.gap == pytest.approx(B * nodes.station**2, rel=0.02, abs=1e-13)
     vertical, cosine = section.vertical(near, 8), math.cos(section.angle)
-    assert vertical.gap == pytest.approx(B * (vertical.station / cosine)**2 / cosine, rel=0.04, abs=1e-13)
+    assert vertical.gap == pytest.approx(B * (vertical.station / cosine) ** 2 / cosine, rel=0.04, abs=1e-13)
 
 
 def test_chords_are_arcs_in_the_limit():
@@ -75,8 +79,10 @@ def test_curvatures_are_those_of_the_kernels_tables(shift):
     section = STUDY.section(shift)
     nodes = section.equidistant(0.2e-3, 60)
     smooth, rough = (ContactSystem(lateral_curvature=kind) for kind in ("smooth", "rough"))
-    for body, curve, t, sign in (("rail", section.rail, nodes.rail, 1),
-                                 ("wheel", section.wheel, nodes.wheel, -1)):
+    for body, curve, t, sign in (
+        ("rail", section.rail, nodes.rail, 1),
+        ("wheel", section.wheel, nodes.wheel, -1),
+    ):
         own = rough_curvature(curve.point(t))
         # 31 points along the chord, 61 along the tangent
         wanted = sign * np.interp(t, *lateral_curvatures(smooth, body))
@@ -94,14 +100,25 @@ def test_patches_of_the_study_are_those_of_the_kernel(shift, separation):
     the radius of the flange root under this load (by 0.8 % under 78.5 kN)."""
     force = 1e3
     section = STUDY.section(shift)
-    nodes = {"normal": section.normal, "equidistant": section.equidistant,
-             "equidistant_chord": lambda ds,
-             count: section.equidistant(ds, count, chords=True)}[separation](0.01e-3, 400)
-    patch = solve_analyn(nodes.station, np.maximum(nodes.gap, 0.0), section.longitudinal(nodes.wheel, True),
-                         section.smooth_lateral(nodes, 3e-3), force=force, modulus=MODULUS)
-    side = ContactSystem(separation=separation, lateral_curvature="smooth").evaluate(
-        lateral_shift=shift / 1e3, normal_force=force).right
+    nodes = {
+        "normal": section.normal,
+        "equidistant": section.equidistant,
+        "equidistant_chord": lambda ds, count: section.equidistant(ds, count, chords=True),
+    }[separation](0.01e-3, 400)
+    patch = solve_analyn(
+        nodes.station,
+        np.maximum(nodes.gap, 0.0),
+        section.longitudinal(nodes.wheel, True),
+        section.smooth_lateral(nodes, 3e-3),
+        force=force,
+        modulus=MODULUS,
+    )
+    side = (
+        ContactSystem(separation=separation, lateral_curvature="smooth")
+        .evaluate(lateral_shift=shift / 1e3, normal_force=force)
+        .right
+    )
     assert patch.penetration == pytest.approx(side.penetration, rel=0.005)
     assert patch.pressure.max() == pytest.approx(side.max_pressure, rel=0.005)
     assert patch.length == pytest.approx(side.patch_length, rel=0.003)
-    assert patch.width == pytest.approx(side.patch_width, rel=0.02, abs=0.01e-3)     # in whole nodes
+    assert patch.width == pytest.approx(side.patch_width, rel=0.02, abs=0.01e-3)  # in whole nodes

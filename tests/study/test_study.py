@@ -29,8 +29,8 @@ from wrcontact.study.search import (
 
 pytestmark = pytest.mark.check
 
-SPACINGS = (4e-4, 2e-4, 1e-4, 5e-5)   # [m]
-EXACTLY = 1e-12                       # tolerance of the distances [m], so that the nodes alone are seen
+SPACINGS = (4e-4, 2e-4, 1e-4, 5e-5)  # [m]
+EXACTLY = 1e-12  # tolerance of the distances [m], so that the nodes alone are seen
 
 
 @pytest.fixture(scope="module")
@@ -46,9 +46,11 @@ def roll_error(system, search, shift, yaw=0.0):
     return abs(search.solve(shift, yaw).roll - exact_result(system, shift, yaw).roll)
 
 
-@pytest.mark.parametrize("shifts, share",
-                         [((1e-3, 3e-3, 5e-3, 6e-3), 15.0), ((6.3e-3, 6.5e-3, 8e-3), 3000.0)],
-                         ids=["tread_and_root", "flange"])
+@pytest.mark.parametrize(
+    "shifts, share",
+    [((1e-3, 3e-3, 5e-3, 6e-3), 15.0), ((6.3e-3, 6.5e-3, 8e-3), 3000.0)],
+    ids=["tread_and_root", "flange"],
+)
 def test_plane_search_converges_to_the_exact_one(system, shifts, share):
     """Between nodes a distance h apart curves are missed by h^2, on the flange with a short lever."""
     worst = []
@@ -65,9 +67,11 @@ def test_plane_search_converges_to_the_exact_one(system, shifts, share):
     assert 1.4 < rate < 2.8
 
 
-@pytest.mark.parametrize("shift, yaw, share",
-                         [(1e-3, 1, 30.0), (-3e-3, 3, 30.0), (6e-3, 1, 30.0), (6.5e-3, 1, 3000.0),
-                          (6e-3, 2, 3000.0)], ids=str)
+@pytest.mark.parametrize(
+    "shift, yaw, share",
+    [(1e-3, 1, 30.0), (-3e-3, 3, 30.0), (6e-3, 1, 30.0), (6.5e-3, 1, 3000.0), (6e-3, 2, 3000.0)],
+    ids=str,
+)
 def test_search_with_yaw_converges_to_the_exact_one(system, shift, yaw, share):
     yaw = deg(yaw)
     for spacing in SPACINGS[1:3]:
@@ -111,18 +115,21 @@ def test_corrected_shift_of_wang_is_the_contact_locus(roll, yaw, slope):
     t = math.tan(yaw) * math.sin(roll)
     phi = -math.atan(t) - math.asin(math.tan(yaw) * math.cos(roll) * slope / math.sqrt(1 + t * t))
     pose = Pose(0.0, yaw, roll)
-    contact, lowest = (variants.turned(pose, 0.47 * math.sin(angle), 0.0, 0.47 * math.cos(angle))
-                       for angle in (phi, 0.0))
-    np.testing.assert_allclose(wang_shift(0.47, -slope, roll=roll, yaw=yaw), np.subtract(contact, lowest),
-                               atol=1e-15)
+    contact, lowest = (
+        variants.turned(pose, 0.47 * math.sin(angle), 0.0, 0.47 * math.cos(angle)) for angle in (phi, 0.0)
+    )
+    np.testing.assert_allclose(
+        wang_shift(0.47, -slope, roll=roll, yaw=yaw), np.subtract(contact, lowest), atol=1e-15
+    )
 
 
 def test_yawed_rail_as_printed_does_not_converge(system):
     """Source eq. (5.12) maps the abscissa the wrong way round: an error of 2 (1 - cos yaw) of
     it that no spacing cures."""
     shift, yaw = 3e-3, deg(3)
-    printed, corrected = (Search3D(system, 2e-4, 2.5e-5, tolerance=EXACTLY, as_printed=printed)
-                          for printed in (True, False))
+    printed, corrected = (
+        Search3D(system, 2e-4, 2.5e-5, tolerance=EXACTLY, as_printed=printed) for printed in (True, False)
+    )
     assert roll_error(system, corrected, shift, yaw) < 1e-8
     assert roll_error(system, printed, shift, yaw) > 2e-6
 
@@ -155,8 +162,10 @@ def test_flange_contact_comes_earlier_with_yaw_but_not_in_the_source_as_describe
 def test_the_gain_of_the_source_suits_the_tread(system):
     """A step is K times the difference over 2 * 750 mm, right on the tread; on the flange the
     true lever is a fifth."""
-    steps = {gain: [Search2D(system, gain=gain).solve(shift).steps for shift in (3e-3, 6.5e-3)]
-             for gain in (1.0, 1.2, 1.9)}
+    steps = {
+        gain: [Search2D(system, gain=gain).solve(shift).steps for shift in (3e-3, 6.5e-3)]
+        for gain in (1.0, 1.2, 1.9)
+    }
     assert steps[1.0][0] <= 5 and steps[1.9][0] > 30
     assert steps[1.2][1] > 30 and steps[1.9][1] < 0.7 * steps[1.2][1]
 
@@ -166,8 +175,9 @@ def test_lever_of_the_roll(system, shift, share):
     """Against the difference of the smallest distances 1e-5 rad to either side of the balance."""
     search, roll, gaps = Search2D(system, 1e-5), exact_result(system, shift).roll, []
     for turned in (roll - 1e-5, roll + 1e-5):
-        left, right = (search._matrices[side][0].lowest(Pose(shift, 0.0, turned).of(side))
-                       for side in ("left", "right"))
+        left, right = (
+            search._matrices[side][0].lowest(Pose(shift, 0.0, turned).of(side)) for side in ("left", "right")
+        )
         gaps.append(left.gap - right.gap)
     measured = (gaps[1] - gaps[0]) / 2e-5 / (left.y_axle + right.y_axle)
     assert lever_share(system, shift) == pytest.approx(share, abs=1e-3)
@@ -199,8 +209,9 @@ def test_denser_nodes_are_ten_times_better_for_less(system):
 
 
 @pytest.mark.parametrize("method", ["hybr", "lm"])
-@pytest.mark.parametrize("shift, yaw", [(1e-3, 0), (-5e-3, 0), (6e-3, 1), (6e-3, 2), (6.5e-3, 0), (8e-3, 3)],
-                         ids=str)
+@pytest.mark.parametrize(
+    "shift, yaw", [(1e-3, 0), (-5e-3, 0), (6e-3, 1), (6e-3, 2), (6.5e-3, 0), (8e-3, 3)], ids=str
+)
 def test_equations_find_the_exact_contact_from_nearby(system, shift, yaw, method):
     yaw = deg(yaw)
     exact = exact_result(system, shift, yaw)
@@ -218,8 +229,9 @@ def test_equations_may_find_another_stationary_point(system):
     0.33 mm inside the rail."""
     shift, yaw = 6e-3, deg(2)
     plane = Search2D(system).solve(shift)
-    found = ConstraintSearch(system).solve(shift, yaw,
-                                           start=(plane.roll, plane.left.y_wheel, plane.right.y_wheel))
+    found = ConstraintSearch(system).solve(
+        shift, yaw, start=(plane.roll, plane.left.y_wheel, plane.right.y_wheel)
+    )
     assert found.converged and "another stationary point: a wheel is 0.33" in found.remark
     assert abs(found.right.y_wheel - exact_result(system, shift, yaw).right.y_wheel) > 9e-3
 
@@ -244,8 +256,9 @@ def test_contact_in_the_last_profile_is_told(system):
 
 
 def test_nodes_are_multiples_of_their_spacing():
-    np.testing.assert_allclose(profile_nodes((-0.35, 0.25), 0.1), [-0.3, -0.2, -0.1, 0.0, 0.1, 0.2],
-                               atol=1e-15)
+    np.testing.assert_allclose(
+        profile_nodes((-0.35, 0.25), 0.1), [-0.3, -0.2, -0.1, 0.0, 0.1, 0.2], atol=1e-15
+    )
 
 
 def test_studies_are_not_packed():

@@ -19,8 +19,11 @@ SCALES = {"smooth": (0.1e-3, 3e-3, 10e-3), "rough": (0.02e-3, 0.2e-3, 5e-3)}
 
 
 def system_of(kind, scale, **given):
-    return wrcontact.ContactSystem(lateral_curvature=kind, **{
-        "curvature_reach" if kind == "smooth" else "curvature_step": scale}, **given)
+    return wrcontact.ContactSystem(
+        lateral_curvature=kind,
+        **{"curvature_reach" if kind == "smooth" else "curvature_step": scale},
+        **given,
+    )
 
 
 @pytest.mark.parametrize("radius, reach", [(13.0, 11.7), (80.0, 36.0), (300.0, 60.0)])
@@ -65,8 +68,15 @@ def turned(table, y, step):
     return np.diff(angles)[0] / step
 
 
-@pytest.mark.parametrize("kind, witness, scale", [("smooth", fitted, 3e-3), ("smooth", fitted, 0.5e-3),
-                                                  ("rough", turned, 0.2e-3), ("rough", turned, 0.7e-3)])
+@pytest.mark.parametrize(
+    "kind, witness, scale",
+    [
+        ("smooth", fitted, 3e-3),
+        ("smooth", fitted, 0.5e-3),
+        ("rough", turned, 0.2e-3),
+        ("rough", turned, 0.7e-3),
+    ],
+)
 @pytest.mark.parametrize("body, sign", [("wheel", -1), ("rail", 1)])
 def test_tables_hold_what_the_source_says(kind, witness, scale, body, sign):
     """At a share of their places, the ends among them."""
@@ -82,8 +92,16 @@ def test_tables_hold_what_the_source_says(kind, witness, scale, body, sign):
     np.testing.assert_allclose(found[some], wanted, rtol=1e-9, atol=1e-8)
 
 
-@pytest.mark.parametrize("parameters", [dict(curvature_step=5e-3), dict(curvature_step=0.02e-3),
-                                        dict(curvature_reach=10e-3), dict(curvature_reach=0.1e-3)], ids=str)
+@pytest.mark.parametrize(
+    "parameters",
+    [
+        dict(curvature_step=5e-3),
+        dict(curvature_step=0.02e-3),
+        dict(curvature_reach=10e-3),
+        dict(curvature_reach=0.1e-3),
+    ],
+    ids=str,
+)
 @pytest.mark.parametrize("rail", RAILS)
 def test_tables_hold_numbers_at_every_scale(rail, parameters):
     kind = "rough" if "curvature_step" in parameters else "smooth"
@@ -98,8 +116,12 @@ def test_tables_hold_numbers_at_every_scale(rail, parameters):
 def profiles(system):
     """Wheel and inclined rail as the standards define them; by kind."""
     chosen = system.parameters
-    placed = place_rail(system.rail, inclination=chosen["rail_inclination"], gauge=chosen["gauge"],
-                        gauge_depth=chosen["gauge_depth"])
+    placed = place_rail(
+        system.rail,
+        inclination=chosen["rail_inclination"],
+        gauge=chosen["gauge"],
+        gauge_depth=chosen["gauge_depth"],
+    )
     return readable_wheel(system.wheel), placed.profile
 
 
@@ -109,14 +131,15 @@ def orthogonal_fit(profile, y, reach):
     points = np.stack([at - y, profile.height(at) - profile.height(y)]) / reach
 
     def distances(unknown):
-        a, b, c = unknown      # offset, angle and curvature; no division where it is straight
+        a, b, c = unknown  # offset, angle and curvature; no division where it is straight
         u = points[0] * np.cos(b) + points[1] * np.sin(b)
         v = points[1] * np.cos(b) - points[0] * np.sin(b) - a
         square = c * (u**2 + v**2)
         return 2 * (0.5 * square - v) / (1 + np.sqrt(np.maximum(1 + c * (square - 2 * v), 0.0)))
 
-    found = least_squares(distances, [0.0, np.arctan(profile.slope(y)), profile.curvature(y) * reach],
-                          xtol=1e-14, ftol=1e-14)
+    found = least_squares(
+        distances, [0.0, np.arctan(profile.slope(y)), profile.curvature(y) * reach], xtol=1e-14, ftol=1e-14
+    )
     return found.x[2] / reach
 
 
@@ -127,8 +150,9 @@ def test_curvature_at_the_contact_is_that_of_a_fitted_circle(place, scale, error
     system = system_of("smooth", scale)
     side = system.evaluate(PLACES[place]).right
     wheel, rail = profiles(system)
-    expected = (orthogonal_fit(rail, side.contact.y_rail, scale)
-                - orthogonal_fit(wheel, side.contact.y_wheel, scale))
+    expected = orthogonal_fit(rail, side.contact.y_rail, scale) - orthogonal_fit(
+        wheel, side.contact.y_wheel, scale
+    )
     assert side.curvature_y == pytest.approx(expected, rel=error, abs=0.02)
 
 
@@ -142,8 +166,10 @@ def test_curvature_of_a_small_scale_is_the_profile_s_own(kind):
 
 
 def test_hertz_takes_the_chosen_lateral_curvature():
-    sides = [wrcontact.ContactSystem(normal_model="hertz", lateral_curvature=kind).evaluate(1e-3).right
-             for kind in CHOICES["lateral_curvature"]]
+    sides = [
+        wrcontact.ContactSystem(normal_model="hertz", lateral_curvature=kind).evaluate(1e-3).right
+        for kind in CHOICES["lateral_curvature"]
+    ]
     assert sides[1].curvature_y < 0.8 * sides[0].curvature_y and sides[1].area > 1.1 * sides[0].area
     assert sides[2].curvature_y == pytest.approx(sides[0].curvature_y, rel=1e-3)
 
@@ -153,8 +179,12 @@ def test_rough_and_smooth_are_what_the_source_shows():
     the patch, even below zero, and the smooth one does not."""
     contact = wrcontact.ContactSystem().evaluate(1e-3).right.contact
     s = np.linspace(-7e-3, 7e-3, 281)
-    rough, smooth = (sum(np.interp(place + s, *lateral_curvatures(system, body)) for body, place in (
-        ("wheel", contact.y_wheel), ("rail", contact.y_rail))) for system in (
-            system_of("rough", 0.2e-3), system_of("smooth", 3e-3)))
+    rough, smooth = (
+        sum(
+            np.interp(place + s, *lateral_curvatures(system, body))
+            for body, place in (("wheel", contact.y_wheel), ("rail", contact.y_rail))
+        )
+        for system in (system_of("rough", 0.2e-3), system_of("smooth", 3e-3))
+    )
     assert np.abs(np.diff(rough)).max() > 5 * np.abs(np.diff(smooth)).max()
     assert rough.min() < 0.0

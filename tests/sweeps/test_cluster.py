@@ -22,8 +22,10 @@ xarray, distributed = pytest.importorskip("xarray"), pytest.importorskip("distri
 @pytest.fixture(scope="module")
 def client():
     """Of two processes with one thread each, which are started again when they die."""
-    with (distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
-          distributed.Client(cluster) as client):
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
         yield client
 
 
@@ -47,7 +49,7 @@ def test_workers_die(tmp_path, client, dying, after):
 
     found = in_memory(system, store=tmp_path / "a.zarr", client=client, progress=progress)
     xarray.testing.assert_identical(found.load(), in_memory(system))
-    assert told[-1][:2] == (480, 480) and len(told) <= 24 + (dying - 1)       # no block is told twice
+    assert told[-1][:2] == (480, 480) and len(told) <= 24 + (dying - 1)  # no block is told twice
     assert set(client.run(os.getpid).values()) != set(pids)
 
 
@@ -59,11 +61,18 @@ def test_a_cluster_goes_on_where_this_process_was(tmp_path, client):
     for corner in task.missing()[:7]:
         task.solve(corner)
     told = []
-    found = wrcontact.sweep(wrcontact.ContactSystem(), AXES, ["roll"], tmp_path / "a.zarr", client=client,
-                            progress=lambda *numbers: told.append(numbers))
+    found = wrcontact.sweep(
+        wrcontact.ContactSystem(),
+        AXES,
+        ["roll"],
+        tmp_path / "a.zarr",
+        client=client,
+        progress=lambda *numbers: told.append(numbers),
+    )
     assert len(told) == 24 - 7 and not len(task.missing())
     xarray.testing.assert_identical(
-        found.load(), wrcontact.sweep(wrcontact.ContactSystem(), AXES, ["roll"], block=20, progress=False))
+        found.load(), wrcontact.sweep(wrcontact.ContactSystem(), AXES, ["roll"], block=20, progress=False)
+    )
     store.identity = "another folder of this name"
     with pytest.raises(RuntimeError, match="a worker does not see the store .*a.zarr; permitted is a folder"):
         task.solve([0, 0, 0])
@@ -77,7 +86,9 @@ def test_a_worker_has_another_version(tmp_path):
 
 def test_a_scheduler_without_workers(tmp_path, monkeypatch):
     monkeypatch.setattr(workers, "PATIENCE", 0.2)
-    with (distributed.LocalCluster(n_workers=0, dashboard_address=":0", processes=False) as cluster,
-          distributed.Client(cluster) as client,
-          pytest.raises(RuntimeError, match="the scheduler .* has no workers")):
+    with (
+        distributed.LocalCluster(n_workers=0, dashboard_address=":0", processes=False) as cluster,
+        distributed.Client(cluster) as client,
+        pytest.raises(RuntimeError, match="the scheduler .* has no workers"),
+    ):
         in_memory(store=tmp_path / "a.zarr", client=client)

@@ -36,8 +36,12 @@ def test_between_two_states_by_hand(data):
 
 @pytest.mark.parametrize("method", ["linear", "cubic"])
 def test_the_states_themselves(method):
-    data = wrcontact.sweep(SYSTEM, {"lateral_shift": np.linspace(*TREAD, 7), "yaw": np.linspace(3e-3, 0, 5)},
-                           OUTPUTS, progress=False)
+    data = wrcontact.sweep(
+        SYSTEM,
+        {"lateral_shift": np.linspace(*TREAD, 7), "yaw": np.linspace(3e-3, 0, 5)},
+        OUTPUTS,
+        progress=False,
+    )
     between = wrcontact.interpolate(data, method=method)
     found = between(lateral_shift=data["lateral_shift"].values[:, None], yaw=data["yaw"].values)
     assert found["roll"].shape == (7, 5)
@@ -49,8 +53,10 @@ def test_the_states_themselves(method):
 
 def test_the_error_falls_with_the_square_of_the_step():
     """Of linear interpolation, where no contact jumps; three halves of the step."""
-    coarse, fine = (wrcontact.interpolate(table(np.linspace(*TREAD, count)).isel(yaw=1, normal_force=1))
-                    for count in (41, 321))
+    coarse, fine = (
+        wrcontact.interpolate(table(np.linspace(*TREAD, count)).isel(yaw=1, normal_force=1))
+        for count in (41, 321)
+    )
     poses = np.random.default_rng(2).uniform(*TREAD, 300)
     more, less = (one.errors_at(lateral_shift=poses) for one in (coarse, fine))
     for name in OUTPUTS:
@@ -77,11 +83,17 @@ def test_errors_against_direct_evaluation(data, tmp_path):
 
 def test_a_jump_of_the_contact_stays_whatever_the_size_of_the_table():
     """At 4.85 mm of lateral shift the contact on the wheel jumps by more than 10 mm."""
+
     def errors(count):
-        data = wrcontact.sweep(SYSTEM, {"lateral_shift": np.linspace(3e-3, 7e-3, count)},
-                               ["right.contact.y_wheel"], progress=False)
-        return wrcontact.interpolate(data).errors_at(
-            lateral_shift=np.linspace(3e-3, 7e-3, 9973))["right.contact.y_wheel"]
+        data = wrcontact.sweep(
+            SYSTEM,
+            {"lateral_shift": np.linspace(3e-3, 7e-3, count)},
+            ["right.contact.y_wheel"],
+            progress=False,
+        )
+        return wrcontact.interpolate(data).errors_at(lateral_shift=np.linspace(3e-3, 7e-3, 9973))[
+            "right.contact.y_wheel"
+        ]
 
     coarse, fine = errors(41), errors(641)
     shifts = np.array([4.8e-3, 4.9e-3])
@@ -95,7 +107,7 @@ def test_a_cell_with_a_corner_without_a_result_has_none():
     assert data["status"].values.tolist() == [0, 0, 0, 2]
     between = wrcontact.interpolate(data)
     found = between(lateral_shift=[13.5e-3, 14.9e-3, 15.1e-3, 12.9e-3, 17e-3])["roll"]
-    assert np.isfinite(found).tolist() == [True, True, False, False, False]        # outside is NaN, too
+    assert np.isfinite(found).tolist() == [True, True, False, False, False]  # outside is NaN, too
     errors = between.errors_at(lateral_shift=[13.5e-3, 15.1e-3])
     assert (errors.count, errors.without) == (2, 1) and np.isfinite(errors["roll"].worst)
     with pytest.raises(ValueError, match="1 of 4 states have no result; permitted for 'cubic' is"):
@@ -113,13 +125,20 @@ def test_a_store_and_its_files(tmp_path, data):
     assert between.outputs == ("right.area", "roll") and "yaw 3" in repr(between)
 
 
-@pytest.mark.parametrize("given, words", [
-    ({"table": xarray.Dataset()}, "permitted is the path of a store, or a data set, of wrcontact.sweep"),
-    ({"outputs": ["right.ara"]}, "outputs has 'right.ara', which .* not have; did you mean right.area"),
-    ({"outputs": ["zz"]}, "does not have; it has roll, right.area, right.contact.y_wheel"),
-    ({"outputs": []}, "outputs is empty; permitted are outputs of the table"),
-    ({"method": "spline"}, "method is 'spline'; permitted are 'linear'"),
-    ({"method": "cubic"}, r"the axis yaw has 3 values; permitted for 'cubic' are 4 or more; dataset.isel")])
+@pytest.mark.parametrize(
+    "given, words",
+    [
+        ({"table": xarray.Dataset()}, "permitted is the path of a store, or a data set, of wrcontact.sweep"),
+        ({"outputs": ["right.ara"]}, "outputs has 'right.ara', which .* not have; did you mean right.area"),
+        ({"outputs": ["zz"]}, "does not have; it has roll, right.area, right.contact.y_wheel"),
+        ({"outputs": []}, "outputs is empty; permitted are outputs of the table"),
+        ({"method": "spline"}, "method is 'spline'; permitted are 'linear'"),
+        (
+            {"method": "cubic"},
+            r"the axis yaw has 3 values; permitted for 'cubic' are 4 or more; dataset.isel",
+        ),
+    ],
+)
 def test_wrong_arguments(data, given, words):
     with pytest.raises(ValueError, match=words):
         wrcontact.interpolate(**{"table": data, **given})
@@ -135,9 +154,16 @@ def test_a_text_is_no_place(data):
         wrcontact.interpolate(data)(lateral_shift=0.0, yaw="x", normal_force=6e4)
 
 
-@pytest.mark.parametrize("poses, words", [
-    ({"lateral_shift": 0.0}, "yaw is not given; the axes are lateral_shift, yaw, normal_force"),
-    ({"lateral_shift": 0.0, "yaw": 0.0, "normal_force": 6e4, "speed": 1.0}, "the table has no axis 'speed'")])
+@pytest.mark.parametrize(
+    "poses, words",
+    [
+        ({"lateral_shift": 0.0}, "yaw is not given; the axes are lateral_shift, yaw, normal_force"),
+        (
+            {"lateral_shift": 0.0, "yaw": 0.0, "normal_force": 6e4, "speed": 1.0},
+            "the table has no axis 'speed'",
+        ),
+    ],
+)
 def test_wrong_poses(data, poses, words):
     with pytest.raises(TypeError, match=words):
         wrcontact.interpolate(data)(**poses)

@@ -37,13 +37,17 @@ def test_the_grid_has_the_bits_of_evaluate_many(system, table):
     for shift, first in itertools.product(range(12), (0, 4)):
         block = table.isel(lateral_shift=[shift], yaw=slice(first, first + 4))
         grid = np.meshgrid(*(block[name].values for name in AXES), indexing="ij")
-        direct = system.evaluate_many(outputs=OUTPUTS, speed=20.0, left_friction=0.2,
-                                      **{name: one.ravel() for name, one in zip(AXES, grid)})
+        direct = system.evaluate_many(
+            outputs=OUTPUTS,
+            speed=20.0,
+            left_friction=0.2,
+            **{name: one.ravel() for name, one in zip(AXES, grid)},
+        )
         for name in direct.names:
             variable = next(one for one in block.data_vars.values() if one.attrs.get("fmu_name") == name)
             np.testing.assert_array_equal(variable.values.ravel(), direct[name], err_msg=f"{name} at {shift}")
         np.testing.assert_array_equal(block["status"].values.ravel(), direct.status)
-    assert {*np.unique(table["status"])} == {0, 2}       # some states are off the profile
+    assert {*np.unique(table["status"])} == {0, 2}  # some states are off the profile
     assert np.all(np.isnan(table["roll"].values[table["status"] == 2]))
 
 
@@ -55,7 +59,10 @@ def test_blocks_of_another_size_have_the_same_values(system, table):
 
 def test_units_and_words(table):
     assert table["right_patch_1_area"].attrs == {
-        "fmu_name": "right.patch[1].area", "units": "m2", "long_name": "Right wheel, patch 1: contact area"}
+        "fmu_name": "right.patch[1].area",
+        "units": "m2",
+        "long_name": "Right wheel, patch 1: contact area",
+    }
     assert table["right_patch_count"].attrs["units"] == "1"
     assert table["yaw"].attrs["units"] == "rad" and table["normal_force"].attrs["fmu_name"] == "normal_force"
     assert table.attrs["title"] == "S1002 on UIC60"
@@ -88,6 +95,7 @@ def test_all_outputs_and_status_alone(system):
 
 def test_status_is_written_last(system):
     """It is the mark of a finished block."""
+
     class Recorder(dict):
         def __getitem__(self, name):
             written.append(name)
@@ -104,8 +112,9 @@ def test_the_half_space(tmp_path):
     """Its blocks are shared by processes, which are started again for each."""
     system = wrcontact.ContactSystem(normal_model="halfspace", tolerance=0.1)
     axes = {"lateral_shift": [0.0, 1e-3, 2e-3]}
-    data = wrcontact.sweep(system, axes, ["right.area"], tmp_path / "a.zarr", block=2, workers=1,
-                           progress=False)
+    data = wrcontact.sweep(
+        system, axes, ["right.area"], tmp_path / "a.zarr", block=2, workers=1, progress=False
+    )
     np.testing.assert_array_equal(data["right_area"], system.evaluate_many(axes["lateral_shift"]).right.area)
 
 
@@ -115,8 +124,14 @@ def test_the_half_space(tmp_path):
 def killed(store, workers=2, states=100, blow="KILL"):
     """Return code and errors of a sweep to ``store`` whose process gets a ``blow`` in the middle."""
     program = PROGRAM.format(store=str(store), workers=workers, states=states, blow=blow)
-    ended = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True,
-                           timeout=120, env=os.environ | {"PYTHONPATH": str(ROOT)})
+    ended = subprocess.run(
+        [sys.executable, "-c", program],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+    )
     return ended.returncode, ended.stderr
 
 
@@ -127,11 +142,13 @@ def test_a_killed_sweep_goes_on(tmp_path, system, table, workers):
     before = xarray.open_zarr(tmp_path / "a.zarr", consolidated=False, chunks=None)["status"].load()
     there, told = int((before >= 0).sum()), []
     assert 100 <= there < 480 and there % 20 == 0
-    found = in_memory(system, store=tmp_path / "a.zarr", workers=workers,
-                      progress=lambda *numbers: told.append(numbers))
-    assert [total for _, total, _ in told] == [480 - there] * ((480 - there) // 20)     # none is done again
-    assert told[-1][0] == 480 - there and told[-1][2] == int((table["status"] > 1).sum()
-                                                             - ((before > 1) & (before >= 0)).sum())
+    found = in_memory(
+        system, store=tmp_path / "a.zarr", workers=workers, progress=lambda *numbers: told.append(numbers)
+    )
+    assert [total for _, total, _ in told] == [480 - there] * ((480 - there) // 20)  # none is done again
+    assert told[-1][0] == 480 - there and told[-1][2] == int(
+        (table["status"] > 1).sum() - ((before > 1) & (before >= 0)).sum()
+    )
     xarray.testing.assert_identical(found.load(), table)
 
 
@@ -153,33 +170,51 @@ def test_a_finished_sweep_computes_nothing(tmp_path, system, monkeypatch):
 QUESTION = {"axes": {"yaw": [0.0, 1e-3], "normal_force": [50e3, 60e3]}, "outputs": ["roll", "right.area"]}
 
 
-@pytest.mark.parametrize("change, words", [
-    ({"speed": 2.0}, "speed is 2.0 m/s, there 0.0 m/s"),
-    ({"outputs": ["roll"]}, "outputs lacks 'right.area', which is there"),
-    ({"outputs": ["roll", "right.area", "right.penetration"]},
-     "outputs has 'right.penetration', which is not there"),
-    ({"axes": {"yaw": [0.0, 2e-3], "normal_force": [50e3, 60e3]}},
-     "yaw has 2 values 0 ... 0.002 rad, there 2 values 0 ... 0.001 rad"),
-    ({"axes": {"yaw": [0.0, 1e-3 + 1e-17], "normal_force": [50e3, 60e3]}},
-     "yaw has 2 values 0 ... 0.001 rad, there 2 values 0 ... 0.001 rad that differ"),
-    ({"axes": {"normal_force": [50e3, 60e3], "yaw": [0.0, 1e-3]}},
-     "the axes are normal_force, yaw, there yaw, normal_force"),
-    ({"axes": {"yaw": [0.0, 1e-3]}}, "the axes are yaw, there yaw, normal_force"),
-    ({"block": 3}, "block is 3, there 50000"),
-    ({"system": {"gauge": 1.436}}, "gauge is 1.436 m, there 1.435 m"),
-    ({"system": {"normal_model": "hertz"}}, "normal_model is 'hertz', there 'analyn'"),
-    ({"system": {"wheel": "cone20"}}, "the wheel profile has another content; the left wheel profile"),
-    ({"system": {"left_rail": "54E1"}}, "the left rail profile has another content")])
+@pytest.mark.parametrize(
+    "change, words",
+    [
+        ({"speed": 2.0}, "speed is 2.0 m/s, there 0.0 m/s"),
+        ({"outputs": ["roll"]}, "outputs lacks 'right.area', which is there"),
+        (
+            {"outputs": ["roll", "right.area", "right.penetration"]},
+            "outputs has 'right.penetration', which is not there",
+        ),
+        (
+            {"axes": {"yaw": [0.0, 2e-3], "normal_force": [50e3, 60e3]}},
+            "yaw has 2 values 0 ... 0.002 rad, there 2 values 0 ... 0.001 rad",
+        ),
+        (
+            {"axes": {"yaw": [0.0, 1e-3 + 1e-17], "normal_force": [50e3, 60e3]}},
+            "yaw has 2 values 0 ... 0.001 rad, there 2 values 0 ... 0.001 rad that differ",
+        ),
+        (
+            {"axes": {"normal_force": [50e3, 60e3], "yaw": [0.0, 1e-3]}},
+            "the axes are normal_force, yaw, there yaw, normal_force",
+        ),
+        ({"axes": {"yaw": [0.0, 1e-3]}}, "the axes are yaw, there yaw, normal_force"),
+        ({"block": 3}, "block is 3, there 50000"),
+        ({"system": {"gauge": 1.436}}, "gauge is 1.436 m, there 1.435 m"),
+        ({"system": {"normal_model": "hertz"}}, "normal_model is 'hertz', there 'analyn'"),
+        ({"system": {"wheel": "cone20"}}, "the wheel profile has another content; the left wheel profile"),
+        ({"system": {"left_rail": "54E1"}}, "the left rail profile has another content"),
+    ],
+)
 def test_another_question_is_refused(tmp_path, change, words):
     def sweep(system=None, axes=QUESTION["axes"], outputs=QUESTION["outputs"], **more):
-        return wrcontact.sweep(wrcontact.ContactSystem(**system or {}), axes, outputs, tmp_path / "a.zarr",
-                               progress=False, **more)
+        return wrcontact.sweep(
+            wrcontact.ContactSystem(**system or {}),
+            axes,
+            outputs,
+            tmp_path / "a.zarr",
+            progress=False,
+            **more,
+        )
 
     before = sweep().load()
     with pytest.raises(ValueError) as refused:
         sweep(**{"outputs": QUESTION["outputs"], **change})
     assert str(refused.value).startswith(f"the store {tmp_path / 'a.zarr'} answers another question: {words}")
-    xarray.testing.assert_identical(sweep(speed=0.0).load(), before)      # a default is no other question
+    xarray.testing.assert_identical(sweep(speed=0.0).load(), before)  # a default is no other question
 
 
 def test_another_version_is_refused(tmp_path, system, monkeypatch):
@@ -225,14 +260,24 @@ def test_a_profile_file_that_changes_changes_nothing(tmp_path):
         xarray.testing.assert_identical(found.load(), table)
 
 
-@pytest.mark.parametrize("options", [
-    {}, {"wheel": "file", "rail": "54E1", "rail_inclination": 1 / 20, "stations": 11},
-    {"wheel": ("S1002", "file"), "contact_mode": "elastic", "tangential_model": "strips"}])
+@pytest.mark.parametrize(
+    "options",
+    [
+        {},
+        {"wheel": "file", "rail": "54E1", "rail_inclination": 1 / 20, "stations": 11},
+        {"wheel": ("S1002", "file"), "contact_mode": "elastic", "tangential_model": "strips"},
+    ],
+)
 def test_a_store_has_the_whole_system(tmp_path, options):
     file = str(points_file(tmp_path / "worn.csv", wrcontact.ContactSystem().wheel))
     wheel = options.get("wheel", "S1002")
-    wheel = file if wheel == "file" else tuple(file if one == "file" else one for one in wheel) if isinstance(
-        wheel, tuple) else wheel
+    wheel = (
+        file
+        if wheel == "file"
+        else tuple(file if one == "file" else one for one in wheel)
+        if isinstance(wheel, tuple)
+        else wheel
+    )
     system = wrcontact.ContactSystem(**{**options, "wheel": wheel})
     question = asked(system, {"yaw": [0.0]}, "all", {})
     again = system_of(question.record(), question.profiles())

@@ -13,8 +13,9 @@ from wrcontact.methods import CHOICES
 
 COMBINATIONS = [dict(zip(CHOICES, chosen)) for chosen in itertools.product(*CHOICES.values())]
 #: Compliant contact is prescribed no force.
-COMBINATIONS = [chosen for chosen in COMBINATIONS if chosen["contact_mode"] != "compliant"
-                or chosen["load"] == "normal"]
+COMBINATIONS = [
+    chosen for chosen in COMBINATIONS if chosen["contact_mode"] != "compliant" or chosen["load"] == "normal"
+]
 SINK = 1e-4  # [m] by which a compliant wheelset stands below its rigid height
 
 
@@ -30,8 +31,9 @@ def run(rail, inclination, chosen, shift, yaw):
     if chosen["contact_mode"] != "compliant":
         return system.evaluate_many(shift, yaw)
     rigid = rigid_poses(rail, inclination, len(shift) // 3)
-    return system.evaluate_many(shift, yaw, vertical_shift_input=rigid.vertical_shift + SINK,
-                                roll_input=rigid.roll)
+    return system.evaluate_many(
+        shift, yaw, vertical_shift_input=rigid.vertical_shift + SINK, roll_input=rigid.roll
+    )
 
 
 @cache
@@ -44,8 +46,11 @@ def rigid_poses(rail, inclination, count):
 def check(rail, inclination, chosen, count):
     shift, yaw = poses(count)
     table = run(rail, inclination, chosen, shift, yaw)
-    failed = [(f"y = {y * 1e3} mm", f"yaw = {psi} rad", f"status {status}")
-              for y, psi, status in zip(shift, yaw, table.status) if status != 0]
+    failed = [
+        (f"y = {y * 1e3} mm", f"yaw = {psi} rad", f"status {status}")
+        for y, psi, status in zip(shift, yaw, table.status)
+        if status != 0
+    ]
     if chosen["separation"] == "vertical" and chosen["lateral_curvature"] != "adaptive":
         # curvatures that were prepared, on distances that rise suddenly in the flange root: the load is no
         # function of the depth there; with rough ones 0.4 ... 1.3 MN and 0.3 MN again within 0.05 mm
@@ -102,7 +107,8 @@ def test_methods_change_only_what_they_should():
                 one, other = getattr(table, side), getattr(reference, side)
                 assert (one.contact.y_wheel == other.contact.y_wheel).all(), chosen
                 assert (one.contact_angle == other.contact_angle).all(), chosen
-                assert ((one.curvature_x == other.curvature_x).all()
-                        == (name != "longitudinal_curvature")), chosen
+                assert (one.curvature_x == other.curvature_x).all() == (name != "longitudinal_curvature"), (
+                    chosen
+                )
                 if name != "lateral_curvature":
                     assert (one.curvature_y == other.curvature_y).all(), chosen

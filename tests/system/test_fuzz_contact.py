@@ -41,8 +41,10 @@ from wrcontact import Status
 def check_sound(scene, poses):
     """Statuses, loads and patches of one batch; how many of its poses have not converged."""
     table = scene.system().evaluate_many(**poses.arguments)
-    compliant, vertical = (scene.arguments["contact_mode"] == "compliant",
-                           scene.arguments["load"] == "vertical")
+    compliant, vertical = (
+        scene.arguments["contact_mode"] == "compliant",
+        scene.arguments["load"] == "vertical",
+    )
     lost = table.status == Status.NOT_CONVERGED
     assert_none(table.status > Status.NOT_CONVERGED, scene, poses, "status", table.status)
     good = table.status <= Status.UNLOADED
@@ -50,10 +52,15 @@ def check_sound(scene, poses):
         side = getattr(table, name)
         loaded = good & ((side.normal_force > 0) if compliant else (force > 0))
         values = np.array([getattr(side, name) for name in NAMES] + [side.patch_count])
-        assert_none(loaded & ~np.all(np.isfinite(values) & (values > 0), axis=0), scene, poses,
-                    f"{name} is not positive")
-        assert_none(good & ~loaded & np.any(values != 0, axis=0), scene, poses,
-                    f"{name} has no load but a patch")
+        assert_none(
+            loaded & ~np.all(np.isfinite(values) & (values > 0), axis=0),
+            scene,
+            poses,
+            f"{name} is not positive",
+        )
+        assert_none(
+            good & ~loaded & np.any(values != 0, axis=0), scene, poses, f"{name} has no load but a patch"
+        )
         if not compliant and not vertical:
             # solved to 1e-12, and added up over strips and nodes
             off = np.where(loaded, np.abs(side.normal_force - force) / np.where(loaded, force, 1.0), 0.0)
@@ -104,15 +111,19 @@ def check_mirror(scene, poses):
     twin = np.array([right, left])
     if scene.arguments["contact_mode"] == "compliant":
         # given height and roll, both sides compute the same numbers
-        assert_none(np.any((numbers(one) != twin)[..., good], axis=(0, 1)), scene, poses[good],
-                    "in the mirror")
-    for name, sum_or_difference in (("roll", one.roll + other.roll),
-                                    ("height", one.vertical_shift - other.vertical_shift)):
+        assert_none(
+            np.any((numbers(one) != twin)[..., good], axis=(0, 1)), scene, poses[good], "in the mirror"
+        )
+    for name, sum_or_difference in (
+        ("roll", one.roll + other.roll),
+        ("height", one.vertical_shift - other.vertical_shift),
+    ):
         off = np.where(good, np.abs(sum_or_difference), 0.0)
-        assert_none(off > 1e-12, scene, poses, f"{name} in the mirror off by", off)       # [rad, m]
+        assert_none(off > 1e-12, scene, poses, f"{name} in the mirror off by", off)  # [rad, m]
     off = np.max(np.abs(numbers(one) - twin) / np.where(twin == 0, 1.0, np.abs(twin)), axis=(0, 1))
-    assert_none(np.where(good, off, 0.0) > patch_error(scene), scene, poses, "patches in the mirror off by",
-                off)
+    assert_none(
+        np.where(good, off, 0.0) > patch_error(scene), scene, poses, "patches in the mirror off by", off
+    )
     return off[good]
 
 
@@ -128,12 +139,13 @@ def check_history(scene, poses):
     order = np.random.default_rng(len(poses)).permutation(len(poses))
     one, other = system.evaluate_many(**poses.arguments), system.evaluate_many(**poses[order].arguments)
     back = np.argsort(order)
-    assert_none(one.status != other.status[back], scene, poses, "status after other poses",
-                other.status[back])
+    assert_none(
+        one.status != other.status[back], scene, poses, "status after other poses", other.status[back]
+    )
     good = one.status <= Status.UNLOADED
     for name in ("roll", "vertical_shift"):
         off = np.where(good, np.abs(getattr(one, name) - getattr(other, name)[back]), 0.0)
-        assert_none(off > 1e-12, scene, poses, f"{name} after other poses off by", off)   # [rad, m]
+        assert_none(off > 1e-12, scene, poses, f"{name} after other poses off by", off)  # [rad, m]
     a, b = numbers(one), numbers(other)[..., back]
     off = np.where(good, np.max(np.abs(a - b) / np.where(b == 0, 1.0, np.abs(b)), axis=(0, 1)), 0.0)
     assert_none(off > patch_error(scene), scene, poses, "patches after other poses off by", off)
@@ -157,12 +169,13 @@ def test_loads_times_stiffness_are_the_same_patches(seed, scenes, poses):
         drawn = heavy(drawn)
         soft = scene.system().evaluate_many(**drawn.arguments)
         stiff = scene.system(youngs_modulus=STIFFER * 210e9).evaluate_many(
-            **drawn.changed(normal_force=STIFFER * drawn.normal_force).arguments)
+            **drawn.changed(normal_force=STIFFER * drawn.normal_force).arguments
+        )
         assert_none(soft.status != stiff.status, scene, drawn, "status when stiffer", stiff.status)
         good = soft.status <= Status.UNLOADED
         roll = np.where(good, np.abs(soft.roll - stiff.roll), 0.0)
         # 1e-12 m of the stand, on flat profiles
-        assert_none(roll > 1e-11, scene, drawn, "roll when stiffer off by", roll)       # [rad]
+        assert_none(roll > 1e-11, scene, drawn, "roll when stiffer off by", roll)  # [rad]
         off = np.where(good, differences(soft, stiff, factors), 0.0)
         assert_none(off > 1e-6, scene, drawn, "patches when stiffer off by", off)
 
@@ -172,9 +185,13 @@ def check_size(scene, poses):
     changes = {name: LARGER * scene.arguments.get(name, value) for name, value in LENGTHS.items()}
     changes.update({name: larger(scene.arguments[name]) for name in ("wheel", "rail")})
     one = scene.system().evaluate_many(**poses.arguments)
-    other = scene.system(**changes).evaluate_many(**poses.changed(
-        lateral_shift=LARGER * poses.lateral_shift, normal_force=LARGER**2 * poses.normal_force,
-        vertical_shift_input=LARGER * poses.vertical_shift_input).arguments)
+    other = scene.system(**changes).evaluate_many(
+        **poses.changed(
+            lateral_shift=LARGER * poses.lateral_shift,
+            normal_force=LARGER**2 * poses.normal_force,
+            vertical_shift_input=LARGER * poses.vertical_shift_input,
+        ).arguments
+    )
     good = (one.status <= Status.UNLOADED) & (other.status <= Status.UNLOADED)
     kept = good & (moved(one, other, LARGER) < JUMPED)
     off = differences(one, other, [LARGER ** POWERS[name] for name in NAMES])
@@ -192,10 +209,11 @@ def test_loads_times_area_are_the_same_pressures(mode, seed, scenes, poses):
     be found in one size and not in the other: measured, 1 % of the poses, half of which lie beside a jump,
     differ by more than 1 %.
     """
-    every = [check_size(scene, heavy(drawn))
-             for scene, drawn in unique(seed, scenes, poses, contact_mode=mode)]
+    every = [
+        check_size(scene, heavy(drawn)) for scene, drawn in unique(seed, scenes, poses, contact_mode=mode)
+    ]
     kept, off = (np.concatenate(part) for part in zip(*every))
-    assert kept.mean() > 0.9        # the others stand within a nanometre of a jump
+    assert kept.mean() > 0.9  # the others stand within a nanometre of a jump
     # nodes are laid over widths that are known to 1e-5 (zone_width.WIDTH_SHARP)
     assert np.median(off[kept]) < 1e-5
     assert np.percentile(off[kept], 80) < 1e-3
@@ -206,7 +224,7 @@ def test_loads_times_area_are_the_same_pressures(mode, seed, scenes, poses):
 # --- loads and penetrations -----------------------------------------------------------------------
 
 
-LOADS = np.geomspace(1e-3, 1e6, 40)             # [N]
+LOADS = np.geomspace(1e-3, 1e6, 40)  # [N]
 
 
 @amounts((2, 6), (40, 12), (300, 60))
@@ -218,7 +236,8 @@ def test_penetration_rises_with_the_load(seed, scenes, poses):
     back = steps = held = 0
     for scene, drawn in unique(seed, scenes, poses, contact_mode="rigid"):
         ladder = Poses(np.repeat(drawn.inputs, len(LOADS), axis=0)).changed(
-            normal_force=np.tile(LOADS, len(drawn)), load_transfer=0.0)
+            normal_force=np.tile(LOADS, len(drawn)), load_transfer=0.0
+        )
         table = scene.system().evaluate_many(**ladder.arguments)
         assert_none(table.status > Status.UNLOADED, scene, ladder, "status", table.status)
         for side, _ in SIDES:
@@ -240,15 +259,17 @@ def test_penetration_rises_with_the_load(seed, scenes, poses):
 # --- poses beside each other ----------------------------------------------------------------------
 
 
-STEPS = (4e-9, 1e-9)                            # [m]
+STEPS = (4e-9, 1e-9)  # [m]
 
 
 def bends(scene, poses, step):
     """Largest second difference over three lateral shifts ``step`` apart, as a share of the value (n,), of 1
     rad for the roll; and which of the poses carry and stay on one side of every jump."""
     system = scene.system()
-    three = [system.evaluate_many(**poses.changed(lateral_shift=poses.lateral_shift + away).arguments)
-             for away in (-step, 0.0, step)]
+    three = [
+        system.evaluate_many(**poses.changed(lateral_shift=poses.lateral_shift + away).arguments)
+        for away in (-step, 0.0, step)
+    ]
     good = np.all([table.status == Status.VALID for table in three], axis=0)
     before, here, after = (numbers(table) for table in three)
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -289,23 +310,31 @@ def test_outputs_hop_nowhere_but_at_jumps(mode, seed, scenes, poses):
 # --- hypothesis, over the same scenes -------------------------------------------------------------
 
 
-EXAMPLES = settings(deadline=None, derandomize=True, database=None,
-                    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])
+EXAMPLES = settings(
+    deadline=None,
+    derandomize=True,
+    database=None,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
+)
 
 
-@pytest.mark.parametrize("examples", [
-    8, pytest.param(80, marks=pytest.mark.full),
-    pytest.param(2000, marks=pytest.mark.complete)])
+@pytest.mark.parametrize(
+    "examples", [8, pytest.param(80, marks=pytest.mark.full), pytest.param(2000, marks=pytest.mark.complete)]
+)
 def test_hypothesis_finds_nothing(examples):
     """Hypothesis picks the scene by its number and changes shift, yaw and load of its poses,
     to round numbers above all."""
 
     @settings(EXAMPLES, max_examples=examples)
-    @given(number=st.integers(0, 10_000), shift=st.floats(-12e-3, 12e-3),
-           yaw=st.floats(-LARGEST_YAW, LARGEST_YAW), force=st.floats(1e-3, 1e6),
-           transfer=st.floats(-1.0, 1.0))
+    @given(
+        number=st.integers(0, 10_000),
+        shift=st.floats(-12e-3, 12e-3),
+        yaw=st.floats(-LARGEST_YAW, LARGEST_YAW),
+        force=st.floats(1e-3, 1e6),
+        transfer=st.floats(-1.0, 1.0),
+    )
     def holds(number, shift, yaw, force, transfer):
-        (scene, drawn), = batches(4, 1, 2, first=number)
+        ((scene, drawn),) = batches(4, 1, 2, first=number)
         if scene.arguments["contact_mode"] != "compliant":
             drawn = drawn.changed(lateral_shift=shift, yaw=yaw, normal_force=force, load_transfer=transfer)
         found = check_sound(scene, drawn)

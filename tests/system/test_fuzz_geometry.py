@@ -22,9 +22,9 @@ HEIGHT = 5e-12
 # [1] sine between the normals: a place is refined to 1e-13 m, on curvatures of 1/12 mm and steeper ones
 NORMAL = 2e-8
 STEP_NORMAL = 4e-4  # [1] where S1002's steps are led over within half a millimetre
-ROLL = 1e-12        # [rad]
-PLACE = 1e-12       # [m]
-BALANCE = 1e-9      # [1] of the load
+ROLL = 1e-12  # [rad]
+PLACE = 1e-12  # [m]
+BALANCE = 1e-9  # [1] of the load
 # [1] at the end of a profile that is cut off a contact still counts whose slopes differ by 1e-6
 PARALLEL = 1.1e-6
 #: Share of a scene's poses whose status may depend on the start where a profile is cut off: its edge is
@@ -37,8 +37,9 @@ FAR_HEIGHT = 1.3e-7
 
 def surfaces_of(scene):
     """The witness of a scene."""
-    given = {name: scene.arguments[name]
-             for name in ("rail_inclination", "gauge", "gauge_depth", "nominal_radius")}
+    given = {
+        name: scene.arguments[name] for name in ("rail_inclination", "gauge", "gauge_depth", "nominal_radius")
+    }
     wheel, rail = scene.arguments["wheel"], scene.arguments["rail"]
     if isinstance(wheel, Cut):
         ends = {"wheel_start": wheel.start * 1e-3, "wheel_stop": wheel.stop * 1e-3}
@@ -63,8 +64,10 @@ class Findings:
         if np.any(bad):
             worst = np.argmax(np.where(np.isnan(excess), np.inf, excess))
             row = np.arange(len(poses))[rows][worst]
-            self.lines.append(f"{what}: {bad.sum()} of {len(bad)}, worst by {excess[worst]:.3g}, at\n    "
-                              f"{self.scene.line(poses, row, **self.changes)}")
+            self.lines.append(
+                f"{what}: {bad.sum()} of {len(bad)}, worst by {excess[worst]:.3g}, at\n    "
+                f"{self.scene.line(poses, row, **self.changes)}"
+            )
 
 
 def check_geometry(scene, poses):
@@ -86,9 +89,15 @@ def check_statuses(found, scene, poses, table):
     """Numbers with status 0 and 1 and with no other; 1 just where a wheel has no load; 2 for cut
     profiles only, 3 and 4 never."""
     status = table.status
-    whole = ("force", "moment", "normal.", "driving_torque")      # they need the loads
-    numbers = np.stack([table[name] for name in table.names if not name.startswith(whole)
-                        and not name.endswith((".patch_count", ".curvature_y"))], axis=1)
+    whole = ("force", "moment", "normal.", "driving_torque")  # they need the loads
+    numbers = np.stack(
+        [
+            table[name]
+            for name in table.names
+            if not name.startswith(whole) and not name.endswith((".patch_count", ".curvature_y"))
+        ],
+        axis=1,
+    )
     finite = np.isfinite(numbers).all(axis=1)
     found.add("finite just where valid", finite != (status <= Status.UNLOADED), poses)
     bare = (poses.normal_force == 0.0) | (np.abs(poses.load_transfer) == 1.0)
@@ -114,11 +123,18 @@ def check_surfaces(found, surfaces, is_cut, poses, table, good):
         found.add(f"{name} normals", skew - slopes, poses, good)
         found.add(f"{name} contact angle", np.abs(angle - side.contact_angle[good]) - slopes, poses, good)
         radius = surfaces.radius + profile
-        found.add(f"{name} rolling radius", np.abs(side.rolling_radius[good] - radius) - HEIGHT - allowed,
-                  poses, good)
-        found.add(f"{name} point on the wheel",
-                  np.abs(np.hypot(x, surfaces.radius + point.z_wheel[good]) - radius) - HEIGHT
-                  - allowed, poses, good)
+        found.add(
+            f"{name} rolling radius",
+            np.abs(side.rolling_radius[good] - radius) - HEIGHT - allowed,
+            poses,
+            good,
+        )
+        found.add(
+            f"{name} point on the wheel",
+            np.abs(np.hypot(x, surfaces.radius + point.z_wheel[good]) - radius) - HEIGHT - allowed,
+            poses,
+            good,
+        )
         rows, gaps, places, least = surfaces.smallest_gaps(*pose)
         rows, gaps, places = (column[~surfaces.is_edge(places)] for column in (rows, gaps, places))
         found.add(f"{name} penetration", height[rows] - gaps - HEIGHT - allowance(places), poses, good[rows])
@@ -137,11 +153,22 @@ def check_starts(found, surfaces, system, poses, table):
     rng = np.random.default_rng(int(1e9 * abs(poses.lateral_shift[0])))
     order = rng.permutation(len(poses))
     same = {"left": "left", "right": "right"}
-    for name, guess in (("level start", 0.0), ("near start", rng.uniform(-0.01, 0.01, len(poses))),
-                        ("far start", rng.uniform(*GUESSES, len(poses)))):
+    for name, guess in (
+        ("level start", 0.0),
+        ("near start", rng.uniform(-0.01, 0.01, len(poses))),
+        ("far start", rng.uniform(*GUESSES, len(poses))),
+    ):
         other = poses.changed(roll_guess=guess)
-        compare(found, surfaces, name, other, table,
-                system.evaluate_many(**other.arguments, outputs="geometry"), same, 1.0)
+        compare(
+            found,
+            surfaces,
+            name,
+            other,
+            table,
+            system.evaluate_many(**other.arguments, outputs="geometry"),
+            same,
+            1.0,
+        )
     shuffled = system.evaluate_many(**poses.changed(roll_guess=0.0)[order].arguments, outputs="geometry")
     compare(found, surfaces, "history", poses, table, shuffled[np.argsort(order)], same, 1.0)
 
@@ -157,20 +184,30 @@ def compare(found, surfaces, what, poses, table, other, sides, sign):
         found.add(f"{what}: status", differs, poses)
     both = np.flatnonzero((table.status <= 1) & (other.status <= 1))
     found.add(f"{what}: roll", np.abs(table.roll - sign * other.roll)[both] - ROLL, poses, both)
-    found.add(f"{what}: vertical shift", np.abs(table.vertical_shift - other.vertical_shift)[both] - PLACE,
-              poses, both)
+    found.add(
+        f"{what}: vertical shift",
+        np.abs(table.vertical_shift - other.vertical_shift)[both] - PLACE,
+        poses,
+        both,
+    )
     for mine, theirs in sides.items():
         one, two = getattr(table, mine), getattr(other, theirs)
         names = "x_wheel", "y_wheel", "z_wheel", "y_rail", "z_rail", "x_track", "z_track"
-        apart = np.max([np.abs(getattr(one.contact, name) - getattr(two.contact, name))[both]
-                        for name in names], axis=0)
+        apart = np.max(
+            [np.abs(getattr(one.contact, name) - getattr(two.contact, name))[both] for name in names], axis=0
+        )
         touch = -1.0 if mine == "left" else 1.0
-        gap, _, skew, _ = surfaces.contact(touch * poses.lateral_shift[both], touch * poses.yaw[both],
-                                           touch * table.roll[both], two.contact.x_wheel[both],
-                                           two.contact.y_wheel[both])
+        gap, _, skew, _ = surfaces.contact(
+            touch * poses.lateral_shift[both],
+            touch * poses.yaw[both],
+            touch * table.roll[both],
+            two.contact.x_wheel[both],
+            two.contact.y_wheel[both],
+        )
         allowed = allowance(two.contact.y_wheel[both])
-        touches = (np.abs(gap - table.vertical_shift[both]) < HEIGHT
-                   + allowed) & (skew < np.where(allowed > 0.0, STEP_NORMAL, NORMAL))
+        touches = (np.abs(gap - table.vertical_shift[both]) < HEIGHT + allowed) & (
+            skew < np.where(allowed > 0.0, STEP_NORMAL, NORMAL)
+        )
         found.add(f"{what}: {mine} place", np.where(touches, 0.0, apart - PLACE), poses, both)
 
 
@@ -180,17 +217,25 @@ def check_loads(scene, poses):
     found = Findings(scene, changes)
     table = scene.system(**changes).evaluate_many(**poses.arguments)
     good = np.flatnonzero(table.status <= Status.UNLOADED)
-    found.add("finite just where valid",
-              np.isfinite(table.values).all(axis=1) != (table.status <= Status.UNLOADED), poses)
+    found.add(
+        "finite just where valid",
+        np.isfinite(table.values).all(axis=1) != (table.status <= Status.UNLOADED),
+        poses,
+    )
     load, transfer = poses.normal_force[good], poses.load_transfer[good]
     expected = {"left": load * (1.0 - transfer), "right": load * (1.0 + transfer)}
     if scene.arguments["load"] == "normal":
         for name, force in expected.items():
-            found.add(f"{name} load",
-                      np.abs(getattr(table, name).normal_force[good] - force) - BALANCE * force, poses, good)
+            found.add(
+                f"{name} load",
+                np.abs(getattr(table, name).normal_force[good] - force) - BALANCE * force,
+                poses,
+                good,
+            )
     else:
-        found.add("vertical load", np.abs(table.force.z[good] + 2.0 * load) - BALANCE * 2.0 * load, poses,
-                  good)
+        found.add(
+            "vertical load", np.abs(table.force.z[good] + 2.0 * load) - BALANCE * 2.0 * load, poses, good
+        )
     return found.lines
 
 

@@ -14,23 +14,43 @@ from wrcontact.interface.one_wheel import own_name, wheel_inputs
 
 MODEL = {"tangential_model": "strips", "contact_damping": 0.4}
 #: How far inputs are drawn to either side of 0, or from which value to which.
-SIZES = {"lateral_shift": 5e-3, "yaw": 0.02, "vertical_shift_input": (1e-4, 3e-4), "roll_input": 1e-4,
-         "speed": (5.0, 40.0), "lateral_velocity": 0.1, "vertical_velocity": 0.02, "yaw_rate": 0.1,
-         "roll_rate": 0.05, "track_curvature": 2e-3, "wheel_rate": (10.0, 90.0)}
-OF_RAIL = {"rail_lateral": 2e-3, "rail_vertical": 2e-4, "rail_roll": 5e-3, "rail_lateral_velocity": 0.05,
-           "rail_vertical_velocity": 0.05, "rail_roll_velocity": 0.5, "friction": (0.1, 0.5)}
+SIZES = {
+    "lateral_shift": 5e-3,
+    "yaw": 0.02,
+    "vertical_shift_input": (1e-4, 3e-4),
+    "roll_input": 1e-4,
+    "speed": (5.0, 40.0),
+    "lateral_velocity": 0.1,
+    "vertical_velocity": 0.02,
+    "yaw_rate": 0.1,
+    "roll_rate": 0.05,
+    "track_curvature": 2e-3,
+    "wheel_rate": (10.0, 90.0),
+}
+OF_RAIL = {
+    "rail_lateral": 2e-3,
+    "rail_vertical": 2e-4,
+    "rail_roll": 5e-3,
+    "rail_lateral_velocity": 0.05,
+    "rail_vertical_velocity": 0.05,
+    "rail_roll_velocity": 0.5,
+    "friction": (0.1, 0.5),
+}
 
 
 def drawn(draw, sizes):
-    return {name: draw.uniform(*size) if isinstance(size, tuple) else draw.uniform(-size, size)
-            for name, size in sizes.items()}
+    return {
+        name: draw.uniform(*size) if isinstance(size, tuple) else draw.uniform(-size, size)
+        for name, size in sizes.items()
+    }
 
 
 def poses(count, seed):
     """Seeded (motion of the wheelset, {side: motion of its rail, and its friction})."""
     draw = random.Random(seed)
-    return [(drawn(draw, SIZES), {side: drawn(draw, OF_RAIL) for side in ("left", "right")})
-            for _ in range(count)]
+    return [
+        (drawn(draw, SIZES), {side: drawn(draw, OF_RAIL) for side in ("left", "right")}) for _ in range(count)
+    ]
 
 
 def numbers(wheel):
@@ -38,9 +58,14 @@ def numbers(wheel):
     return np.array([wheel[name] for name in wheel.names])
 
 
-@pytest.mark.parametrize("model", [{"normal_model": "hertz", "tangential_model": "polach"},
-                                   {"normal_model": "analyn", **MODEL},
-                                   {"normal_model": "analyn_strip", **MODEL}])
+@pytest.mark.parametrize(
+    "model",
+    [
+        {"normal_model": "hertz", "tangential_model": "polach"},
+        {"normal_model": "analyn", **MODEL},
+        {"normal_model": "analyn_strip", **MODEL},
+    ],
+)
 def test_two_single_wheels_are_a_wheelset(model):
     """To 1e-12 of the largest number of each unit; both rails move, each in its own way."""
     whole = ContactSystem(contact_mode="compliant", **model)
@@ -56,30 +81,45 @@ def test_two_single_wheels_are_a_wheelset(model):
         loaded += both.status == Status.VALID
         for side, one in singles.items():
             wanted = np.array([both[f"{side}.{name}"] for name in one.names])
-            np.testing.assert_allclose(numbers(one), wanted, rtol=1e-12, atol=1e-12,
-                                       err_msg=f"{side} {motion} {rails}")
+            np.testing.assert_allclose(
+                numbers(one), wanted, rtol=1e-12, atol=1e-12, err_msg=f"{side} {motion} {rails}"
+            )
         for name in ("force", "moment"):
             summed = sum(np.asarray(getattr(one, name)) for one in singles.values())
-            np.testing.assert_allclose(summed, np.asarray(getattr(both, name)), rtol=1e-12, atol=1e-7,
-                                       err_msg=f"{motion} {rails}")
-        assert sum(one.driving_torque for one in singles.values()) == pytest.approx(both.driving_torque,
-                                                                                   rel=1e-12, abs=1e-7)
+            np.testing.assert_allclose(
+                summed, np.asarray(getattr(both, name)), rtol=1e-12, atol=1e-7, err_msg=f"{motion} {rails}"
+            )
+        assert sum(one.driving_torque for one in singles.values()) == pytest.approx(
+            both.driving_torque, rel=1e-12, abs=1e-7
+        )
     assert loaded > 20
 
 
 def test_a_left_wheel_is_the_mirror_image_of_a_right_one():
-    mirrored = ("lateral_shift", "yaw", "roll_input", "lateral_velocity", "yaw_rate", "roll_rate",
-                "track_curvature", "rail_lateral", "rail_roll", "rail_lateral_velocity",
-                "rail_roll_velocity")
+    mirrored = (
+        "lateral_shift",
+        "yaw",
+        "roll_input",
+        "lateral_velocity",
+        "yaw_rate",
+        "roll_rate",
+        "track_curvature",
+        "rail_lateral",
+        "rail_roll",
+        "rail_lateral_velocity",
+        "rail_roll_velocity",
+    )
     right, left = (WheelContact(side=side, **MODEL) for side in ("right", "left"))
     for motion, rails in poses(10, seed=12):
         given = {**motion, **rails["right"]}
         one = right.evaluate(**given)
-        other = left.evaluate(**{name: -value if name in mirrored else value
-                                 for name, value in given.items()})
+        other = left.evaluate(
+            **{name: -value if name in mirrored else value for name, value in given.items()}
+        )
         assert one.status == other.status, given
-        np.testing.assert_allclose(numbers(other), numbers(one) * side_signs(), rtol=1e-12, atol=1e-9,
-                                   err_msg=str(given))
+        np.testing.assert_allclose(
+            numbers(other), numbers(one) * side_signs(), rtol=1e-12, atol=1e-9, err_msg=str(given)
+        )
 
 
 def test_a_wheel_that_rolls_freely_has_no_longitudinal_force():
@@ -88,7 +128,7 @@ def test_a_wheel_that_rolls_freely_has_no_longitudinal_force():
     pose = {"lateral_shift": 1e-3, "vertical_shift_input": 1.4e-4, "speed": 20.0, "friction": 0.3}
     wheel = WheelContact(tangential_model="strips")
     rates = np.array([0.999, 1.001]) * 20.0 / wheel.evaluate(**pose).patches[0].rolling_radius
-    for _ in range(6):          # secant
+    for _ in range(6):  # secant
         torques = np.array([wheel.evaluate(wheel_rate=rate, **pose).driving_torque for rate in rates])
         if torques[0] == torques[1]:
             break
@@ -135,8 +175,13 @@ def test_the_other_wheel_does_not_matter():
 def test_tables_steppers_and_derivatives_agree_with_single_poses():
     wheel = WheelContact(side="left", tangential_model="strips")
     shifts = np.linspace(-2e-3, 2e-3, 5)
-    pose = {"vertical_shift_input": 1.4e-4, "speed": 20.0, "wheel_rate": 43.6, "rail_lateral": 1e-4,
-            "friction": 0.25}
+    pose = {
+        "vertical_shift_input": 1.4e-4,
+        "speed": 20.0,
+        "wheel_rate": 43.6,
+        "rail_lateral": 1e-4,
+        "friction": 0.25,
+    }
     table = wheel.evaluate_many(lateral_shift=shifts, **pose)
     some = wheel.evaluate_many(lateral_shift=shifts, outputs=["force", "status"], **pose)
     assert some.names == ("force.x", "force.y", "force.z")
@@ -153,8 +198,10 @@ def test_tables_steppers_and_derivatives_agree_with_single_poses():
     slopes = wheel.derivatives(["force.y", "driving_torque"], ["rail_lateral", "wheel_rate"], **pose)
     for k, (name, step) in enumerate({"rail_lateral": 1e-8, "wheel_rate": 1e-6}.items()):
         ahead, behind = (wheel.evaluate(**{**pose, name: pose[name] + sign * step}) for sign in (1, -1))
-        expected = [(ahead.force.y - behind.force.y) / (2 * step),
-                    (ahead.driving_torque - behind.driving_torque) / (2 * step)]
+        expected = [
+            (ahead.force.y - behind.force.y) / (2 * step),
+            (ahead.driving_torque - behind.driving_torque) / (2 * step),
+        ]
         np.testing.assert_allclose(slopes[:, k], expected, rtol=1e-4)
 
 
@@ -166,21 +213,29 @@ def test_names_of_one_wheel():
     assert repr(WheelContact("cone20", side="left")).startswith("WheelContact(side='left', wheel='cone20'")
 
 
-@pytest.mark.parametrize("given, words", [
-    ({"contact_mode": "rigid"}, "contact_mode is 'rigid'; permitted with one wheel is 'compliant'"),
-    ({"load": "vertical"}, "load is given; permitted with one wheel is none, since its load follows"),
-    ({"left_wheel": "S1002"}, "left_wheel is given; one wheel has wheel, and side='left'"),
-    ({"rail": ("UIC60", "54E1")}, "rail is .*; permitted with one wheel is one value"),
-    ({"side": "both"}, "side is 'both'; permitted are 'left', 'right'")])
+@pytest.mark.parametrize(
+    "given, words",
+    [
+        ({"contact_mode": "rigid"}, "contact_mode is 'rigid'; permitted with one wheel is 'compliant'"),
+        ({"load": "vertical"}, "load is given; permitted with one wheel is none, since its load follows"),
+        ({"left_wheel": "S1002"}, "left_wheel is given; one wheel has wheel, and side='left'"),
+        ({"rail": ("UIC60", "54E1")}, "rail is .*; permitted with one wheel is one value"),
+        ({"side": "both"}, "side is 'both'; permitted are 'left', 'right'"),
+    ],
+)
 def test_parameters_without_meaning_are_refused(given, words):
     with pytest.raises(ValueError, match=words):
         WheelContact(**given)
 
 
-@pytest.mark.parametrize("name, words", [
-    ("normal_force", "one wheel has no input 'normal_force': its load follows from its height"),
-    ("roll_guess", "one wheel has no input 'roll_guess': its roll is given"),
-    ("right_friction", "there is no input 'right_friction'; inputs of one wheel are lateral_shift, ")])
+@pytest.mark.parametrize(
+    "name, words",
+    [
+        ("normal_force", "one wheel has no input 'normal_force': its load follows from its height"),
+        ("roll_guess", "one wheel has no input 'roll_guess': its roll is given"),
+        ("right_friction", "there is no input 'right_friction'; inputs of one wheel are lateral_shift, "),
+    ],
+)
 def test_inputs_without_meaning_are_refused(name, words):
     with pytest.raises(TypeError, match=words):
         WheelContact().evaluate(**{name: 0.1})
@@ -191,5 +246,6 @@ def test_inputs_without_meaning_are_refused(name, words):
 def test_an_unknown_output_is_told_by_the_wheel_s_own_names(name):
     with pytest.raises(ValueError) as refusal:
         WheelContact(side="left").derivatives(of=[name], by=["yaw"], vertical_shift_input=2e-4)
-    assert str(refusal.value) == (f"of has {name!r}; permitted are names of one wheel's outputs; "
-                                  "did you mean force.z?")
+    assert str(refusal.value) == (
+        f"of has {name!r}; permitted are names of one wheel's outputs; did you mean force.z?"
+    )

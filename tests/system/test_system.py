@@ -26,11 +26,15 @@ def test_the_interface_of_the_readme(system):
     assert state.roll == pytest.approx(-5.4104e-5, abs=1e-9)
     right = state.right
     assert right.contact.y_wheel == pytest.approx(-9.3567e-3, abs=1e-6)
-    assert right.penetration == pytest.approx(7.952e-5, rel=0.006)       # complete theory; measured 0.45 %
+    assert right.penetration == pytest.approx(7.952e-5, rel=0.006)  # complete theory; measured 0.45 %
     assert right.patches[0].area == pytest.approx(right.area)
     assert right.patches[0].normal_force == pytest.approx(78.5e3)
-    assert (right.outline.station.shape == right.outline.half_length.shape == right.outline.pressure.shape
-            == (31,))
+    assert (
+        right.outline.station.shape
+        == right.outline.half_length.shape
+        == right.outline.pressure.shape
+        == (31,)
+    )
     assert right.outline.half_length[0] == right.outline.half_length[-1] == 0.0
     assert isinstance(right.penetration, float) and isinstance(right.patch_count, int)
     assert "VALID" in repr(state) and "y_wheel" in repr(right.contact)
@@ -38,8 +42,9 @@ def test_the_interface_of_the_readme(system):
 
 def test_a_table_holds_what_single_evaluations_hold(system):
     shift = np.linspace(-6e-3, 6e-3, 25)
-    table = system.evaluate_many(lateral_shift=shift, yaw=0.01, normal_force=np.linspace(1e3, 1e5, 25),
-                                 load_transfer=0.1)
+    table = system.evaluate_many(
+        lateral_shift=shift, yaw=0.01, normal_force=np.linspace(1e3, 1e5, 25), load_transfer=0.1
+    )
     assert len(table) == 25 and table.right.outline.pressure.shape == (25, 31)
     assert table.right.patches[2].area.shape == (25,)
     for k in (0, 7, 24):
@@ -50,8 +55,9 @@ def test_a_table_holds_what_single_evaluations_hold(system):
 
 
 def test_rows_that_cannot_be_are_nan_and_say_why(system):
-    table = system.evaluate_many(lateral_shift=[0.0, np.nan, 0.5, 1e-3, 2e-3],
-                                 normal_force=[1e4, 1e4, 1e4, -5.0, 0.0])
+    table = system.evaluate_many(
+        lateral_shift=[0.0, np.nan, 0.5, 1e-3, 2e-3], normal_force=[1e4, 1e4, 1e4, -5.0, 0.0]
+    )
     np.testing.assert_array_equal(table.status, [0, 4, 2, 4, 1])
     np.testing.assert_array_equal(np.isnan(table.roll), [False, True, True, True, False])
     assert table.right.area[0] == pytest.approx(system.evaluate(normal_force=1e4).right.area, rel=1e-9)
@@ -59,13 +65,16 @@ def test_rows_that_cannot_be_are_nan_and_say_why(system):
         system.evaluate_many(lateral_shift=np.zeros((2, 2)))
 
 
-@pytest.mark.parametrize("arguments, words", [
-    (dict(lateral_shift=math.nan), ["lateral_shift", "nan", "finite"]),
-    (dict(yaw=math.inf), ["yaw", "inf", "finite"]),
-    (dict(normal_force=-1.0), ["normal_force", "-1 N", ">= 0"]),
-    (dict(load_transfer=1.5), ["load_transfer", "1.5", "<= 1"]),
-    (dict(roll_guess=math.nan), ["roll_guess", "nan"]),
-])
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (dict(lateral_shift=math.nan), ["lateral_shift", "nan", "finite"]),
+        (dict(yaw=math.inf), ["yaw", "inf", "finite"]),
+        (dict(normal_force=-1.0), ["normal_force", "-1 N", ">= 0"]),
+        (dict(load_transfer=1.5), ["load_transfer", "1.5", "<= 1"]),
+        (dict(roll_guess=math.nan), ["roll_guess", "nan"]),
+    ],
+)
 def test_invalid_input_is_a_status_with_a_sentence(system, arguments, words):
     good = system.evaluate(lateral_shift=2e-3)
     state = system.evaluate(**{"lateral_shift": 2e-3, **arguments})
@@ -82,8 +91,9 @@ def test_no_results_of_another_pose(system, shift, status):
     good, bad = system.evaluate(lateral_shift=2e-3), system.evaluate(lateral_shift=shift)
     assert bad.status == status and np.isnan(bad.values).all()
     np.testing.assert_array_equal(system.evaluate(lateral_shift=2e-3).values, good.values)
-    assert explain(status, bad.inputs, held=True) == (explain(status, bad.inputs)
-                                                      + "; the outputs keep their last valid values")
+    assert explain(status, bad.inputs, held=True) == (
+        explain(status, bad.inputs) + "; the outputs keep their last valid values"
+    )
 
 
 @pytest.mark.parametrize("force", [78.5e6, np.array([1e3, math.nan, 78.5e6])], ids=["one", "many"])
@@ -95,7 +105,7 @@ def test_a_force_in_wrong_units_is_remarked(force):
         status = np.max(call(normal_force=force).status)
     assert status == (Status.OFF_PROFILE if np.ndim(force) == 0 else Status.INVALID_INPUT)
     words = explain(Status.OFF_PROFILE, system.evaluate(normal_force=78.5e6).inputs)
-    assert words.startswith("normal_force is 7.85e+07 N; usual is at most 1e+06 N")     # not the profile
+    assert words.startswith("normal_force is 7.85e+07 N; usual is at most 1e+06 N")  # not the profile
 
 
 @pytest.mark.parametrize("force", [78.5, np.array([0.0, 78.5])], ids=["one", "many"])
@@ -130,60 +140,87 @@ def test_usual_values_give_no_warning(system):
         system.evaluate(normal_force=math.nan)
 
 
-@pytest.mark.parametrize("inputs, status, words", [     # height and roll are zero
-    ((0.1, 0, 0, 1e4, 0), 2, ["lateral_shift is 0.1 m", "0.015 m"]),
-    ((0.0, 0.3, 0, 1e4, 0), 2, ["yaw is 0.3 rad", "0.12 rad"]),
-    ((0.0, 0, 0, 0.0, 0), 1, ["normal_force is 0 N", "> 0 N"]),
-    ((0.0, 0, 0, 1e4, -1.0), 1, ["load_transfer is -1", "< 1"]),
-    ((0.0, 0, 0, 1e4, 0), 3, ["iteration limit"]),
-])
+@pytest.mark.parametrize(
+    "inputs, status, words",
+    [  # height and roll are zero
+        ((0.1, 0, 0, 1e4, 0), 2, ["lateral_shift is 0.1 m", "0.015 m"]),
+        ((0.0, 0.3, 0, 1e4, 0), 2, ["yaw is 0.3 rad", "0.12 rad"]),
+        ((0.0, 0, 0, 0.0, 0), 1, ["normal_force is 0 N", "> 0 N"]),
+        ((0.0, 0, 0, 1e4, -1.0), 1, ["load_transfer is -1", "< 1"]),
+        ((0.0, 0, 0, 1e4, 0), 3, ["iteration limit"]),
+    ],
+)
 def test_every_status_has_its_sentence(inputs, status, words):
     inputs = (*inputs, 0.0, 0.0)
     assert all(word in explain(status, inputs) for word in words), explain(status, inputs)
     assert explain(0, inputs) == ""
 
 
-@pytest.mark.parametrize("arguments, status, words", [
-    (dict(vertical_shift_input=-1e-3), 1, ["vertical_shift_input is -0.001 m", "roll_input 0 rad", "lifted"]),
-    # the left wheel
-    (dict(vertical_shift_input=0.5e-3, roll_input=1e-3), 1, ["roll_input 0.001 rad", "lifted"]),
-    (dict(vertical_shift_input=1e-3, roll_input=2e-3), 2,
-     ["roll_input 0.002 rad", "deeper in its rail than 0.002 m"]),
-    (dict(vertical_shift_input=4e-3), 2,
-     ["vertical_shift_input is 0.004 m", "deeper in its rail than 0.002 m"]),
-    (dict(roll_input=-0.2), 2, ["roll_input is -0.2 rad", "|roll_input| <= 0.12 rad"]),
-    (dict(lateral_shift=0.1), 2, ["lateral_shift is 0.1 m", "0.015 m"]),
-    (dict(vertical_shift_input=math.nan), 4, ["vertical_shift_input is nan m", "finite"]),
-    (dict(roll_input=math.inf), 4, ["roll_input is inf rad", "finite"]),
-])
+@pytest.mark.parametrize(
+    "arguments, status, words",
+    [
+        (
+            dict(vertical_shift_input=-1e-3),
+            1,
+            ["vertical_shift_input is -0.001 m", "roll_input 0 rad", "lifted"],
+        ),
+        # the left wheel
+        (dict(vertical_shift_input=0.5e-3, roll_input=1e-3), 1, ["roll_input 0.001 rad", "lifted"]),
+        (
+            dict(vertical_shift_input=1e-3, roll_input=2e-3),
+            2,
+            ["roll_input 0.002 rad", "deeper in its rail than 0.002 m"],
+        ),
+        (
+            dict(vertical_shift_input=4e-3),
+            2,
+            ["vertical_shift_input is 0.004 m", "deeper in its rail than 0.002 m"],
+        ),
+        (dict(roll_input=-0.2), 2, ["roll_input is -0.2 rad", "|roll_input| <= 0.12 rad"]),
+        (dict(lateral_shift=0.1), 2, ["lateral_shift is 0.1 m", "0.015 m"]),
+        (dict(vertical_shift_input=math.nan), 4, ["vertical_shift_input is nan m", "finite"]),
+        (dict(roll_input=math.inf), 4, ["roll_input is inf rad", "finite"]),
+    ],
+)
 def test_compliant_contact_has_its_sentences(arguments, status, words):
     state = wrcontact.ContactSystem(contact_mode="compliant").evaluate(**arguments)
     sentence = explain(state.status, state.inputs, compliant=True)
     assert state.status == status and all(word in sentence for word in words), sentence
 
 
-@pytest.mark.parametrize("arguments, sentence", [
-    (dict(wheel="S1003"), "wheel is 'S1003'; permitted are S1002"),
-    (dict(rail="S1002"), "rail is 'S1002'"),
-    (dict(rail_inclination=0.5), "rail_inclination is 0.5; permitted is 0 ... 0.1"),
-    (dict(gauge=1435.0), "gauge is 1435.0; permitted is 0.5 ... 2 m"),
-    (dict(nominal_radius="big"), "nominal_radius is 'big'; permitted is 0.1 ... 1 m"),
-    (dict(youngs_modulus=math.nan), "youngs_modulus is nan; permitted is"),
-    (dict(poisson_ratio=0.5), "poisson_ratio is 0.5"),
-    (dict(normal_model="kalker"),
-     f"normal_model is 'kalker'; permitted are {str(NormalModel.family.names())[1:-1]}"),
-    (dict(contact_mode="plastic"),
-     "contact_mode is 'plastic'; permitted are 'rigid', 'elastic', 'compliant'"),
-    (dict(load="lateral"), "load is 'lateral'; permitted are 'normal', 'vertical'"),
-    (dict(normal_model="halfspace", longitudinal_curvature="basic"),
-     "longitudinal_curvature is 'basic'; permitted with the normal_model 'halfspace', which knows the whole "
-     "surface, is 'effective'"),
-    (dict(lateral_curvature=3), "lateral_curvature is 3; permitted are 'adaptive', 'smooth', 'rough'"),
-    (dict(separation="lateral"),
-     "separation is 'lateral'; permitted are 'normal', 'vertical', 'equidistant', 'equidistant_chord'"),
-    (dict(curvature_step=1e-5), "curvature_step is 1e-05; permitted is 2e-05 ... 0.005 m"),
-    (dict(curvature_reach=3.0), "curvature_reach is 3.0; permitted is 0.0001 ... 0.01 m"),
-])
+@pytest.mark.parametrize(
+    "arguments, sentence",
+    [
+        (dict(wheel="S1003"), "wheel is 'S1003'; permitted are S1002"),
+        (dict(rail="S1002"), "rail is 'S1002'"),
+        (dict(rail_inclination=0.5), "rail_inclination is 0.5; permitted is 0 ... 0.1"),
+        (dict(gauge=1435.0), "gauge is 1435.0; permitted is 0.5 ... 2 m"),
+        (dict(nominal_radius="big"), "nominal_radius is 'big'; permitted is 0.1 ... 1 m"),
+        (dict(youngs_modulus=math.nan), "youngs_modulus is nan; permitted is"),
+        (dict(poisson_ratio=0.5), "poisson_ratio is 0.5"),
+        (
+            dict(normal_model="kalker"),
+            f"normal_model is 'kalker'; permitted are {str(NormalModel.family.names())[1:-1]}",
+        ),
+        (
+            dict(contact_mode="plastic"),
+            "contact_mode is 'plastic'; permitted are 'rigid', 'elastic', 'compliant'",
+        ),
+        (dict(load="lateral"), "load is 'lateral'; permitted are 'normal', 'vertical'"),
+        (
+            dict(normal_model="halfspace", longitudinal_curvature="basic"),
+            "longitudinal_curvature is 'basic'; permitted with the normal_model 'halfspace', which knows the whole "
+            "surface, is 'effective'",
+        ),
+        (dict(lateral_curvature=3), "lateral_curvature is 3; permitted are 'adaptive', 'smooth', 'rough'"),
+        (
+            dict(separation="lateral"),
+            "separation is 'lateral'; permitted are 'normal', 'vertical', 'equidistant', 'equidistant_chord'",
+        ),
+        (dict(curvature_step=1e-5), "curvature_step is 1e-05; permitted is 2e-05 ... 0.005 m"),
+        (dict(curvature_reach=3.0), "curvature_reach is 3.0; permitted is 0.0001 ... 0.01 m"),
+    ],
+)
 def test_wrong_parameters_are_refused_in_a_sentence(arguments, sentence):
     with pytest.raises(ValueError) as refusal:
         wrcontact.ContactSystem(**arguments)
@@ -192,8 +229,13 @@ def test_wrong_parameters_are_refused_in_a_sentence(arguments, sentence):
 
 def test_every_parameter_changes_what_it_should(system):
     plain = system.evaluate(3e-3)
-    for name, value in (("rail_inclination", 1 / 20), ("gauge", 1.44), ("gauge_depth", 0.0138),
-                        ("running_circle_distance", 1.51), ("nominal_radius", 0.5)):
+    for name, value in (
+        ("rail_inclination", 1 / 20),
+        ("gauge", 1.44),
+        ("gauge_depth", 0.0138),
+        ("running_circle_distance", 1.51),
+        ("nominal_radius", 0.5),
+    ):
         changed = wrcontact.ContactSystem(**{name: value}).evaluate(3e-3)
         assert changed.status == 0 and changed.roll != pytest.approx(plain.roll, rel=1e-6), name
     softer = wrcontact.ContactSystem(youngs_modulus=100e9).evaluate(3e-3)
@@ -204,8 +246,25 @@ def test_every_parameter_changes_what_it_should(system):
 @pytest.mark.parametrize("mode", ["rigid", "elastic", "compliant"])
 def test_numbers_from_hell_never_leave_the_statuses(mode):
     rng = np.random.default_rng(13)
-    special = np.array([0.0, -0.0, 5e-324, 1e-300, 1e-30, 1e-9, 1e-3, 6.25e-3, 0.0149999, 0.015, 1.0, 1e30,
-                        1e308, np.inf, np.nan])
+    special = np.array(
+        [
+            0.0,
+            -0.0,
+            5e-324,
+            1e-300,
+            1e-30,
+            1e-9,
+            1e-3,
+            6.25e-3,
+            0.0149999,
+            0.015,
+            1.0,
+            1e30,
+            1e308,
+            np.inf,
+            np.nan,
+        ]
+    )
     stepper, count = wrcontact.ContactSystem(contact_mode=mode).stepper(), layout.INPUT_COUNT
     for _ in range(3000):
         stepper.inputs[:] = rng.choice(special, count) * rng.choice([-1.0, 1.0], count)
@@ -236,12 +295,18 @@ def test_memory_stays_flat(system):
     run()
     before = resident.getrusage(resident.RUSAGE_SELF).ru_maxrss
     run()
-    assert resident.getrusage(resident.RUSAGE_SELF).ru_maxrss - before < 1024    # [KiB]
+    assert resident.getrusage(resident.RUSAGE_SELF).ru_maxrss - before < 1024  # [KiB]
 
 
 @pytest.mark.parametrize("copied", [lambda one: pickle.loads(pickle.dumps(one)), copy.deepcopy])
-@pytest.mark.parametrize("more", [{}, {"stations": 7, "contact_mode": "elastic"},
-                                  {"left_nominal_radius": 0.461, "tangential_model": "strips"}])
+@pytest.mark.parametrize(
+    "more",
+    [
+        {},
+        {"stations": 7, "contact_mode": "elastic"},
+        {"left_nominal_radius": 0.461, "tangential_model": "strips"},
+    ],
+)
 def test_a_stepper_survives_pickling(more, copied):
     """With what is wanted and prescribed, its inputs and outputs; both go on with the same bits."""
     system = wrcontact.ContactSystem(normal_model="hertz", **more)
@@ -259,6 +324,6 @@ def test_a_stepper_survives_pickling(more, copied):
         np.testing.assert_array_equal(other.outputs, stepper.outputs)
     other.inputs[0] = 1e-3
     other.step()
-    assert other.outputs[0] != stepper.outputs[0]       # it has arrays of its own
+    assert other.outputs[0] != stepper.outputs[0]  # it has arrays of its own
     if "contact_mode" not in more:
         assert other.outputs[layout.OUT_RIGHT + layout.SIDE_PENETRATION] == 5e-5

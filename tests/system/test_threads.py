@@ -17,20 +17,27 @@ COUNT = 3 * SHARED_ROWS + 77
 def table(threads, system, **asked):
     """Random poses, of which some are invalid, unloaded or off the profile."""
     rng = np.random.default_rng(20)
-    poses = {"lateral_shift": rng.uniform(-8e-3, 8e-3, COUNT), "yaw": rng.uniform(-0.03, 0.03, COUNT),
-             "normal_force": rng.uniform(1e3, 2e5, COUNT)}
+    poses = {
+        "lateral_shift": rng.uniform(-8e-3, 8e-3, COUNT),
+        "yaw": rng.uniform(-0.03, 0.03, COUNT),
+        "normal_force": rng.uniform(1e3, 2e5, COUNT),
+    }
     poses["lateral_shift"][::50] = np.nan
     poses["lateral_shift"][7::90] = 0.03
     poses["normal_force"][3::70] = 0.0
     return system.evaluate_many(threads=threads, **poses, **asked)
 
 
-@pytest.mark.parametrize("methods, asked", [
-    ({}, {}),
-    ({"tangential_model": "polach"}, {"speed": 20.0, "outputs": ["status", "force", "right.patch"]}),
-    ({"contact_mode": "elastic", "normal_model": "hertz"}, {"side": "right"}),
-    ({"normal_model": "hertz"}, {"penetration": 5e-5, "outputs": "patches"})],
-    ids=["rigid", "names", "one_side", "penetration"])
+@pytest.mark.parametrize(
+    "methods, asked",
+    [
+        ({}, {}),
+        ({"tangential_model": "polach"}, {"speed": 20.0, "outputs": ["status", "force", "right.patch"]}),
+        ({"contact_mode": "elastic", "normal_model": "hertz"}, {"side": "right"}),
+        ({"normal_model": "hertz"}, {"penetration": 5e-5, "outputs": "patches"}),
+    ],
+    ids=["rigid", "names", "one_side", "penetration"],
+)
 def test_threads_give_the_bits_of_one(methods, asked):
     system = wrcontact.ContactSystem(**methods)
     one = table(1, system, **asked)

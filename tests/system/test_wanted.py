@@ -19,10 +19,20 @@ MODES = ("rigid", "elastic", "compliant")
 GEOMETRY = ("contact.", "contact_angle", "rolling_radius", "curvature_")
 OUTLINE = ("station", "half_length", "pressure", "shear", "slip")
 #: A flange contact that rolls.
-POSE = {"lateral_shift": 5e-3, "yaw": 4e-3, "normal_force": 80e3, "load_transfer": 0.2, "speed": 20.0,
-        "lateral_velocity": 0.01}
-MODELS = [(normal, tangential) for normal in ("hertz", "analyn", "analyn_strip")
-          for tangential in CHOICES["tangential_model"] if normal == "analyn" or tangential == "strips"]
+POSE = {
+    "lateral_shift": 5e-3,
+    "yaw": 4e-3,
+    "normal_force": 80e3,
+    "load_transfer": 0.2,
+    "speed": 20.0,
+    "lateral_velocity": 0.01,
+}
+MODELS = [
+    (normal, tangential)
+    for normal in ("hertz", "analyn", "analyn_strip")
+    for tangential in CHOICES["tangential_model"]
+    if normal == "analyn" or tangential == "strips"
+]
 
 
 def is_wanted(name, side, outputs):
@@ -85,9 +95,14 @@ def test_the_rule_holds_at_every_door(mode, normal, tangential, side, outputs):
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("mode, normal, tangential", [
-    *((mode, "halfspace", "strips") for mode in MODES), ("elastic", "halfspace", "none"),
-    ("rigid", "analyn", "halfspace")])
+@pytest.mark.parametrize(
+    "mode, normal, tangential",
+    [
+        *((mode, "halfspace", "strips") for mode in MODES),
+        ("elastic", "halfspace", "none"),
+        ("rigid", "analyn", "halfspace"),
+    ],
+)
 def test_the_rule_holds_for_the_half_space(mode, normal, tangential):
     more = {"tolerance": 0.02} if normal == "halfspace" else {}
     system, pose = system_of(mode, normal, tangential, **more), pose_of(mode)
@@ -110,8 +125,9 @@ def test_the_rule_holds_for_every_output_by_name(mode):
 
 @pytest.mark.parametrize("mode", MODES)
 def test_a_named_output_of_another_side_is_not_there(mode):
-    table = system_of(mode, "hertz").evaluate_many(**pose_of(mode), side="left",
-                                                   outputs=["right.area", "force", "left.area", "roll"])
+    table = system_of(mode, "hertz").evaluate_many(
+        **pose_of(mode), side="left", outputs=["right.area", "force", "left.area", "roll"]
+    )
     assert np.isnan(table.right.area[0]) and np.all(np.isnan(np.asarray(table.force)))
     assert table.left.area[0] > 0.0 and np.isfinite(table.roll[0])
 
@@ -168,6 +184,7 @@ def test_a_compliant_wheel_that_is_too_deep_counts_where_it_is_wanted():
 def test_one_side_of_a_compliant_wheelset_costs_half(normal, counter):
     """What is not wanted is not computed: the counts of both sides add up, and geometry needs no normal
     contact but the curvatures."""
+
     def cost(*wanted):
         stepper = system_of("compliant", normal).stepper(*wanted)
         stepper.inputs[:] = ContactSystem(normal_model="hertz").evaluate(**pose_of("compliant")).inputs

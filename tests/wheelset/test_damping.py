@@ -15,7 +15,8 @@ POSES = [(0.0, 0.0), (3e-3, 0.01), (5.2e-3, 0.0), (-6.2e-3, -0.015)]
 def pressed(shift, yaw, model="analyn", damping=DAMPING, **motion):
     stand = system(contact_mode="elastic", normal_model=model).evaluate(shift, yaw)
     return system(contact_mode="compliant", normal_model=model, contact_damping=damping).evaluate(
-        shift, yaw, vertical_shift_input=stand.vertical_shift, roll_input=stand.roll, **motion)
+        shift, yaw, vertical_shift_input=stand.vertical_shift, roll_input=stand.roll, **motion
+    )
 
 
 def vector(of):
@@ -36,21 +37,32 @@ def test_forces_grow_with_the_approach(shift, yaw, model):
             for name in ("x_track", "y_track", "z_track", "contact_angle", "area", "max_pressure"):
                 assert getattr(other, name) == getattr(one, name)
         assert after.normal_force == pytest.approx(sum(patch.normal_force for patch in after.patches))
-        np.testing.assert_allclose(vector(after.force), sum(vector(patch.force) for patch in after.patches),
-                                   rtol=0, atol=1e-9)
+        np.testing.assert_allclose(
+            vector(after.force), sum(vector(patch.force) for patch in after.patches), rtol=0, atol=1e-9
+        )
         if len(after.patches) == 1:
-            np.testing.assert_allclose(vector(after.moment), factor * vector(before.moment), rtol=1e-9,
-                                       atol=1e-9 * FORCE)
+            np.testing.assert_allclose(
+                vector(after.moment), factor * vector(before.moment), rtol=1e-9, atol=1e-9 * FORCE
+            )
         np.testing.assert_array_equal(after.outline.pressure, before.outline.pressure)
-    np.testing.assert_allclose(vector(moving.left.moment) + vector(moving.right.moment),
-                               vector(moving.moment), rtol=0, atol=1e-12 * FORCE)
+    np.testing.assert_allclose(
+        vector(moving.left.moment) + vector(moving.right.moment),
+        vector(moving.moment),
+        rtol=0,
+        atol=1e-12 * FORCE,
+    )
 
 
 #: Each motion alone, of the size that moves a place at the rail's top by about 0.1 m/s, and all together.
-MOVES = [{"lateral_velocity": 0.1}, {"vertical_velocity": 0.1}, {"yaw_rate": 0.5}, {"roll_rate": 0.15},
-         {"left_rail_lateral_velocity": 0.1, "right_rail_lateral_velocity": -0.1},
-         {"left_rail_vertical_velocity": -0.1, "right_rail_vertical_velocity": 0.1},
-         {"left_rail_roll_velocity": 5.0, "right_rail_roll_velocity": 5.0}]
+MOVES = [
+    {"lateral_velocity": 0.1},
+    {"vertical_velocity": 0.1},
+    {"yaw_rate": 0.5},
+    {"roll_rate": 0.15},
+    {"left_rail_lateral_velocity": 0.1, "right_rail_lateral_velocity": -0.1},
+    {"left_rail_vertical_velocity": -0.1, "right_rail_vertical_velocity": 0.1},
+    {"left_rail_roll_velocity": 5.0, "right_rail_roll_velocity": 5.0},
+]
 MOVES.append({name: value for move in MOVES for name, value in move.items()})
 
 
@@ -60,10 +72,16 @@ def approach(patch, state, sign, moves):
     side = {1: "right", -1: "left"}[sign]
     place = np.array([patch.x_track, patch.y_track, patch.z_track])
     centre = np.array([0.0, state["lateral_shift"], state.vertical_shift - 0.46])
-    wheel = motion.velocity(place, centre=centre, yaw=state["yaw"], roll=state.roll,
-                            lateral=moves.get("lateral_velocity", 0.0),
-                            vertical=moves.get("vertical_velocity", 0.0), yaw_rate=moves.get("yaw_rate", 0.0),
-                            roll_rate=moves.get("roll_rate", 0.0))
+    wheel = motion.velocity(
+        place,
+        centre=centre,
+        yaw=state["yaw"],
+        roll=state.roll,
+        lateral=moves.get("lateral_velocity", 0.0),
+        vertical=moves.get("vertical_velocity", 0.0),
+        yaw_rate=moves.get("yaw_rate", 0.0),
+        roll_rate=moves.get("roll_rate", 0.0),
+    )
     top = np.array([0.0, sign * system().profile_tables()[2], 0.0])
     turn = 1e-6 * moves.get(f"{side}_rail_roll_velocity", 0.0)
     rail = (about_x(turn) - about_x(-turn)) @ (place - top) / 2e-6
@@ -81,15 +99,23 @@ def test_forces_grow_with_the_approach_of_wheel_and_rail(shift, yaw, moves):
     for sign, before, after in ((-1, still.left, moving.left), (1, still.right, moving.right)):
         factors = [1 + DAMPING * approach(patch, moving, sign, moves) for patch in before.patches]
         # differences over 1e-6 s
-        np.testing.assert_allclose([patch.normal_force for patch in after.patches],
-                                   [factor * patch.normal_force for factor, patch
-                                    in zip(factors, before.patches)], rtol=1e-8)
+        np.testing.assert_allclose(
+            [patch.normal_force for patch in after.patches],
+            [factor * patch.normal_force for factor, patch in zip(factors, before.patches)],
+            rtol=1e-8,
+        )
         loads = np.array([patch.normal_force for patch in after.patches])
         assert after.patch_centroid == pytest.approx(
-            loads @ [patch.centroid for patch in after.patches] / loads.sum(), rel=1e-12)
-        moment = sum(np.cross([patch.x_track, patch.y_track, patch.z_track]
-                              - np.array([0.0, shift, moving.vertical_shift - 0.46]), vector(patch.force))
-                     for patch in after.patches)
+            loads @ [patch.centroid for patch in after.patches] / loads.sum(), rel=1e-12
+        )
+        moment = sum(
+            np.cross(
+                [patch.x_track, patch.y_track, patch.z_track]
+                - np.array([0.0, shift, moving.vertical_shift - 0.46]),
+                vector(patch.force),
+            )
+            for patch in after.patches
+        )
         # a patch that turns has the moments of its regions, which its one place misses by some tenths of mm
         np.testing.assert_allclose(vector(after.moment), moment, rtol=0, atol=3e-4 * loads.sum())
 
@@ -99,13 +125,20 @@ def test_friction_carries_what_damping_adds(model):
     """Where all slides the creep force is friction times the damped load."""
     state = system(contact_mode="elastic").evaluate(3e-3)
     contact = system(contact_mode="compliant", contact_damping=DAMPING, tangential_model=model)
-    moving = contact.evaluate(3e-3, vertical_shift_input=state.vertical_shift, roll_input=state.roll,
-                              vertical_velocity=0.5, speed=10.0, free_rolling=False)
+    moving = contact.evaluate(
+        3e-3,
+        vertical_shift_input=state.vertical_shift,
+        roll_input=state.roll,
+        vertical_velocity=0.5,
+        speed=10.0,
+        free_rolling=False,
+    )
     for before, after in ((state.left, moving.left), (state.right, moving.right)):
         assert after.normal_force > 1.15 * before.normal_force
         # a locked wheel slides at every strip; FASTSIM's slip starts behind the leading edge
         assert np.hypot(after.force.x, after.force.y - after.normal.force.y) == pytest.approx(
-            0.3 * after.normal_force, rel=2e-3)
+            0.3 * after.normal_force, rel=2e-3
+        )
 
 
 def test_never_adhesive():
@@ -157,8 +190,11 @@ def bounce(damping, cycles=3):
     above the height at which it carries its weight, and moves up and down alone; Runge and Kutta's method."""
     mass, weight, step = 1500.0, 2 * 20e3, 2e-5
     one = wrcontact.ContactSystem(contact_mode="compliant", normal_model="hertz", contact_damping=damping)
-    rest = wrcontact.ContactSystem(contact_mode="elastic", normal_model="hertz").evaluate(
-        0.0, normal_force=weight / 2).vertical_shift
+    rest = (
+        wrcontact.ContactSystem(contact_mode="elastic", normal_model="hertz")
+        .evaluate(0.0, normal_force=weight / 2)
+        .vertical_shift
+    )
 
     def rates(state):
         force = one.evaluate(0.0, vertical_shift_input=state[0], vertical_velocity=state[1]).force.z
@@ -187,9 +223,11 @@ def test_energy_of_a_bouncing_wheelset():
 
 #: A wheelset that rolls and is moved by hand while its rails move too: velocity, amplitude and phase of each
 #: motion.
-CYCLE = {"vertical_shift_input": ("vertical_velocity", 3e-5, 0.0),
-         "right_rail_vertical": ("right_rail_vertical_velocity", 1e-5, 2.0),
-         "left_rail_vertical": ("left_rail_vertical_velocity", 1e-5, 0.3)}
+CYCLE = {
+    "vertical_shift_input": ("vertical_velocity", 3e-5, 0.0),
+    "right_rail_vertical": ("right_rail_vertical_velocity", 1e-5, 2.0),
+    "left_rail_vertical": ("left_rail_vertical_velocity", 1e-5, 0.3),
+}
 WITH_ROLL = CYCLE | {"roll_input": ("roll_rate", 2e-5, 1.0)}
 ROLLING = {"speed": 20.0, "wheel_rate": 43.4, "lateral_velocity": 0.0, "yaw_rate": 0.0}
 
@@ -213,11 +251,19 @@ def run_through(cycle, rate, count, **parameters):
 def contact_power(given, contact, state):
     """Power of the contact's forces on the wheelset and on both rails [W], at their velocities."""
     yaw = given["yaw"]
-    turn = np.array([given.get("roll_rate", 0.0) * np.cos(yaw), given.get("roll_rate", 0.0) * np.sin(yaw),
-                     given["yaw_rate"]])
+    turn = np.array(
+        [
+            given.get("roll_rate", 0.0) * np.cos(yaw),
+            given.get("roll_rate", 0.0) * np.sin(yaw),
+            given["yaw_rate"],
+        ]
+    )
     velocity = [given["speed"], given["lateral_velocity"], given.get("vertical_velocity", 0.0)]
-    power = (vector(state.force) @ velocity + vector(state.moment) @ turn
-             + state.driving_torque * given["wheel_rate"])
+    power = (
+        vector(state.force) @ velocity
+        + vector(state.moment) @ turn
+        + state.driving_torque * given["wheel_rate"]
+    )
     for side in ("left", "right"):
         force, _ = contact.rail_reaction(state, side)
         power += force[2] * given.get(f"{side}_rail_vertical_velocity", 0.0)
@@ -236,9 +282,13 @@ def test_energy_of_a_wheelset_moved_by_hand(normal, cycle, missed):
     2.4e-4."""
     powers = []
     for given, contact, state in run_through(cycle, 400.0, 48, normal_model=normal, contact_damping=DAMPING):
-        powers.append((contact_power(given, contact, state),
-                       state.left.friction_power + state.right.friction_power,
-                       state.left.damping_power + state.right.damping_power))
+        powers.append(
+            (
+                contact_power(given, contact, state),
+                state.left.friction_power + state.right.friction_power,
+                state.left.damping_power + state.right.damping_power,
+            )
+        )
     taken, friction, damping = np.transpose(powers)
     assert (damping >= 0.0).all() and damping.mean() > 3.0 and friction.mean() > 100.0
     stored = taken + friction + damping
@@ -254,15 +304,22 @@ def test_damping_power_is_what_damped_forces_take_more(moves, normal):
         moving = pressed(-6.2e-3, -0.015, normal, damping, **moves)
         assert still.left.damping_power == still.right.damping_power == 0.0
         contact = system(contact_mode="compliant", normal_model=normal)
-        given = {"speed": 0.0, "lateral_velocity": 0.0, "yaw_rate": 0.0, "wheel_rate": 0.0, "yaw": -0.015,
-                 **moves}
+        given = {
+            "speed": 0.0,
+            "lateral_velocity": 0.0,
+            "yaw_rate": 0.0,
+            "wheel_rate": 0.0,
+            "yaw": -0.015,
+            **moves,
+        }
         taken = []
         for state in (still, moving):
             power = contact_power(given, contact, state)
             for side in ("left", "right"):
                 force, moment = contact.rail_reaction(state, side)
-                power += (force[1] * given.get(f"{side}_rail_lateral_velocity", 0.0)
-                          + moment[0] * given.get(f"{side}_rail_roll_velocity", 0.0))
+                power += force[1] * given.get(f"{side}_rail_lateral_velocity", 0.0) + moment[0] * given.get(
+                    f"{side}_rail_roll_velocity", 0.0
+                )
             taken.append(-power)
         found = moving.left.damping_power + moving.right.damping_power
         wanted = taken[1] - taken[0]

@@ -21,8 +21,13 @@ def manchester():
     force, load transfer, (n,) each."""
     table = data.columns(data.MANCHESTER)
     left, right = (table[f"normal_force_{side}_N"] for side in ("left", "right"))
-    return (1e-3 * table["lateral_shift_mm"], table["yaw_rad"], table["roll_rad"], (left + right) / 2,
-            (right - left) / (left + right))
+    return (
+        1e-3 * table["lateral_shift_mm"],
+        table["yaw_rad"],
+        table["roll_rad"],
+        (left + right) / 2,
+        (right - left) / (left + right),
+    )
 
 
 @pytest.mark.parametrize("model", ["analyn", "analyn_strip"])
@@ -35,10 +40,10 @@ def test_rolls_of_the_manchester_benchmark(model):
     assert not np.any(found.status)
     error = np.abs(found.roll - roll)
     near = shift <= 6.5e-3
-    assert error[near].mean() < 1.9e-7       # [rad] measured 1.4e-7
-    assert error[near].max() < 4.5e-7        # measured 2.8e-7, strips 3.0e-7
-    assert error.mean() < 6.6e-7             # measured 4.7e-7, strips 5.1e-7
-    assert error.max() < 3.9e-6              # measured 2.4e-6, strips 2.6e-6
+    assert error[near].mean() < 1.9e-7  # [rad] measured 1.4e-7
+    assert error[near].max() < 4.5e-7  # measured 2.8e-7, strips 3.0e-7
+    assert error.mean() < 6.6e-7  # measured 4.7e-7, strips 5.1e-7
+    assert error.max() < 3.9e-6  # measured 2.4e-6, strips 2.6e-6
     rigid = np.abs(system(normal_model=model).evaluate_many(shift, yaw, force, transfer).roll - roll)
     assert rigid[1:].min() > 1.5e-6 and rigid.max() > 7e-5
     assert np.all(rigid[1:] > 4 * error[1:])
@@ -62,7 +67,7 @@ def test_roll_does_not_jump(window, yaw):
     by side from 6.287 to 6.302 mm, on root and on flange, 4.4e-5 rad apart, and which one is found changes
     some ten times; at 1 deg regions that come and go make steps of 8e-6 rad near 6.233 mm."""
     steps = steps_of("roll", *window, yaw)
-    assert steps.max() < 5e-5                                   # [rad]; measured 4.4e-5
+    assert steps.max() < 5e-5  # [rad]; measured 4.4e-5
     jumps = np.count_nonzero(steps > 20.0 * window[2] + 2e-6)
     assert jumps <= (20 if window[1] > 6.3e-3 else 0), jumps
 
@@ -72,7 +77,7 @@ def test_roll_does_not_jump(window, yaw):
 def test_roll_does_not_jump_over_the_whole_range(yaw):
     for quantity in ("roll", "vertical_shift"):
         largest = steps_of(quantity, -8e-3, 8e-3 + 5e-7, 1e-6, yaw).max()
-        assert largest < 4e-5    # [rad, m]; measured 2.7e-5 and 2.9e-5
+        assert largest < 4e-5  # [rad, m]; measured 2.7e-5 and 2.9e-5
 
 
 # --- limits ---------------------------------------------------------------------------------------
@@ -87,8 +92,9 @@ def test_a_light_wheelset_stands_as_a_rigid_one(shift, yaw):
     lacks = {"roll": table.roll - rigid.roll, "height": table.vertical_shift - rigid.vertical_shift}
     for side in ("left", "right"):
         for name in ("y_wheel", "y_rail"):
-            lacks[side, name] = getattr(getattr(table, side).contact,
-                                        name) - getattr(getattr(rigid, side).contact, name)
+            lacks[side, name] = getattr(getattr(table, side).contact, name) - getattr(
+                getattr(rigid, side).contact, name
+            )
     for name, lack in lacks.items():
         assert abs(lack[0]) < 3e-7 and abs(lack[2]) < 1e-9, name
         # the smallest of them, 1e-11 rad, has two digits that are not rounding
@@ -123,6 +129,7 @@ class Loads:
 
     def stand(self, start, reach=4e-5):
         """Height and roll at which both do: brackets within brackets, around the rigid ``start``."""
+
         def difference(roll):
             return self.height(1, roll, start.vertical_shift) - self.height(0, roll, start.vertical_shift)
 
@@ -143,8 +150,8 @@ def test_scipy_finds_the_same_equilibrium(case):
     state = elastic().evaluate(shift, yaw, FORCE, transfer)
     assert state.status == 0
     # height and roll are sought to 1e-11 m, which is 1e-7 of a wheel's depth
-    assert state.roll == pytest.approx(roll, abs=1e-10)                  # [rad]
-    assert state.vertical_shift == pytest.approx(height, abs=1e-10)      # [m]
+    assert state.roll == pytest.approx(roll, abs=1e-10)  # [rad]
+    assert state.vertical_shift == pytest.approx(height, abs=1e-10)  # [m]
     np.testing.assert_allclose(loads.lacks(state.vertical_shift, state.roll), 0.0, atol=1e-6)
 
 
@@ -209,11 +216,15 @@ def test_where_the_load_jumps_the_stand_is_at_the_jump(shift):
     state = elastic(normal_model="hertz").evaluate(shift)
     mirrored = elastic(normal_model="hertz").evaluate(-shift)
     assert state.status == mirrored.status == 0
-    assert (mirrored.roll, mirrored.vertical_shift) == pytest.approx((-state.roll, state.vertical_shift),
-                                                                     abs=1e-11)
-    above, below = (compliant(normal_model="hertz").evaluate(shift,
-                                                             vertical_shift_input=state.vertical_shift + away,
-                                                             roll_input=state.roll) for away in (-1e-8, 1e-8))
+    assert (mirrored.roll, mirrored.vertical_shift) == pytest.approx(
+        (-state.roll, state.vertical_shift), abs=1e-11
+    )
+    above, below = (
+        compliant(normal_model="hertz").evaluate(
+            shift, vertical_shift_input=state.vertical_shift + away, roll_input=state.roll
+        )
+        for away in (-1e-8, 1e-8)
+    )
     assert above.right.normal_force < 0.9 * FORCE < 1.1 * FORCE < below.right.normal_force
     assert above.left.normal_force == pytest.approx(FORCE, rel=1e-3)
     assert below.left.normal_force == pytest.approx(FORCE, rel=1e-3)

@@ -18,12 +18,17 @@ def random_poses(count, seed, shift=9e-3, yaw=0.06, forces=(1.0, 4e5), transfer=
     rng = np.random.default_rng(seed)
     yaws = rng.uniform(-yaw, yaw, count)
     yaws[::3] = 0.0
-    return (rng.uniform(-shift, shift, count), yaws, np.exp(rng.uniform(*np.log(forces), count)),
-            rng.uniform(-transfer, transfer, count))
+    return (
+        rng.uniform(-shift, shift, count),
+        yaws,
+        np.exp(rng.uniform(*np.log(forces), count)),
+        rng.uniform(-transfer, transfer, count),
+    )
 
 
-@pytest.mark.parametrize("model, mean, most",
-                         [("analyn", 10, 100), ("analyn_strip", 12.5, 100), ("hertz", 10, 100)])
+@pytest.mark.parametrize(
+    "model, mean, most", [("analyn", 10, 100), ("analyn_strip", 12.5, 100), ("hertz", 10, 100)]
+)
 def test_a_step_takes_few_trials(model, mean, most):
     """Measured with those of the rigid search: 8.7 on average (12.0 with strips, whose first ones are
     coarse), 20 at the 99th percentile, 74 at most, with brackets."""
@@ -48,7 +53,8 @@ def check_random_poses(count, seed, rail, inclination, model, load):
         rigid = system(**parameters).evaluate(*poses[:, k])
         sink = max(side.penetration / math.cos(side.contact_angle) for side in (rigid.left, rigid.right))
         assert table.status[k] == 2 and load == "vertical" and sink > 1e-3, (
-            f"{where}, {1e3 * sink:.2f} mm deep")
+            f"{where}, {1e3 * sink:.2f} mm deep"
+        )
     for sign, side in ((-1, table.left), (1, table.right)):
         good = table.status == 0
         if load == "normal":
@@ -57,8 +63,9 @@ def check_random_poses(count, seed, rail, inclination, model, load):
     return len(refused)
 
 
-@pytest.mark.parametrize("count, seed, most", [(60, 50, 1),
-                                               pytest.param(4000, 70, 12, marks=pytest.mark.full)])
+@pytest.mark.parametrize(
+    "count, seed, most", [(60, 50, 1), pytest.param(4000, 70, 12, marks=pytest.mark.full)]
+)
 @pytest.mark.parametrize("load", LOADS)
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.parametrize("pair", range(len(PAIRS)))
@@ -71,14 +78,30 @@ def test_random_poses_stand(pair, model, load, count, seed, most):
 #: Once refused (status 3): the first sample of the overlap lay beyond the rail, and the guess beside it was
 #: the other side's; Newton's method for a deepest point swung to and fro.
 ONCE_REFUSED = [
-    ("54E1", 1 / 20, "normal",
-     (-0.0058487261477867675, 0.04631273279453417, 203082.27503455844, -0.5752669176125726)),
-    ("54E1", 1 / 20, "normal",
-     (0.005753283566805999, 0.04565362260413991, 42.233597926451544, 0.06340601422594294)),
-    ("54E1", 1 / 20, "normal",
-     (0.005627118423548107, 0.049592264914850415, 9.282953393581076, -0.620919936840998)),
-    ("54E1", 1 / 20, "vertical",
-     (-0.0054536774061790805, 0.0559478341625486, 1065.9421201621758, 0.7234823042869359)),
+    (
+        "54E1",
+        1 / 20,
+        "normal",
+        (-0.0058487261477867675, 0.04631273279453417, 203082.27503455844, -0.5752669176125726),
+    ),
+    (
+        "54E1",
+        1 / 20,
+        "normal",
+        (0.005753283566805999, 0.04565362260413991, 42.233597926451544, 0.06340601422594294),
+    ),
+    (
+        "54E1",
+        1 / 20,
+        "normal",
+        (0.005627118423548107, 0.049592264914850415, 9.282953393581076, -0.620919936840998),
+    ),
+    (
+        "54E1",
+        1 / 20,
+        "vertical",
+        (-0.0054536774061790805, 0.0559478341625486, 1065.9421201621758, 0.7234823042869359),
+    ),
     ("54E1", 1 / 40, "vertical", (-0.006533775692339662, 0.0, 167302.94718115925, -0.5631799716684236)),
 ]
 
@@ -86,15 +109,22 @@ ONCE_REFUSED = [
 @pytest.mark.parametrize("rail, inclination, load, pose", ONCE_REFUSED)
 def test_poses_that_were_refused_once(rail, inclination, load, pose):
     for model in MODELS:
-        assert elastic(rail=rail, rail_inclination=inclination, load=load,
-                       normal_model=model).evaluate(*pose).status == 0
+        assert (
+            elastic(rail=rail, rail_inclination=inclination, load=load, normal_model=model)
+            .evaluate(*pose)
+            .status
+            == 0
+        )
 
 
 #: Once refused (status 2 or 3) although the wheelset stands 0.05 to 0.5 mm deep: on the way from the rigid
 #: roll to the stand a steep flange would have to be deeper than 2 mm, or the nodes of a deep stand carried
 #: more than the load at every level.
-STEEP = {"separation": {"separation": "vertical"}, "basic": {"longitudinal_curvature": "basic"},
-         "default": {}}
+STEEP = {
+    "separation": {"separation": "vertical"},
+    "basic": {"longitudinal_curvature": "basic"},
+    "default": {},
+}
 #: Vertical distances beside the rail's side, 0.4 mm deep: the half-width of the region, and with it the place
 #: of its nodes, jumps between heights 5 um apart, and the load from 56 to 560 kN.
 VERTICAL_SIDE = "a rare pose where elastic and compliant form differ (docs/evidence/reliability.md)"
@@ -107,9 +137,11 @@ ONCE_TOO_STEEP = [
     ("separation", (0.0065022498121319085, -0.02087709900787211, 190650.18990882143, 0.9067269304079526)),
     ("separation", (0.00637832868166607, 0.030976122547405567, 153597.37537829397, 0.5586651678481243)),
     ("separation", (0.0064203371819753635, -0.020948591203970697, 177722.16171836772, 0.5811281964470212)),
-    pytest.param("separation", (0.006463620028195276, -0.02712576155100905, 132535.87157966816,
-                                0.7955738453260797),
-                 marks=pytest.mark.xfail(strict=True, reason=VERTICAL_SIDE)),
+    pytest.param(
+        "separation",
+        (0.006463620028195276, -0.02712576155100905, 132535.87157966816, 0.7955738453260797),
+        marks=pytest.mark.xfail(strict=True, reason=VERTICAL_SIDE),
+    ),
 ]
 
 
@@ -123,28 +155,41 @@ def test_a_steep_flange_stands_where_the_compliant_form_carries_its_load(choice,
     away = []
     for move in (-1e-8, 1e-8):
         stand = compliant(load="vertical", **STEEP[choice]).evaluate(
-            shift, yaw, vertical_shift_input=state.vertical_shift + move, roll_input=state.roll)
+            shift, yaw, vertical_shift_input=state.vertical_shift + move, roll_input=state.roll
+        )
         tread = stand.left if shift > 0 else stand.right
         # 1e-8 m is up to 1e-3
         assert carried(tread, "vertical") == pytest.approx(force * (1 - abs(transfer)), rel=2e-3)
         away.append(-stand.force.z - carried(tread, "vertical"))
     wanted = force * (1 + abs(transfer))
     # the stand is met to 1e-13 m, 1e-9 of the load
-    assert (away[0] < (1 + 1e-8) * wanted and away[1] > (1 - 1e-8) * wanted), (away[0] / wanted,
-                                                                               away[1] / wanted)
+    assert away[0] < (1 + 1e-8) * wanted and away[1] > (1 - 1e-8) * wanted, (
+        away[0] / wanted,
+        away[1] / wanted,
+    )
 
 
 def test_both_wheels_stand_at_one_height_where_the_flange_s_jumps():
     """The flange carries its load at several heights of one roll; once the two wheels stood 0.1 mm
     apart there, at status 0."""
-    parameters = dict(load="vertical", normal_model="analyn_strip", separation="vertical",
-                      longitudinal_curvature="basic", lateral_curvature="smooth")
-    shift, yaw, force, transfer = (0.006717038521666567, -0.02235267519980281, 177991.03241361293,
-                                   0.8098496174104448)
+    parameters = dict(
+        load="vertical",
+        normal_model="analyn_strip",
+        separation="vertical",
+        longitudinal_curvature="basic",
+        lateral_curvature="smooth",
+    )
+    shift, yaw, force, transfer = (
+        0.006717038521666567,
+        -0.02235267519980281,
+        177991.03241361293,
+        0.8098496174104448,
+    )
     state = elastic(**parameters).evaluate(shift, yaw, force, transfer)
     assert state.status == 0
-    stand = compliant(**parameters).evaluate(shift, yaw, vertical_shift_input=state.vertical_shift,
-                                             roll_input=state.roll)
+    stand = compliant(**parameters).evaluate(
+        shift, yaw, vertical_shift_input=state.vertical_shift, roll_input=state.roll
+    )
     # strips are corrected for the load in one form and for the depth in the other, on a tread
     # 0.14 % at most (measured)
     assert stand.left.normal_force == pytest.approx(state.left.normal_force, rel=2e-3)
@@ -159,8 +204,9 @@ def test_a_load_that_no_depth_carries_is_told():
     state = pair.evaluate(*pose, 182267.24730465972, 0.9198425535487278)
     sentence = explain(state.status, state.inputs)
     assert state.status == 2
-    assert all(word in sentence
-               for word in ("normal_force 182267 N", "load_transfer 0.919843", "deeper", "0.002 m")), sentence
+    assert all(
+        word in sentence for word in ("normal_force 182267 N", "load_transfer 0.919843", "deeper", "0.002 m")
+    ), sentence
 
 
 # --- bad input ------------------------------------------------------------------------------------
@@ -168,8 +214,9 @@ def test_a_load_that_no_depth_carries_is_told():
 
 @pytest.mark.parametrize("mode", ["elastic", "compliant"])
 def test_a_penetration_is_refused(mode):
-    with pytest.raises(ValueError,
-                       match=f"penetration is given; permitted with the contact_mode .*{mode}.* is none"):
+    with pytest.raises(
+        ValueError, match=f"penetration is given; permitted with the contact_mode .*{mode}.* is none"
+    ):
         system(contact_mode=mode).evaluate(penetration=5e-5)
 
 
@@ -193,9 +240,16 @@ def test_a_stand_on_a_jump_of_the_load_is_always_the_same_end_of_it():
     """Two places of the right wheel are equally deep where it stands, one carries more than the load and the
     other less; once they took turns from one nanometre to the next."""
     pair = wrcontact.ContactSystem(
-        rail="54E1", rail_inclination=1 / 30, gauge=1.4452408348436032, nominal_radius=0.4724724783139843,
-        contact_mode="elastic", normal_model="hertz", separation="equidistant_chord",
-        longitudinal_curvature="basic", lateral_curvature="rough")
+        rail="54E1",
+        rail_inclination=1 / 30,
+        gauge=1.4452408348436032,
+        nominal_radius=0.4724724783139843,
+        contact_mode="elastic",
+        normal_model="hertz",
+        separation="equidistant_chord",
+        longitudinal_curvature="basic",
+        lateral_curvature="rough",
+    )
     shift, yaw, force, transfer = 0.008346254944846863, -0.07552726543349111, 150e3, 0.01602679187811673
     table = pair.evaluate_many(shift + 1e-9 * np.arange(-20, 21), yaw, force, load_transfer=transfer)
     mirrored = pair.evaluate_many(-shift - 1e-9 * np.arange(-20, 21), -yaw, force, load_transfer=-transfer)

@@ -65,8 +65,11 @@ EQUILIBRIUM = [REFERENCE[name] for name in ("equilibrium.vertical_shift", "equil
 def test_it_is_found_when_it_is_read(session, monkeypatch):
     made, _ = session
     found = []
-    monkeypatch.setattr(wrcontact.simulation.session.Session, "_find_equilibrium",
-                        lambda self, find=Session._find_equilibrium: (found.append(1), find(self)))
+    monkeypatch.setattr(
+        wrcontact.simulation.session.Session,
+        "_find_equilibrium",
+        lambda self, find=Session._find_equilibrium: (found.append(1), find(self)),
+    )
     made.set_reals([REFERENCE["lateral_shift"], REFERENCE["normal_force"]], [3e-3, FORCE])
     made.get_reals([REFERENCE["roll"], REFERENCE["right.area"]])
     assert found == []

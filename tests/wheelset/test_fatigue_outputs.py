@@ -10,15 +10,23 @@ from wrcontact.kernel.wheelset.fatigue import wear_number_damage
 from wrcontact.wear.fatigue import wear_number_damage as damage_of_tables
 
 #: Output of a patch, and what wrcontact.fatigue calls it.
-NAMES = {"wear_number": "wear_number", "fatigue_damage": "damage", "shakedown_ratio": "shakedown_ratio",
-         "surface_fatigue_index": "surface_fatigue_index"}
+NAMES = {
+    "wear_number": "wear_number",
+    "fatigue_damage": "damage",
+    "shakedown_ratio": "shakedown_ratio",
+    "surface_fatigue_index": "surface_fatigue_index",
+}
 MODEL = {"contact_mode": "elastic", "tangential_model": "strips"}
 
 
 def poses(count=60):
     rng = np.random.default_rng(3)
-    return {"lateral_shift": rng.uniform(-7e-3, 7e-3, count), "yaw": rng.uniform(-6e-3, 6e-3, count),
-            "normal_force": rng.uniform(30e3, 110e3, count), "speed": 20.0}
+    return {
+        "lateral_shift": rng.uniform(-7e-3, 7e-3, count),
+        "yaw": rng.uniform(-6e-3, 6e-3, count),
+        "normal_force": rng.uniform(30e3, 110e3, count),
+        "speed": 20.0,
+    }
 
 
 @pytest.mark.parametrize("yielding", [300e6, 250e6])
@@ -30,11 +38,16 @@ def test_a_step_has_what_tables_have(yielding):
         for k, side in enumerate(("left", "right")):
             for patch in range(3):
                 wanted = np.nan_to_num(getattr(found, known)[:, k, patch])
-                np.testing.assert_allclose(table[f"{side}.patch[{patch + 1}].{name}"], wanted, rtol=1e-12,
-                                           atol=1e-17, err_msg=f"{side} {patch} {name}")
+                np.testing.assert_allclose(
+                    table[f"{side}.patch[{patch + 1}].{name}"],
+                    wanted,
+                    rtol=1e-12,
+                    atol=1e-17,
+                    err_msg=f"{side} {patch} {name}",
+                )
     used = found.damage[np.isfinite(found.damage)]
     assert np.sum(used > 0.0) > 20 and np.sum(found.surface_fatigue_index > 0.0) > 5
-    assert np.sum(np.isfinite(found.damage)) > 120      # some wheels have two patches
+    assert np.sum(np.isfinite(found.damage)) > 120  # some wheels have two patches
 
 
 def test_one_and_the_same_damage():
@@ -44,8 +57,9 @@ def test_one_and_the_same_damage():
 
 def test_everything_else_keeps_its_bits():
     """And without the parameter these are zero."""
-    plain, more = (ContactSystem(**MODEL, fatigue_outputs=asked).evaluate_many(**poses())
-                   for asked in (False, True))
+    plain, more = (
+        ContactSystem(**MODEL, fatigue_outputs=asked).evaluate_many(**poses()) for asked in (False, True)
+    )
     for name in plain.names:
         if name.rpartition(".")[2] in NAMES and ".patch[" in name:
             assert not plain[name].any()
@@ -71,8 +85,13 @@ def test_the_half_space_has_them():
     found = wrcontact.fatigue(table)
     for name, known in NAMES.items():
         for k, side in enumerate(("left", "right")):
-            np.testing.assert_allclose(table[f"{side}.patch[1].{name}"], getattr(found, known)[:, k, 0],
-                                       rtol=1e-12, atol=1e-17, err_msg=f"{side} {name}")
+            np.testing.assert_allclose(
+                table[f"{side}.patch[1].{name}"],
+                getattr(found, known)[:, k, 0],
+                rtol=1e-12,
+                atol=1e-17,
+                err_msg=f"{side} {name}",
+            )
     assert (found.wear_number[:, :, 0] > 0.0).all() and (found.shakedown_ratio[:, :, 0] > 1.0).all()
 
 
@@ -91,18 +110,23 @@ def test_derivatives_are_differences():
     found = contact.derivatives(of=outputs, by=["yaw", "normal_force"], **pose)
     for column, (name, step) in enumerate((("yaw", 1e-7), ("normal_force", 1.0))):
         middle = {"normal_force": 78.5e3, **pose}[name]
-        low, high = ([contact.evaluate(**{**pose, name: middle + way * step})[output] for output in outputs]
-                     for way in (-1.0, 1.0))
+        low, high = (
+            [contact.evaluate(**{**pose, name: middle + way * step})[output] for output in outputs]
+            for way in (-1.0, 1.0)
+        )
         wanted = (np.array(high) - low) / (2.0 * step)
         assert wanted.all()
         np.testing.assert_allclose(found[:, column], wanted, rtol=2e-4)
 
 
-@pytest.mark.parametrize("given, words", [
-    ({"fatigue_outputs": 1}, "fatigue_outputs is 1; permitted is True or False"),
-    ({"yield_shear": 0.0}, "yield_shear is 0.0; permitted is 1e\\+07 ... 1e\\+10 Pa"),
-    ({"yield_shear": float("nan")}, "yield_shear is nan"),
-])
+@pytest.mark.parametrize(
+    "given, words",
+    [
+        ({"fatigue_outputs": 1}, "fatigue_outputs is 1; permitted is True or False"),
+        ({"yield_shear": 0.0}, "yield_shear is 0.0; permitted is 1e\\+07 ... 1e\\+10 Pa"),
+        ({"yield_shear": float("nan")}, "yield_shear is nan"),
+    ],
+)
 def test_wrong_values_are_refused(given, words):
     with pytest.raises(ValueError, match=words):
         ContactSystem(**given)

@@ -13,7 +13,8 @@ from wrcontact.interface.inputs import RAIL_LIMIT, RAIL_ROLL_LIMIT, RAILS
 from wrcontact.status import Status
 
 METHODS = {
-    "rigid": {}, "rigid hertz": dict(normal_model="hertz", load="vertical"),
+    "rigid": {},
+    "rigid hertz": dict(normal_model="hertz", load="vertical"),
     "rigid strips": dict(normal_model="analyn_strip"),
     "elastic": dict(contact_mode="elastic"),
     "elastic strips": dict(contact_mode="elastic", normal_model="analyn_strip"),
@@ -33,9 +34,17 @@ def height_and_roll(shift, yaw, **moved):
 
 def side_values(wheel):
     """What a wheel's contact and patches are, without where they lie in the track; (n,)."""
-    found = [wheel.contact.x_wheel, wheel.contact.y_wheel, wheel.contact.z_wheel, wheel.contact.y_rail,
-             wheel.contact.z_rail, wheel.contact.x_track, wheel.contact_angle, wheel.rolling_radius,
-             wheel.penetration]
+    found = [
+        wheel.contact.x_wheel,
+        wheel.contact.y_wheel,
+        wheel.contact.z_wheel,
+        wheel.contact.y_rail,
+        wheel.contact.z_rail,
+        wheel.contact.x_track,
+        wheel.contact_angle,
+        wheel.rolling_radius,
+        wheel.penetration,
+    ]
     return np.array(found)
 
 
@@ -77,7 +86,7 @@ def test_half_the_moves_of_the_rails_are_half_the_moves():
     plain, down = system.evaluate(), 1e-5
     found = system.evaluate(right_rail_vertical=down)
     apart = plain.right.contact.y_track - plain.left.contact.y_track
-    assert found.roll == pytest.approx(down / apart, rel=0.03)       # the cone's 1:40, and where it touches
+    assert found.roll == pytest.approx(down / apart, rel=0.03)  # the cone's 1:40, and where it touches
     assert found.vertical_shift == pytest.approx(plain.vertical_shift + 0.5 * down, abs=0.05 * down)
 
 
@@ -87,7 +96,7 @@ def rolled_rail(system, side, roll):
 
     The crown's centre lies CROWN below the highest point, before and after.
     """
-    outward = roll if side == "right" else -roll        # field side down
+    outward = roll if side == "right" else -roll  # field side down
     inclination = math.tan(math.atan(1 / 40) - outward)
     other = wrcontact.ContactSystem(rail_inclination=inclination)
     across = system.profile_tables()[2] - CROWN * math.sin(outward) - other.profile_tables()[2]
@@ -101,8 +110,13 @@ def over_rolled_rails(pose, given, left_roll=0.006, right_roll=-0.004, **methods
     found = plain.evaluate(*pose, **given, left_rail_roll=left_roll, right_rail_roll=right_roll)
     left, right = rolled_rail(plain, "left", left_roll), rolled_rail(plain, "right", right_roll)
     wanted = wrcontact.ContactSystem(**methods, rail_inclination=(left[0], right[0])).evaluate(
-        *pose, **given, left_rail_lateral=left[1], left_rail_vertical=left[2],
-        right_rail_lateral=right[1], right_rail_vertical=right[2])
+        *pose,
+        **given,
+        left_rail_lateral=left[1],
+        left_rail_vertical=left[2],
+        right_rail_lateral=right[1],
+        right_rail_vertical=right[2],
+    )
     assert found.status == wanted.status == Status.VALID
     for side in ("left", "right"):
         mine, theirs = getattr(found, side), getattr(wanted, side)
@@ -112,8 +126,9 @@ def over_rolled_rails(pose, given, left_roll=0.006, right_roll=-0.004, **methods
     return found, wanted
 
 
-@pytest.mark.parametrize("name", ["compliant", "compliant strips",
-                                  pytest.param("compliant vertical", marks=pytest.mark.full)])
+@pytest.mark.parametrize(
+    "name", ["compliant", "compliant strips", pytest.param("compliant vertical", marks=pytest.mark.full)]
+)
 @pytest.mark.parametrize("pose", POSES)
 def test_rolling_a_rail_is_another_inclination(name, pose):
     """Of a compliant wheelset, whose height and roll are given, in all it reports in the track."""
@@ -131,10 +146,12 @@ def test_rolling_a_rail_is_another_inclination(name, pose):
         # and 5e-7 of the area
         assert mine.area == pytest.approx(theirs.area, rel=1e-6 if "strips" in name else 2e-7)
         for name_of in ("x", "y", "z"):
-            assert getattr(mine.force, name_of) == pytest.approx(getattr(theirs.force, name_of), rel=few,
-                                                                 abs=1e-3)
-            assert getattr(mine.moment, name_of) == pytest.approx(getattr(theirs.moment, name_of), rel=few,
-                                                                  abs=1e-3)
+            assert getattr(mine.force, name_of) == pytest.approx(
+                getattr(theirs.force, name_of), rel=few, abs=1e-3
+            )
+            assert getattr(mine.moment, name_of) == pytest.approx(
+                getattr(theirs.moment, name_of), rel=few, abs=1e-3
+            )
         for one, other in zip(mine.patches, theirs.patches, strict=True):
             assert one.contact_angle == pytest.approx(other.contact_angle, abs=1e-7)
             assert one.y_track == pytest.approx(other.y_track, abs=1e-8)
@@ -142,8 +159,9 @@ def test_rolling_a_rail_is_another_inclination(name, pose):
             assert one.rolling_radius == pytest.approx(other.rolling_radius, abs=1e-8)
 
 
-@pytest.mark.parametrize("name", ["rigid hertz", "elastic", pytest.param("elastic strips",
-                                                                         marks=pytest.mark.full)])
+@pytest.mark.parametrize(
+    "name", ["rigid hertz", "elastic", pytest.param("elastic strips", marks=pytest.mark.full)]
+)
 @pytest.mark.parametrize("pose", POSES[:3])
 def test_roll_and_height_over_rolled_rails_are_those_of_another_inclination(name, pose):
     """Where wheels sink does not hang on the frame in which it was found: the same vertical shift and roll as
@@ -157,10 +175,13 @@ def test_roll_and_height_over_rolled_rails_are_those_of_another_inclination(name
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("moved", [dict(left_rail_lateral=-10e-3),
-                                   pytest.param(dict(right_rail_lateral=10e-3), marks=pytest.mark.full)])
-@pytest.mark.parametrize("pose", [(1e-3, math.radians(1)),
-                                  pytest.param((-4e-3, math.radians(-0.5)), marks=pytest.mark.full)])
+@pytest.mark.parametrize(
+    "moved",
+    [dict(left_rail_lateral=-10e-3), pytest.param(dict(right_rail_lateral=10e-3), marks=pytest.mark.full)],
+)
+@pytest.mark.parametrize(
+    "pose", [(1e-3, math.radians(1)), pytest.param((-4e-3, math.radians(-0.5)), marks=pytest.mark.full)]
+)
 def test_gauge_widening_is_that_of_brute_force(moved, pose):
     """10 mm on one side, with yaw."""
     plain = brute_force.track()
@@ -177,8 +198,12 @@ def test_a_rolled_rail_with_yaw_is_that_of_brute_force():
     roll, pose = -0.007, (3e-3, math.radians(1))
     head = brute_force.inclined_head(brute_force.RAIL_HEADS["UIC60"], math.tan(math.atan(1 / 40) - roll))
     plain = brute_force.track()
-    rolled = replace(plain, rail=head, rail_origin=plain.rail_origin - CROWN * math.sin(roll),
-                     rail_depth=CROWN * (math.cos(roll) - 1.0))
+    rolled = replace(
+        plain,
+        rail=head,
+        rail_origin=plain.rail_origin - CROWN * math.sin(roll),
+        rail_depth=CROWN * (math.cos(roll) - 1.0),
+    )
     wanted = brute_force.rigid_contact(rolled, *pose, plain)
     found = wrcontact.ContactSystem().evaluate(*pose, 0.0, right_rail_roll=roll)
     assert_positions(found, wanted)
@@ -212,8 +237,9 @@ def test_the_half_space_moves_with_its_rails():
     system = wrcontact.ContactSystem(normal_model="halfspace", tolerance=0.05)
     u, w = 1e-3, 2e-3
     wanted = system.evaluate(1e-3)
-    found = system.evaluate(1e-3 + u, left_rail_lateral=u, right_rail_lateral=u, left_rail_vertical=w,
-                            right_rail_vertical=w)
+    found = system.evaluate(
+        1e-3 + u, left_rail_lateral=u, right_rail_lateral=u, left_rail_vertical=w, right_rail_vertical=w
+    )
     assert found.right.area == pytest.approx(wanted.right.area, rel=0.01)
     assert found.right.patches[0].y_track - u == pytest.approx(wanted.right.patches[0].y_track, abs=1e-6)
     assert found.right.patches[0].z_track - w == pytest.approx(wanted.right.patches[0].z_track, abs=1e-6)
@@ -225,23 +251,57 @@ def test_the_half_space_moves_with_its_rails():
 #: faster than the height rises for which it is sought: found at random, then with status 3.
 SNAPPING = {
     "cone and flange": (
-        dict(wheel=("cone20", "S1002"), rail=("54E1", "60E1"), nominal_radius=(0.4954132, 0.4946938),
-             rail_inclination=(0.0, 1 / 30), gauge=1.4303685),
-        dict(lateral_shift=5.7746e-3, normal_force=70e3, load_transfer=-0.52, left_rail_lateral=1.0795916e-3,
-             left_rail_vertical=2.3712795e-3, left_rail_roll=7.9457518e-3, right_rail_lateral=2.8514355e-3,
-             right_rail_roll=0.020825316)),
+        dict(
+            wheel=("cone20", "S1002"),
+            rail=("54E1", "60E1"),
+            nominal_radius=(0.4954132, 0.4946938),
+            rail_inclination=(0.0, 1 / 30),
+            gauge=1.4303685,
+        ),
+        dict(
+            lateral_shift=5.7746e-3,
+            normal_force=70e3,
+            load_transfer=-0.52,
+            left_rail_lateral=1.0795916e-3,
+            left_rail_vertical=2.3712795e-3,
+            left_rail_roll=7.9457518e-3,
+            right_rail_lateral=2.8514355e-3,
+            right_rail_roll=0.020825316,
+        ),
+    ),
     "little load": (
-        dict(wheel=("S1002", "cone20"), rail=("54E1", "UIC60"), nominal_radius=(0.483708, 0.4849248),
-             rail_inclination=(1 / 30, 0.0), gauge=1.4320556),
-        dict(lateral_shift=-1.8435e-3, normal_force=8.25e3, left_rail_lateral=1.3761431e-3,
-             left_rail_vertical=-1.8968459e-3, left_rail_roll=-0.022991831, right_rail_lateral=1.4416852e-3,
-             right_rail_vertical=2.6366618e-3, right_rail_roll=3.138e-3)),
+        dict(
+            wheel=("S1002", "cone20"),
+            rail=("54E1", "UIC60"),
+            nominal_radius=(0.483708, 0.4849248),
+            rail_inclination=(1 / 30, 0.0),
+            gauge=1.4320556,
+        ),
+        dict(
+            lateral_shift=-1.8435e-3,
+            normal_force=8.25e3,
+            left_rail_lateral=1.3761431e-3,
+            left_rail_vertical=-1.8968459e-3,
+            left_rail_roll=-0.022991831,
+            right_rail_lateral=1.4416852e-3,
+            right_rail_vertical=2.6366618e-3,
+            right_rail_roll=3.138e-3,
+        ),
+    ),
     "small roll": (
-        dict(rail="60E1", nominal_radius=(0.4242731, 0.425347), rail_inclination=(0.05, 0.0),
-             gauge=1.4397078),
-        dict(lateral_shift=-6.6701e-3, normal_force=71e3, left_rail_lateral=1.9338775e-3,
-             left_rail_vertical=1.868808e-4, left_rail_roll=-1.323893e-3, right_rail_lateral=1.7541584e-3,
-             right_rail_vertical=1.910334e-3)),
+        dict(
+            rail="60E1", nominal_radius=(0.4242731, 0.425347), rail_inclination=(0.05, 0.0), gauge=1.4397078
+        ),
+        dict(
+            lateral_shift=-6.6701e-3,
+            normal_force=71e3,
+            left_rail_lateral=1.9338775e-3,
+            left_rail_vertical=1.868808e-4,
+            left_rail_roll=-1.323893e-3,
+            right_rail_lateral=1.7541584e-3,
+            right_rail_vertical=1.910334e-3,
+        ),
+    ),
 }
 
 
@@ -252,8 +312,10 @@ def test_a_wheelset_that_is_about_to_snap_stands(case, model):
     where it snaps as its height is sought: it stands some micrometres beside that, 14 % of the load of a
     steep flange. (With Hertz the load jumps there whatever the rails do.)"""
     sides, pose = SNAPPING[case]
-    rigid, elastic, compliant = (wrcontact.ContactSystem(contact_mode=mode, normal_model=model, **sides)
-                                 for mode in ("rigid", "elastic", "compliant"))
+    rigid, elastic, compliant = (
+        wrcontact.ContactSystem(contact_mode=mode, normal_model=model, **sides)
+        for mode in ("rigid", "elastic", "compliant")
+    )
     for apart in (-1e-5, -1e-6, -1e-7, 0.0, 1e-7, 1e-6, 1e-5):
         given = pose | dict(lateral_shift=pose["lateral_shift"] + apart)
         assert rigid.evaluate(**given).status == Status.VALID

@@ -1,7 +1,6 @@
 """The resultant of the contact forces: an energy, lifted wheels, and wheels that come down;
 test_forces.py has its sum over the patches."""
 
-
 import numpy as np
 
 import wrcontact
@@ -20,9 +19,15 @@ def test_forces_nearly_come_from_a_potential():
         stand = elastic().evaluate(shift, yaw, FORCE, transfer)
 
         def slope(of, height, roll):
-            ahead, behind = (compliant().evaluate(shift, yaw,
-                                                  vertical_shift_input=stand.vertical_shift + sign * height,
-                                                  roll_input=stand.roll + sign * roll) for sign in (1, -1))
+            ahead, behind = (
+                compliant().evaluate(
+                    shift,
+                    yaw,
+                    vertical_shift_input=stand.vertical_shift + sign * height,
+                    roll_input=stand.roll + sign * roll,
+                )
+                for sign in (1, -1)
+            )
             return (of(ahead) - of(behind)) / (2 * (height + roll))
 
         own = abs(slope(lambda state: state.force.z, 1e-7, 0.0)) * 0.75
@@ -35,14 +40,16 @@ def test_a_lifted_wheelset_carries_nothing():
     rigid = system().evaluate(3e-3, 0.01)
     for model in MODELS:
         pair = compliant(normal_model=model)
-        state = pair.evaluate(3e-3, 0.01, vertical_shift_input=rigid.vertical_shift - 1e-4,
-                              roll_input=rigid.roll)
+        state = pair.evaluate(
+            3e-3, 0.01, vertical_shift_input=rigid.vertical_shift - 1e-4, roll_input=rigid.roll
+        )
         assert state.status == wrcontact.Status.UNLOADED
         assert state.left.normal_force == state.right.normal_force == 0.0 and state.right.patch_count == 0
         assert all(getattr(of, axis) == 0.0 for of in (state.force, state.moment) for axis in "xyz")
         # one wheel down, the other up
-        state = pair.evaluate(3e-3, 0.01, vertical_shift_input=rigid.vertical_shift,
-                              roll_input=rigid.roll + 1e-4)
+        state = pair.evaluate(
+            3e-3, 0.01, vertical_shift_input=rigid.vertical_shift, roll_input=rigid.roll + 1e-4
+        )
         assert state.status == wrcontact.Status.UNLOADED
         assert state.left.normal_force == 0.0 and state.right.normal_force > 1e4 and state.moment.x < 0.0
 
@@ -57,4 +64,4 @@ def test_a_wheel_that_comes_down_carries_more():
         assert not np.any(table.status)
         for side in (table.left, table.right):
             fall = np.diff(side.normal_force) / side.normal_force[:-1]
-            assert fall.min() > -0.12, case    # where a second region opens ANALYN's load may step back
+            assert fall.min() > -0.12, case  # where a second region opens ANALYN's load may step back

@@ -25,16 +25,21 @@ def system_of(model):
 def rows_of(shift, yaw=0.0, force=78.5e3):
     """Inputs (n, 7)."""
     rows = np.zeros((len(shift), layout.INPUT_COUNT))
-    rows[:, layout.IN_LATERAL_SHIFT], rows[:, layout.IN_YAW], rows[:,
-                                                                   layout.IN_NORMAL_FORCE] = shift, yaw, force
+    rows[:, layout.IN_LATERAL_SHIFT], rows[:, layout.IN_YAW], rows[:, layout.IN_NORMAL_FORCE] = (
+        shift,
+        yaw,
+        force,
+    )
     return rows
 
 
 def random_rows(count, seed=61):
     rng = np.random.default_rng(seed)
-    return rows_of(rng.uniform(-6.6e-3, 6.6e-3, count),
-                   np.radians(rng.uniform(-2, 2, count)) * (rng.random(count) < 0.5),
-                   np.exp(rng.uniform(np.log(3e3), np.log(2e5), count)))
+    return rows_of(
+        rng.uniform(-6.6e-3, 6.6e-3, count),
+        np.radians(rng.uniform(-2, 2, count)) * (rng.random(count) < 0.5),
+        np.exp(rng.uniform(np.log(3e3), np.log(2e5), count)),
+    )
 
 
 def cost(model, rows, **wanted):
@@ -46,13 +51,13 @@ def cost(model, rows, **wanted):
 
 def step(stepper, row):
     """Status and outputs at the first inputs; those that ``row`` leaves out stay as they are."""
-    stepper.inputs[:len(row)] = row
+    stepper.inputs[: len(row)] = row
     return stepper.step(), stepper.outputs.copy()
 
 
 def side_of(outputs, name):
     first = {"left": layout.OUT_LEFT, "right": layout.OUT_RIGHT}[name]
-    return outputs[first:first + layout.SIDE_SIZE]
+    return outputs[first : first + layout.SIDE_SIZE]
 
 
 # --- unchanged inputs ---------------------------------------------------------------------------------------
@@ -66,7 +71,7 @@ def test_unchanged_inputs_are_not_evaluated_again(model, force):
     assert status == (Status.VALID if force else Status.UNLOADED)
     state = stepper.state.copy()
     for _ in range(3):
-        stepper.outputs[:] = np.nan                      # whatever somebody wrote there
+        stepper.outputs[:] = np.nan  # whatever somebody wrote there
         again, repeated = step(stepper, (5e-3, 0.01, 0.0, force, 0.1))
         assert again == status
         np.testing.assert_array_equal(repeated, outputs)
@@ -148,11 +153,11 @@ def test_wanted_values_are_those_of_the_full_evaluation(model, outputs, side):
         status, whole = step(full, row)
         assert step(part, row)[0] == status
         some = part.outputs
-        wheelset = whole[:layout.OUT_LEFT].copy()
+        wheelset = whole[: layout.OUT_LEFT].copy()
         # the resultant is that of both sides, and of their patches
         if side != "both" or outputs == "geometry":
-            wheelset[layout.OUT_FORCE:] = np.nan
-        np.testing.assert_array_equal(some[:layout.OUT_LEFT], wheelset)
+            wheelset[layout.OUT_FORCE :] = np.nan
+        np.testing.assert_array_equal(some[: layout.OUT_LEFT], wheelset)
         for name in ("left", "right"):
             expected = side_of(whole, name).copy()
             if side not in ("both", name):
@@ -174,7 +179,8 @@ def test_geometry_costs_no_normal_contact(model):
     found = cost(model, rows, outputs="geometry")
     assert found["node"] == found["solve"] == found["strip"] == 0.0
     assert {name: found[name] for name in ("gap", "scan", "roll")} == {
-        name: cost("hertz", rows)[name] for name in ("gap", "scan", "roll")}
+        name: cost("hertz", rows)[name] for name in ("gap", "scan", "roll")
+    }
     assert cost(model, rows, side="right", outputs="geometry")["node"] == 0.0
 
 
@@ -221,11 +227,14 @@ def test_status_is_of_the_sides_that_are_wanted():
         assert system.evaluate(2e-3, load_transfer=-1.0, side=side).status == status
 
 
-@pytest.mark.parametrize("arguments, sentence", [
-    ({"side": "middle"}, "side is 'middle'; permitted are 'both', 'left', 'right'"),
-    ({"outputs": "everything"}, "outputs is 'everything'; permitted are 'all', 'patches', 'geometry'"),
-    ({"side": None}, "side is None; permitted are 'both', 'left', 'right'"),
-])
+@pytest.mark.parametrize(
+    "arguments, sentence",
+    [
+        ({"side": "middle"}, "side is 'middle'; permitted are 'both', 'left', 'right'"),
+        ({"outputs": "everything"}, "outputs is 'everything'; permitted are 'all', 'patches', 'geometry'"),
+        ({"side": None}, "side is None; permitted are 'both', 'left', 'right'"),
+    ],
+)
 def test_wrong_wishes_are_refused(arguments, sentence):
     system = system_of("analyn")
     for ask in (system.stepper, system.evaluate, system.evaluate_many):
@@ -246,15 +255,19 @@ def test_wishes_can_be_mixed_in_one_thread():
         rng = np.random.default_rng(seed)
         for _ in range(120):
             row = rows[rng.integers(len(rows))]
-            wanted = {"side": str(rng.choice(["both", "left", "right"])),
-                      "outputs": str(rng.choice(["all", "patches", "geometry"])),
-                      "penetration": [None, 4e-5, (3e-5, 6e-5)][rng.integers(3)]}
+            wanted = {
+                "side": str(rng.choice(["both", "left", "right"])),
+                "outputs": str(rng.choice(["all", "patches", "geometry"])),
+                "penetration": [None, 4e-5, (3e-5, 6e-5)][rng.integers(3)],
+            }
             found = system.evaluate(row[0], row[1], row[3], **wanted)
             fresh = system.stepper(wanted["side"], wanted["outputs"])
             fresh.prescribe(wanted["penetration"])
             expected = step(fresh, row)[1]
-            if not (np.array_equal(np.isnan(found.values), np.isnan(expected))
-                    and np.allclose(found.values, expected, rtol=1e-6, atol=1e-9, equal_nan=True)):
+            if not (
+                np.array_equal(np.isnan(found.values), np.isnan(expected))
+                and np.allclose(found.values, expected, rtol=1e-6, atol=1e-9, equal_nan=True)
+            ):
                 problems.append((row, wanted))
 
     threads = [threading.Thread(target=work, args=(seed,)) for seed in (62, 63)]
@@ -277,30 +290,42 @@ RNG = np.random.default_rng(63)
 CLASSES = {
     "trajectory": rows_of(6.6e-3 * np.sin(TURN)),
     "yawed_trajectory": rows_of(6.6e-3 * np.sin(TURN), 5e-3 * np.cos(TURN)),
-    "random": rows_of(RNG.uniform(-6.6e-3, 6.6e-3, 2000),
-                      force=np.exp(RNG.uniform(np.log(3e3), np.log(2e5), 2000))),
+    "random": rows_of(
+        RNG.uniform(-6.6e-3, 6.6e-3, 2000), force=np.exp(RNG.uniform(np.log(3e3), np.log(2e5), 2000))
+    ),
     "yawed": rows_of(RNG.uniform(-6.6e-3, 6.6e-3, 2000), np.radians(RNG.uniform(-2, 2, 2000))),
     "two_point": rows_of(RNG.uniform(4.5e-3, 5.3e-3, 2000)),
 }
 #: Vertical gaps, scans, normal gaps and force iterations of both wheels: a tenth more than measured.
-ANALYN_BUDGETS = {"trajectory": (93, 2.4, 59, 8), "yawed_trajectory": (95, 2.4, 59, 8),
-                  "random": (84, 2.3, 58, 8), "yawed": (108, 2.5, 61, 8.5), "two_point": (105, 2.5, 78, 8.6)}
+ANALYN_BUDGETS = {
+    "trajectory": (93, 2.4, 59, 8),
+    "yawed_trajectory": (95, 2.4, 59, 8),
+    "random": (84, 2.3, 58, 8),
+    "yawed": (108, 2.5, 61, 8.5),
+    "two_point": (105, 2.5, 78, 8.6),
+}
 #: Surfaces under strips are traced once, their systems are solved by elimination: no force iterations, but
 #: six sweeps of each wheel, of ten unknowns where one patch carries (11 systems of up to 24 before). A wheel
 #: that they find deeper than estimated is sunk anew, which costs gaps and nodes; one whose estimate was far
 #: too deep begins again where ANALYN stands.
-STRIP_BUDGETS = {"trajectory": (98, 2.4, 77, 0.01, 12.01), "yawed_trajectory": (100, 2.4, 77, 0, 12),
-                 "random": (89, 2.3, 74, 0, 12), "yawed": (115, 2.5, 82, 0, 12),
-                 "two_point": (112, 2.5, 102, 0, 12)}
+STRIP_BUDGETS = {
+    "trajectory": (98, 2.4, 77, 0.01, 12.01),
+    "yawed_trajectory": (100, 2.4, 77, 0, 12),
+    "random": (89, 2.3, 74, 0, 12),
+    "yawed": (115, 2.5, 82, 0, 12),
+    "two_point": (112, 2.5, 102, 0, 12),
+}
 
 
 @pytest.mark.parametrize("name", CLASSES)
-@pytest.mark.parametrize("model, budgets", [
-    ("analyn", ANALYN_BUDGETS), pytest.param("analyn_strip", STRIP_BUDGETS, marks=pytest.mark.full)])
+@pytest.mark.parametrize(
+    "model, budgets",
+    [("analyn", ANALYN_BUDGETS), pytest.param("analyn_strip", STRIP_BUDGETS, marks=pytest.mark.full)],
+)
 def test_work_of_a_pose_is_bounded(model, budgets, name):
     """What speed rests on, counted and not timed."""
     found = cost(model, CLASSES[name])
-    spent = [found[counter] for counter in ("gap", "scan", "node", "solve", "strip")[:len(budgets[name])]]
+    spent = [found[counter] for counter in ("gap", "scan", "node", "solve", "strip")[: len(budgets[name])]]
     assert np.all(np.array(spent) <= budgets[name]), (spent, budgets[name])
 
 

@@ -34,8 +34,10 @@ def deflection(side):
 
 def missed(side, lateral=LATERAL, vertical=VERTICAL):
     """How far springs and forces are apart, over the force of the wheel."""
-    residual = [lateral * side.rail_deflection_lateral + side.force.y,
-                vertical * side.rail_deflection_vertical + side.force.z]
+    residual = [
+        lateral * side.rail_deflection_lateral + side.force.y,
+        vertical * side.rail_deflection_vertical + side.force.z,
+    ]
     return np.max(np.abs(residual)) / np.hypot(side.force.y, side.force.z)
 
 
@@ -44,9 +46,16 @@ def poses(count, seed):
     rng = np.random.default_rng(seed)
     for _ in range(count):
         load = 10 ** rng.uniform(3.6, 5.3)
-        yield {"lateral_shift": rng.uniform(-7e-3, 7e-3), "yaw": rng.normal(0, 5e-3), "roll_input": 0.0,
-               "vertical_shift_input": load / VERTICAL + 1e-4 * (load / 8e4) ** (2 / 3), "speed": 20.0,
-               "lateral_velocity": rng.normal(0, 0.02), "friction": 0.3, "wheel_rate": 43.5}
+        yield {
+            "lateral_shift": rng.uniform(-7e-3, 7e-3),
+            "yaw": rng.normal(0, 5e-3),
+            "roll_input": 0.0,
+            "vertical_shift_input": load / VERTICAL + 1e-4 * (load / 8e4) ** (2 / 3),
+            "speed": 20.0,
+            "lateral_velocity": rng.normal(0, 0.02),
+            "friction": 0.3,
+            "wheel_rate": 43.5,
+        }
 
 
 # --- statics ------------------------------------------------------------------------------------------
@@ -64,8 +73,9 @@ def test_springs_carry_what_the_wheel_presses_as_over_rails_moved_by_hand(model,
             continue
         lateral, vertical = deflection(side)
         moved = rigid.evaluate(**pose, rail_lateral=lateral, rail_vertical=vertical)
-        assert [*moved.force, *moved.moment] == pytest.approx([*side.force, *side.moment], rel=SAME,
-                                                             abs=SAME * side.normal_force), pose
+        assert [*moved.force, *moved.moment] == pytest.approx(
+            [*side.force, *side.moment], rel=SAME, abs=SAME * side.normal_force
+        ), pose
         settled += missed(side) < BALANCED
         assert model == "hertz" or missed(side) < 0.03, pose
     assert settled >= (15 if model == "hertz" else 20)
@@ -81,18 +91,30 @@ def test_random_wheels_settle(model):
     rng, missing, count = np.random.default_rng(40), [], 0
     for k in range(20):
         lateral, vertical = 10 ** rng.uniform(6, 9, 2) * ((1, 1), (1, 1), (0, 1), (1, 0))[k % 4]
-        wheel = one_wheel(model, tangential_model=("none", "polach")[k % 2], rail_lateral_stiffness=lateral,
-                          rail_vertical_stiffness=vertical)
+        wheel = one_wheel(
+            model,
+            tangential_model=("none", "polach")[k % 2],
+            rail_lateral_stiffness=lateral,
+            rail_vertical_stiffness=vertical,
+        )
         load = 10 ** rng.uniform(3.5, 5.3, 400)
         table = wheel.evaluate_many(
-            lateral_shift=rng.uniform(-8e-3, 8e-3, 400), yaw=rng.normal(0, 5e-3, 400), speed=20.0,
+            lateral_shift=rng.uniform(-8e-3, 8e-3, 400),
+            yaw=rng.normal(0, 5e-3, 400),
+            speed=20.0,
             vertical_shift_input=1e-4 * (load / 8e4) ** (2 / 3) + (load / vertical if vertical else 0.0),
-            lateral_velocity=0.01, rail_roll=rng.normal(0, 5e-3) * (k % 3 == 0))
+            lateral_velocity=0.01,
+            rail_roll=rng.normal(0, 5e-3) * (k % 3 == 0),
+        )
         assert set(table.status) <= {Status.VALID, Status.UNLOADED, Status.OFF_PROFILE}
         sound = table[table.status == Status.VALID]
-        left = [stiffness and stiffness * deflected + force for stiffness, deflected, force in (
-            (lateral, sound.rail_deflection_lateral, sound.force.y),
-            (vertical, sound.rail_deflection_vertical, sound.force.z))]
+        left = [
+            stiffness and stiffness * deflected + force
+            for stiffness, deflected, force in (
+                (lateral, sound.rail_deflection_lateral, sound.force.y),
+                (vertical, sound.rail_deflection_vertical, sound.force.z),
+            )
+        ]
         share = np.maximum(*map(np.abs, left)) / np.hypot(sound.force.y, sound.force.z)
         missing.extend(share[share > 1e-7])
         count += len(share)
@@ -110,8 +132,10 @@ def test_scipy_finds_the_same_deflections_over_rigid_rails():
 
         def residual(moved):
             at = rigid.evaluate(**pose, rail_lateral=1e-3 * moved[0], rail_vertical=1e-3 * moved[1])
-            return [1e-8 * LATERAL * moved[0] + 1e-5 * at.force.y,
-                    1e-8 * VERTICAL * moved[1] + 1e-5 * at.force.z]
+            return [
+                1e-8 * LATERAL * moved[0] + 1e-5 * at.force.y,
+                1e-8 * VERTICAL * moved[1] + 1e-5 * at.force.z,
+            ]
 
         found = root(residual, 1e3 * deflection(side) + [0.02, 0.02], tol=1e-13).x
         assert found == pytest.approx(1e3 * deflection(side), rel=1e-8), pose
@@ -131,9 +155,14 @@ def test_hertz_in_series_with_a_spring():
     assert at.rail_deflection_lateral == 0.0
     # compliances add up: one over the stiffness that differences show is 1/k + 1/contact
     step = 1e-8
-    series, contact = (-(one.evaluate(vertical_shift_input=middle + step).force.z
-                         - one.evaluate(vertical_shift_input=middle - step).force.z) / (2 * step)
-                       for one, middle in ((soft, height), (rigid, height - deflected)))
+    series, contact = (
+        -(
+            one.evaluate(vertical_shift_input=middle + step).force.z
+            - one.evaluate(vertical_shift_input=middle - step).force.z
+        )
+        / (2 * step)
+        for one, middle in ((soft, height), (rigid, height - deflected))
+    )
     assert 1 / series == pytest.approx(1 / VERTICAL + 1 / contact, rel=1e-6)
 
 
@@ -145,7 +174,7 @@ def test_stiffer_springs_come_down_to_rigid_rails(stiffness):
     assert missed(side, stiffness, stiffness) < BALANCED
     if stiffness == 1e12:
         rigid = one_wheel().evaluate(lateral_shift=2e-3, vertical_shift_input=height)
-        assert side.force.z == pytest.approx(rigid.force.z, rel=3e-3)       # 1e9 over 1e12 N/m
+        assert side.force.z == pytest.approx(rigid.force.z, rel=3e-3)  # 1e9 over 1e12 N/m
 
 
 @pytest.mark.parametrize("direction", [0, 1])
@@ -165,8 +194,10 @@ def test_both_sides_of_a_wheelset_are_single_wheels_and_its_mirror_image():
     given = {"contact_mode": "compliant", **SPRINGS, "left_rail_vertical_stiffness": 9e7}
     pose = {"lateral_shift": 4e-3, "yaw": 3e-3, "vertical_shift_input": 1.4e-3, "roll_input": -1e-4}
     both = wrcontact.ContactSystem(**given).evaluate(**pose)
-    alone = {"right": one_wheel(**SPRINGS),
-             "left": wrcontact.WheelContact(side="left", **(SPRINGS | {"rail_vertical_stiffness": 9e7}))}
+    alone = {
+        "right": one_wheel(**SPRINGS),
+        "left": wrcontact.WheelContact(side="left", **(SPRINGS | {"rail_vertical_stiffness": 9e7})),
+    }
     for side, wheel in alone.items():
         found = wheel.evaluate(**pose)
         assert list(getattr(both, side).force) == pytest.approx(list(found.force), rel=SAME)
@@ -183,8 +214,9 @@ def test_a_displaced_foot_moves_the_rail_and_a_rolled_one_too():
     springs act along the track."""
     soft = one_wheel(**SPRINGS)
     pose = {"lateral_shift": 3e-3, "vertical_shift_input": 1.5e-3}
-    foot = soft.evaluate(lateral_shift=3.2e-3, vertical_shift_input=1.9e-3, rail_lateral=0.2e-3,
-                         rail_vertical=0.4e-3)
+    foot = soft.evaluate(
+        lateral_shift=3.2e-3, vertical_shift_input=1.9e-3, rail_lateral=0.2e-3, rail_vertical=0.4e-3
+    )
     assert deflection(foot) == pytest.approx(deflection(soft.evaluate(**pose)), rel=1e-8)
     rolled = soft.evaluate(**pose, rail_roll=0.01)
     assert missed(rolled) < BALANCED and rolled.force.z != soft.evaluate(**pose).force.z
@@ -196,8 +228,13 @@ def test_the_reaction_is_about_the_rail_where_it_stands(side):
     soft, rigid = (wrcontact.ContactSystem(contact_mode="compliant", **springs) for springs in (SPRINGS, {}))
     pose = {"lateral_shift": 4e-3, "yaw": 3e-3, "vertical_shift_input": 1.4e-3, "roll_input": -1e-4}
     state = soft.evaluate(**pose)
-    moved = rigid.evaluate(**pose, **{f"{side}_rail_{part}": state[f"{side}.rail_deflection_{part}"]
-                                      for part in ("lateral", "vertical")}, side=side)
+    moved = rigid.evaluate(
+        **pose,
+        **{
+            f"{side}_rail_{part}": state[f"{side}.rail_deflection_{part}"] for part in ("lateral", "vertical")
+        },
+        side=side,
+    )
     for found, wanted in zip(soft.rail_reaction(state, side), rigid.rail_reaction(moved, side), strict=True):
         assert found == pytest.approx(wanted, rel=SAME, abs=1e-6 * state[f"{side}.normal_force"])
 
@@ -228,8 +265,10 @@ def test_a_wheel_runs_onto_its_flange_without_a_jump(model):
     assert np.max(np.abs(np.diff(table.force.y))) < 1.5 * LATERAL * 2e-5
     assert np.max(np.abs(np.diff(table.force.z))) < 0.02 * np.max(-table.force.z)
     worst = np.argmax(np.abs(LATERAL * table.rail_deflection_lateral + table.force.y))
-    assert missed(one_wheel(model, **SPRINGS).evaluate(lateral_shift=shifts[worst],
-                                                       vertical_shift_input=1.7e-3)) < 0.02
+    assert (
+        missed(one_wheel(model, **SPRINGS).evaluate(lateral_shift=shifts[worst], vertical_shift_input=1.7e-3))
+        < 0.02
+    )
 
 
 # --- dampers ------------------------------------------------------------------------------------------
@@ -237,8 +276,10 @@ def test_a_wheel_runs_onto_its_flange_without_a_jump(model):
 
 def test_dampers_carry_nothing_without_a_time_step():
     pose = {"lateral_shift": 2e-3, "vertical_shift_input": 1.5e-3, "rail_deflection_lateral_before": 1e-3}
-    assert (deflection(one_wheel(**SPRINGS, **DAMPERS).evaluate(**pose))
-            == deflection(one_wheel(**SPRINGS).evaluate(**pose))).all()
+    assert (
+        deflection(one_wheel(**SPRINGS, **DAMPERS).evaluate(**pose))
+        == deflection(one_wheel(**SPRINGS).evaluate(**pose))
+    ).all()
 
 
 def test_a_released_rail_comes_back_as_an_exponential():
@@ -247,8 +288,12 @@ def test_a_released_rail_comes_back_as_an_exponential():
     before = np.array([1e-3, -2e-3])
     step, time = 1e-6, 2e-3
     rates = np.array([LATERAL / LATERAL_DAMPING, VERTICAL / VERTICAL_DAMPING])
-    side = free.evaluate(vertical_shift_input=-5e-3, rail_time_step=step,
-                         rail_deflection_lateral_before=before[0], rail_deflection_vertical_before=before[1])
+    side = free.evaluate(
+        vertical_shift_input=-5e-3,
+        rail_time_step=step,
+        rail_deflection_lateral_before=before[0],
+        rail_deflection_vertical_before=before[1],
+    )
     assert deflection(side) == pytest.approx(before / (1 + rates * step), rel=1e-12)
     assert (deflection(side) / before) ** (time / step) == pytest.approx(np.exp(-rates * time), rel=1e-3)
 
@@ -270,8 +315,11 @@ def test_a_pressed_rail_creeps_down_as_its_differential_equation_says():
     for count in (20, 40):
         found = 0.0
         for _ in range(count):
-            found = soft.evaluate(vertical_shift_input=height, rail_time_step=time / count,
-                                  rail_deflection_vertical_before=found).rail_deflection_vertical
+            found = soft.evaluate(
+                vertical_shift_input=height,
+                rail_time_step=time / count,
+                rail_deflection_vertical_before=found,
+            ).rail_deflection_vertical
         errors.append(found - exact)
     assert abs(errors[0]) < 0.05 * exact
     assert errors[0] / errors[1] == pytest.approx(2.0, abs=0.2)
@@ -283,12 +331,21 @@ def test_the_rail_moves_with_its_deflection():
     soft, rigid = one_wheel(**SPRINGS, **DAMPERS, **model), one_wheel(**model)
     pose = {"lateral_shift": 2e-3, "vertical_shift_input": 1.4e-3, "speed": 20.0, "lateral_velocity": 0.02}
     before, step = np.array([1.1e-4, 1.18e-3]), 2e-3
-    side = soft.evaluate(**pose, rail_time_step=step, rail_deflection_lateral_before=before[0],
-                         rail_deflection_vertical_before=before[1])
+    side = soft.evaluate(
+        **pose,
+        rail_time_step=step,
+        rail_deflection_lateral_before=before[0],
+        rail_deflection_vertical_before=before[1],
+    )
     now = deflection(side)
     rates = (now - before) / step
-    moved = rigid.evaluate(**pose, rail_lateral=now[0], rail_vertical=now[1], rail_lateral_velocity=rates[0],
-                           rail_vertical_velocity=rates[1])
+    moved = rigid.evaluate(
+        **pose,
+        rail_lateral=now[0],
+        rail_vertical=now[1],
+        rail_lateral_velocity=rates[0],
+        rail_vertical_velocity=rates[1],
+    )
     assert np.abs(rates).min() > 1e-4
     assert list(moved.force) == pytest.approx(list(side.force), rel=1e-12)
     assert moved.patches[0].creepage.y == pytest.approx(side.patches[0].creepage.y, rel=1e-12)
@@ -299,31 +356,69 @@ def test_the_rail_moves_with_its_deflection():
 # --- derivatives --------------------------------------------------------------------------------------
 
 
-OF = ("right.force.y", "right.force.z", "right.rail_deflection_lateral", "right.rail_deflection_vertical",
-      "left.rail_deflection_lateral", "left.force.z", "moment.x", "right.contact.y_wheel")
-STEPS = {"lateral_shift": 2e-7, "vertical_shift_input": 2e-8, "yaw": 1e-6, "roll_input": 1e-7, "speed": 1e-3,
-         "lateral_velocity": 1e-4, "right.rail_lateral": 1e-7, "left.rail_vertical": 1e-7,
-         "right.rail_deflection_vertical_before": 1e-7, "rail_time_step": 1e-6, "left.friction": 1e-4}
+OF = (
+    "right.force.y",
+    "right.force.z",
+    "right.rail_deflection_lateral",
+    "right.rail_deflection_vertical",
+    "left.rail_deflection_lateral",
+    "left.force.z",
+    "moment.x",
+    "right.contact.y_wheel",
+)
+STEPS = {
+    "lateral_shift": 2e-7,
+    "vertical_shift_input": 2e-8,
+    "yaw": 1e-6,
+    "roll_input": 1e-7,
+    "speed": 1e-3,
+    "lateral_velocity": 1e-4,
+    "right.rail_lateral": 1e-7,
+    "left.rail_vertical": 1e-7,
+    "right.rail_deflection_vertical_before": 1e-7,
+    "rail_time_step": 1e-6,
+    "left.friction": 1e-4,
+}
 CASES = {
     "hertz": {"normal_model": "hertz"},
     "strips": {"tangential_model": "strips", "contact_damping": 0.5},
-    "one direction": {"normal_model": "analyn_strip", "tangential_model": "polach",
-                      "rail_vertical_stiffness": 0.0, "rail_vertical_damping": 0.0},
+    "one direction": {
+        "normal_model": "analyn_strip",
+        "tangential_model": "polach",
+        "rail_vertical_stiffness": 0.0,
+        "rail_vertical_damping": 0.0,
+    },
 }
 
 
 @pytest.mark.parametrize("case", CASES)
 def test_derivatives_are_those_of_differences(case):
-    given = {"contact_mode": "compliant", **SPRINGS, **DAMPERS, "left_rail_lateral_stiffness": 1e8,
-             **CASES[case]}
+    given = {
+        "contact_mode": "compliant",
+        **SPRINGS,
+        **DAMPERS,
+        "left_rail_lateral_stiffness": 1e8,
+        **CASES[case],
+    }
     system = wrcontact.ContactSystem(**given)
     sunk = 1.3e-3 if given["rail_vertical_stiffness"] else 0.0
-    inputs = {"lateral_shift": 3e-3, "yaw": 4e-3, "roll_input": -2e-4, "vertical_shift_input": 1.5e-4 + sunk,
-              "speed": 20.0, "lateral_velocity": 0.01, "vertical_velocity": 3e-3, "rail_time_step": 1e-3,
-              "right_rail_deflection_lateral_before": 3e-4,
-              "right_rail_deflection_vertical_before": 0.8 * sunk,
-              "left_rail_deflection_vertical_before": 0.8 * sunk, "left_rail_roll": 1e-3,
-              "left_friction": 0.3, "right_rail_lateral": 0.0, "left_rail_vertical": 0.0}
+    inputs = {
+        "lateral_shift": 3e-3,
+        "yaw": 4e-3,
+        "roll_input": -2e-4,
+        "vertical_shift_input": 1.5e-4 + sunk,
+        "speed": 20.0,
+        "lateral_velocity": 0.01,
+        "vertical_velocity": 3e-3,
+        "rail_time_step": 1e-3,
+        "right_rail_deflection_lateral_before": 3e-4,
+        "right_rail_deflection_vertical_before": 0.8 * sunk,
+        "left_rail_deflection_vertical_before": 0.8 * sunk,
+        "left_rail_roll": 1e-3,
+        "left_friction": 0.3,
+        "right_rail_lateral": 0.0,
+        "left_rail_vertical": 0.0,
+    }
     found = system.derivatives(of=OF, by=list(STEPS), **inputs)
 
     def at(name, change):
@@ -341,19 +436,37 @@ def test_derivatives_are_those_of_differences(case):
 # --- what is refused ----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("given, words", [
-    ({"rail_lateral_stiffness": 1e7}, "rail_lateral_stiffness is 10000000.0 N/m; permitted with the "
-     "contact_mode 'rigid' is 0: rails stand on springs with the contact_mode 'compliant'"),
-    ({"contact_mode": "elastic", "left_rail_vertical_stiffness": 1e7}, "left_rail_vertical_stiffness is"),
-    ({"contact_mode": "compliant", "normal_model": "halfspace", "rail_vertical_stiffness": 1e7},
-     "rail_vertical_stiffness is 10000000.0 N/m; permitted with the normal_model 'halfspace' is 0"),
-    ({"contact_mode": "compliant", "rail_lateral_damping": 1e3},
-     "rail_lateral_damping is 1000.0 N.s/m without rail_lateral_stiffness; permitted is 0, or a stiffness"),
-    ({"contact_mode": "compliant", "rail_lateral_stiffness": (0.0, 1e7), "left_rail_lateral_damping": 5.0},
-     "left_rail_lateral_damping is 5.0 N.s/m without left_rail_lateral_stiffness"),
-    ({"contact_mode": "compliant", "rail_lateral_stiffness": -1.0},
-     "rail_lateral_stiffness is -1.0; permitted is 0 ... 1e+12 N/m"),
-])
+@pytest.mark.parametrize(
+    "given, words",
+    [
+        (
+            {"rail_lateral_stiffness": 1e7},
+            "rail_lateral_stiffness is 10000000.0 N/m; permitted with the "
+            "contact_mode 'rigid' is 0: rails stand on springs with the contact_mode 'compliant'",
+        ),
+        ({"contact_mode": "elastic", "left_rail_vertical_stiffness": 1e7}, "left_rail_vertical_stiffness is"),
+        (
+            {"contact_mode": "compliant", "normal_model": "halfspace", "rail_vertical_stiffness": 1e7},
+            "rail_vertical_stiffness is 10000000.0 N/m; permitted with the normal_model 'halfspace' is 0",
+        ),
+        (
+            {"contact_mode": "compliant", "rail_lateral_damping": 1e3},
+            "rail_lateral_damping is 1000.0 N.s/m without rail_lateral_stiffness; permitted is 0, or a stiffness",
+        ),
+        (
+            {
+                "contact_mode": "compliant",
+                "rail_lateral_stiffness": (0.0, 1e7),
+                "left_rail_lateral_damping": 5.0,
+            },
+            "left_rail_lateral_damping is 5.0 N.s/m without left_rail_lateral_stiffness",
+        ),
+        (
+            {"contact_mode": "compliant", "rail_lateral_stiffness": -1.0},
+            "rail_lateral_stiffness is -1.0; permitted is 0 ... 1e+12 N/m",
+        ),
+    ],
+)
 def test_what_is_refused(given, words):
     with pytest.raises(ValueError) as refusal:
         wrcontact.ContactSystem(**given)
@@ -375,4 +488,5 @@ def test_a_bad_time_step_is_an_invalid_input():
     state = wrcontact.ContactSystem(contact_mode="compliant", **SPRINGS).evaluate(rail_time_step=-1e-3)
     assert state.status == Status.INVALID_INPUT
     assert "rail_time_step is -0.001 s; permitted is 0 <= rail_time_step <= 1e+06 s" in wrcontact.explain(
-        state.status, state.inputs, compliant=True)
+        state.status, state.inputs, compliant=True
+    )

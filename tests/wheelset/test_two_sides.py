@@ -22,11 +22,16 @@ SIDES = {
     "profiles": dict(wheel=("cone40", "S1002"), rail=("54E1", "UIC60")),
     "radii": dict(nominal_radius=(0.459, 0.46)),
     "inclinations": dict(rail_inclination=(1 / 20, 1 / 40)),
-    "all": dict(wheel=("S1002", "cone20"), rail=("60E1", "54E1"), nominal_radius=(0.4615, 0.459),
-                rail_inclination=(0.0, 1 / 40)),
+    "all": dict(
+        wheel=("S1002", "cone20"),
+        rail=("60E1", "54E1"),
+        nominal_radius=(0.4615, 0.459),
+        rail_inclination=(0.0, 1 / 40),
+    ),
 }
 METHODS = {
-    "rigid": {}, "rigid hertz": dict(normal_model="hertz", load="vertical"),
+    "rigid": {},
+    "rigid hertz": dict(normal_model="hertz", load="vertical"),
     "rigid strips": dict(normal_model="analyn_strip"),
     "elastic": dict(contact_mode="elastic"),
     "elastic strips": dict(contact_mode="elastic", normal_model="analyn_strip"),
@@ -74,11 +79,15 @@ KEPT = ("normal_force", "vertical_shift_input", "left.rail_vertical", "right.rai
 
 def mirrored(row):
     """Inputs (n,) of the wheelset in the mirror."""
-    names = [one.name for one in VARIABLES[:layout.INPUT_COUNT]]
+    names = [one.name for one in VARIABLES[: layout.INPUT_COUNT]]
     found = dict(zip(names, row))
     swap = {"left": "right", "right": "left"}
-    there = {f"{swap[name.split('.')[0]]}.{name.split('.')[1]}" if "." in name else name:
-             value if name in KEPT or name.endswith("friction") else -value for name, value in found.items()}
+    there = {
+        f"{swap[name.split('.')[0]]}.{name.split('.')[1]}" if "." in name else name: value
+        if name in KEPT or name.endswith("friction")
+        else -value
+        for name, value in found.items()
+    }
     return np.array([there[name] for name in names])
 
 
@@ -107,16 +116,21 @@ def test_in_the_mirror_left_and_right_change_places(sides, methods, moved):
     signs = side_signs()
     for one, other in ((LEFT, RIGHT), (RIGHT, LEFT)):
         assert (np.abs(found[:, one] - signs * there[:, other]) <= near * size[one]).all()
-    assert np.abs(found[:, layout.OUT_ROLL] + there[:, layout.OUT_ROLL]).max() < 1e-12          # [rad]
+    assert np.abs(found[:, layout.OUT_ROLL] + there[:, layout.OUT_ROLL]).max() < 1e-12  # [rad]
     # rigid: the height is that of the right wheel, whose gap equals the left one's
     apart = found[:, layout.OUT_VERTICAL_SHIFT] - there[:, layout.OUT_VERTICAL_SHIFT]
-    assert np.abs(apart).max() < 1e-12                                                          # [m]
+    assert np.abs(apart).max() < 1e-12  # [m]
 
 
-@pytest.mark.parametrize("sides", [
-    dict(wheel=("S1002", "S1002")), dict(rail=("UIC60", "UIC60"), nominal_radius=(0.46, 0.46)),
-    dict(left_rail_inclination=1 / 40), {},
-])
+@pytest.mark.parametrize(
+    "sides",
+    [
+        dict(wheel=("S1002", "S1002")),
+        dict(rail=("UIC60", "UIC60"), nominal_radius=(0.46, 0.46)),
+        dict(left_rail_inclination=1 / 40),
+        {},
+    ],
+)
 def test_equal_sides_are_one(sides):
     """However they are said, with the same bits."""
     system, plain = wrcontact.ContactSystem(**sides), wrcontact.ContactSystem()
@@ -125,31 +139,40 @@ def test_equal_sides_are_one(sides):
     assert np.array_equal(found.values, wanted.values)
 
 
-@pytest.mark.parametrize("name, value, shared", [
-    ("left_nominal_radius", 0.459, ("rail", "rail_curvature", "rail_arc", "rail_at_arc")),
-    ("left_rail_inclination", 1 / 20, ("wheel", "wheel_curvature")),
-    ("left_rail", "54E1", ("wheel", "wheel_curvature")),
-])
+@pytest.mark.parametrize(
+    "name, value, shared",
+    [
+        ("left_nominal_radius", 0.459, ("rail", "rail_curvature", "rail_arc", "rail_at_arc")),
+        ("left_rail_inclination", 1 / 20, ("wheel", "wheel_curvature")),
+        ("left_rail", "54E1", ("wheel", "wheel_curvature")),
+    ],
+)
 def test_what_is_equal_is_prepared_once(name, value, shared):
     """Only the left wheel or the left rail differs: the other one's tables are those of the right side."""
     system = wrcontact.ContactSystem(**{name: value})
     left, right = layout.Tables.at(tables_of(system)).pairs
     parts = ("wheel", "wheel_curvature", "rail", "rail_curvature", "rail_arc", "rail_at_arc", "scan")
-    same = tuple(part for part in parts
-                 if layout.offset(getattr(left, part), tables_of(system))
-                 == layout.offset(getattr(right, part), tables_of(system)))
+    same = tuple(
+        part
+        for part in parts
+        if layout.offset(getattr(left, part), tables_of(system))
+        == layout.offset(getattr(right, part), tables_of(system))
+    )
     assert same == shared and not system.equal_sides
 
 
 def test_one_side_alone_does_not_see_the_other():
     """A wheel has the patches that it has in a wheelset of equal sides with the same pose."""
     sides = dict(nominal_radius=(0.4601, 0.46), rail_inclination=(1 / 39, 1 / 40))
-    alike = [wrcontact.ContactSystem(**{name: value[k] for name, value in sides.items()},
-                                     contact_mode="compliant") for k in range(2)]
+    alike = [
+        wrcontact.ContactSystem(**{name: value[k] for name, value in sides.items()}, contact_mode="compliant")
+        for k in range(2)
+    ]
     mixed = wrcontact.ContactSystem(**sides, contact_mode="compliant")
     for pose in rows(sides, "compliant"):
-        shift, yaw, down, roll = pose[[layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_VERTICAL_SHIFT,
-                                       layout.IN_ROLL]]
+        shift, yaw, down, roll = pose[
+            [layout.IN_LATERAL_SHIFT, layout.IN_YAW, layout.IN_VERTICAL_SHIFT, layout.IN_ROLL]
+        ]
         both = mixed.evaluate(shift, yaw, vertical_shift_input=down, roll_input=roll)
         for k, side in enumerate(("left", "right")):
             # its centre stands its own radius above the running circles, that of the mixed one the mean
@@ -168,10 +191,17 @@ UNLIKE = {
 }
 
 
-@pytest.mark.parametrize("case", ["profiles", *(pytest.param(case, marks=pytest.mark.full)
-                                                for case in ("inclinations", "radii"))])
-@pytest.mark.parametrize("pose", [(5.5e-3, 0.02), pytest.param((0.5e-3, 0.0), marks=pytest.mark.full),
-                                  pytest.param((-6.2e-3, -0.01), marks=pytest.mark.full)])
+@pytest.mark.parametrize(
+    "case", ["profiles", *(pytest.param(case, marks=pytest.mark.full) for case in ("inclinations", "radii"))]
+)
+@pytest.mark.parametrize(
+    "pose",
+    [
+        (5.5e-3, 0.02),
+        pytest.param((0.5e-3, 0.0), marks=pytest.mark.full),
+        pytest.param((-6.2e-3, -0.01), marks=pytest.mark.full),
+    ],
+)
 @pytest.mark.turns(2)
 def test_rigid_positions_are_those_of_brute_force(case, pose):
     given, track, changed = UNLIKE[case]
@@ -205,11 +235,12 @@ def test_forces_balance_about_the_centre():
     total = np.zeros(3)
     for side in (state.left, state.right):
         for patch in side.patches:
-            arm = np.array([patch.x_track, patch.y_track - 1e-3,
-                            patch.z_track - (state.vertical_shift - height)])
+            arm = np.array(
+                [patch.x_track, patch.y_track - 1e-3, patch.z_track - (state.vertical_shift - height)]
+            )
             total += np.cross(arm, [patch.force.x, patch.force.y, patch.force.z])
     moment = np.array([state.moment.x, state.moment.y, state.moment.z])
-    assert moment == pytest.approx(total, rel=1e-9, abs=1e-6)                                   # [N m]
+    assert moment == pytest.approx(total, rel=1e-9, abs=1e-6)  # [N m]
 
 
 def test_the_half_space_sees_both_sides():
@@ -231,14 +262,17 @@ def test_a_copy_has_the_same_sides():
     assert eval(repr(system), {"ContactSystem": wrcontact.ContactSystem}).parameters == system.parameters
 
 
-@pytest.mark.parametrize("given, words", [
-    (dict(wheel=("S1002", "UIC60")), "wheel is 'UIC60' (a profile of the other kind)"),
-    (dict(wheel=("UIC60", "S1002")), "left_wheel is 'UIC60' (a profile of the other kind)"),
-    (dict(rail=("UIC60",)), "rail is ('UIC60',); permitted is one value, or (left, right)"),
-    (dict(nominal_radius=(0.0, 0.46)), "left_nominal_radius is 0.0; permitted is 0.1 ... 1 m"),
-    (dict(nominal_radius=(0.45, 0.46), left_nominal_radius=0.44), "left_nominal_radius is 0.44, but"),
-    (dict(left_rail_inclination=0.2), "left_rail_inclination is 0.2; permitted is 0 ... 0.1"),
-])
+@pytest.mark.parametrize(
+    "given, words",
+    [
+        (dict(wheel=("S1002", "UIC60")), "wheel is 'UIC60' (a profile of the other kind)"),
+        (dict(wheel=("UIC60", "S1002")), "left_wheel is 'UIC60' (a profile of the other kind)"),
+        (dict(rail=("UIC60",)), "rail is ('UIC60',); permitted is one value, or (left, right)"),
+        (dict(nominal_radius=(0.0, 0.46)), "left_nominal_radius is 0.0; permitted is 0.1 ... 1 m"),
+        (dict(nominal_radius=(0.45, 0.46), left_nominal_radius=0.44), "left_nominal_radius is 0.44, but"),
+        (dict(left_rail_inclination=0.2), "left_rail_inclination is 0.2; permitted is 0 ... 0.1"),
+    ],
+)
 def test_what_is_refused(given, words):
     with pytest.raises(ValueError) as refusal:
         wrcontact.ContactSystem(**given)
@@ -253,6 +287,13 @@ def test_an_upright_left_rail_is_not_that_of_the_right():
 def test_every_parameter_of_the_left_side_stands_beside_one_of_the_right():
     names = [one.name for one in VARIABLES if one.causality == "parameter"]
     assert [name for name in names if name.startswith("left_")] == [
-        "left_wheel_profile", "left_rail_profile", "left_rail_inclination", "left_nominal_radius",
-        *(f"left_rail_{direction}_{kind}" for kind in ("stiffness", "damping")
-          for direction in ("lateral", "vertical"))]
+        "left_wheel_profile",
+        "left_rail_profile",
+        "left_rail_inclination",
+        "left_nominal_radius",
+        *(
+            f"left_rail_{direction}_{kind}"
+            for kind in ("stiffness", "damping")
+            for direction in ("lateral", "vertical")
+        ),
+    ]

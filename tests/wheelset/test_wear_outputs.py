@@ -72,8 +72,9 @@ def test_power_is_friction_times_pressure_times_slip():
 def test_polach_spreads_power_like_the_pressure():
     wheel = worn(tangential_model="polach").evaluate(3e-3, **MOTION).right
     (strips,) = wheel.strips
-    np.testing.assert_allclose(strips.power, strips.line_load * wheel.friction_power / wheel.normal_force,
-                               rtol=1e-12)
+    np.testing.assert_allclose(
+        strips.power, strips.line_load * wheel.friction_power / wheel.normal_force, rtol=1e-12
+    )
     assert not strips.slip.any()
 
 
@@ -85,16 +86,23 @@ def distances(state, side, yaw, wheel_places, rail_places):
     [m], by points of the circles in the track frame."""
     sign = 1.0 if side == "right" else -1.0
     track = brute_force.track("UIC60", 0.025)
-    pose = brute_force.Pose(sign * state["lateral_shift"], sign * yaw, sign * state.roll,
-                            state.vertical_shift)
+    pose = brute_force.Pose(
+        sign * state["lateral_shift"], sign * yaw, sign * state.roll, state.vertical_shift
+    )
     angle = np.linspace(-0.08, 0.08, 3201)
     radius = track.nominal_radius + track.wheel(wheel_places)[0]
-    points = np.stack([radius[:, None] * np.sin(angle),
-                       np.broadcast_to((track.half_distance + wheel_places)[:, None],
-                                       (len(radius), len(angle))),
-                       radius[:, None] * np.cos(angle)], axis=-1) @ pose.rotation().T + pose.centre(track)
-    away = np.hypot(points[..., 1] - (track.rail_origin + rail_places)[:, None],
-                    points[..., 2] - track.rail(rail_places)[0][:, None])
+    points = np.stack(
+        [
+            radius[:, None] * np.sin(angle),
+            np.broadcast_to((track.half_distance + wheel_places)[:, None], (len(radius), len(angle))),
+            radius[:, None] * np.cos(angle),
+        ],
+        axis=-1,
+    ) @ pose.rotation().T + pose.centre(track)
+    away = np.hypot(
+        points[..., 1] - (track.rail_origin + rail_places)[:, None],
+        points[..., 2] - track.rail(rail_places)[0][:, None],
+    )
     return away.min(axis=1)
 
 
@@ -132,8 +140,10 @@ def test_places_rise_along_the_stations_through_the_contact_point(normal):
             if len(wheel.patches) == 1:
                 assert (np.diff(line.wheel_place) > 0.0).all() and (np.diff(line.rail_place) > 0.0).all()
                 # a chord over a station of an arc of 13 mm radius
-                for place, point in ((line.wheel_place, wheel.contact.y_wheel),
-                                     (line.rail_place, wheel.contact.y_rail)):
+                for place, point in (
+                    (line.wheel_place, wheel.contact.y_wheel),
+                    (line.rail_place, wheel.contact.y_rail),
+                ):
                     assert np.interp(0.0, line.station, place) == pytest.approx(point, abs=2e-5)
 
 
@@ -158,12 +168,15 @@ def test_rates_of_places_and_power():
     """Those of the differentiated kernel, against differences."""
     contact = worn(tangential_model="strips")
     names = [f"right.{name}[{j}]" for name in ("wheel_place", "rail_place", "power") for j in (8, 16, 24)]
-    rates = contact.derivatives(names, ["lateral_shift", "right.friction"], lateral_shift=2e-3, yaw=2e-3,
-                                **MOTION)
+    rates = contact.derivatives(
+        names, ["lateral_shift", "right.friction"], lateral_shift=2e-3, yaw=2e-3, **MOTION
+    )
     for column, (name, step) in enumerate((("lateral_shift", 1e-7), ("right_friction", 1e-5))):
         start = {"lateral_shift": 2e-3, "right_friction": 0.3}
-        high, low = (contact.evaluate(yaw=2e-3, **MOTION, **{**start, name: start[name] + way * step})
-                     for way in (1, -1))
+        high, low = (
+            contact.evaluate(yaw=2e-3, **MOTION, **{**start, name: start[name] + way * step})
+            for way in (1, -1)
+        )
         wanted = np.array([(high[one] - low[one]) / (2 * step) for one in names])
         size = np.repeat(np.abs(wanted).reshape(3, 3).max(axis=1), 3)
         found = rates[:, column]
@@ -182,7 +195,7 @@ def test_everything_else_keeps_its_bits(model, stations):
     one, other = plain.evaluate(**TWO_PATCHES), more.evaluate(**TWO_PATCHES)
     size = len(one.values)
     np.testing.assert_array_equal(other.values[:size], one.values)
-    assert other.names[:len(one.names)] == one.names
+    assert other.names[: len(one.names)] == one.names
     assert len(other.names) == len(one.names) + 2 * len(WEAR) * stations
     assert other["right.power[3]"] == other.right.outline.power[2]
     for name in (row.name for row in WEAR):

@@ -7,10 +7,22 @@ from functools import cache
 from .rules import ACTIVE_ARRAYS, RATES
 from .scope import Scope, parameters
 
-Pair = namedtuple("Pair", "value rate")         # texts; the rate is None for what is constant
-OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.FloorDiv: "//", ast.Mod: "%",
-             ast.LShift: "<<", ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=",
-             ast.Eq: "==", ast.NotEq: "!="}
+Pair = namedtuple("Pair", "value rate")  # texts; the rate is None for what is constant
+OPERATORS = {
+    ast.Add: "+",
+    ast.Sub: "-",
+    ast.Mult: "*",
+    ast.Div: "/",
+    ast.FloorDiv: "//",
+    ast.Mod: "%",
+    ast.LShift: "<<",
+    ast.Lt: "<",
+    ast.LtE: "<=",
+    ast.Gt: ">",
+    ast.GtE: ">=",
+    ast.Eq: "==",
+    ast.NotEq: "!=",
+}
 
 
 class Expressions(Scope):
@@ -19,11 +31,15 @@ class Expressions(Scope):
     def __init__(self, kernel, module, node):
         super().__init__(kernel, module, node)
         self.derivatives, self.lines, self.depth, self.count = set(), [], 1, 0
-        self.active = {name for name, kind in self.kinds.items() if kind == "float"
-                       and name in dict(parameters(node))}
+        self.active = {
+            name for name, kind in self.kinds.items() if kind == "float" and name in dict(parameters(node))
+        }
         self.names = {n.id for n in ast.walk(node) if isinstance(n, ast.Name)} | set(self.kinds)
-        assignments = [(part.targets[0] if isinstance(part, ast.Assign) else part.target, part.value)
-                       for part in ast.walk(node) if isinstance(part, (ast.Assign, ast.AugAssign))]
+        assignments = [
+            (part.targets[0] if isinstance(part, ast.Assign) else part.target, part.value)
+            for part in ast.walk(node)
+            if isinstance(part, (ast.Assign, ast.AugAssign))
+        ]
         before = -1
         while len(self.active) != before:
             before = len(self.active)
@@ -102,8 +118,10 @@ class Expressions(Scope):
             before = len(self.lines)
             parts = [self.operand(part) for part in node.values]
             if len(self.lines) > before:
-                raise ValueError(f"{self.module}.py, line {node.lineno}: one of several conditions calls "
-                                 f"what changes something")
+                raise ValueError(
+                    f"{self.module}.py, line {node.lineno}: one of several conditions calls "
+                    f"what changes something"
+                )
             return (" and " if isinstance(node.op, ast.And) else " or ").join(parts)
         if isinstance(node, ast.Call):
             return f"{node.func.id}({', '.join(self.value(argument) for argument in node.args)})"
@@ -126,7 +144,7 @@ class Expressions(Scope):
     def atom(self, node):
         """A pair whose value is a name, a number or an array's element."""
         pair = self.pair(node)
-        whole = self.kind(node) == "int"        # C multiplies vectors by floats only
+        whole = self.kind(node) == "int"  # C multiplies vectors by floats only
         return Pair(self.named(f"float({pair.value})" if whole else pair.value), pair.rate)
 
     def named(self, text):
@@ -164,19 +182,26 @@ class Expressions(Scope):
             left, right = self.pair(node.left), self.pair(node.right)
             sign = OPERATORS[type(node.op)]
             rate = " ".join(filter(None, (left.rate, right.rate and f"{sign} {closed(right.rate)}")))
-            return Pair(f"{closed(left.value)} {sign} {closed(right.value)}",
-                        rate if left.rate else rate.removeprefix("+ ").replace("- ", "-", 1))
+            return Pair(
+                f"{closed(left.value)} {sign} {closed(right.value)}",
+                rate if left.rate else rate.removeprefix("+ ").replace("- ", "-", 1),
+            )
         left, right = self.atom(node.left), self.atom(node.right)
         if isinstance(node.op, ast.Mult):
-            parts = [f"{closed(left.rate)} * {right.value}" if left.rate else "",
-                     f"{left.value} * {closed(right.rate)}" if right.rate else ""]
+            parts = [
+                f"{closed(left.rate)} * {right.value}" if left.rate else "",
+                f"{left.value} * {closed(right.rate)}" if right.rate else "",
+            ]
             return Pair(f"{left.value} * {right.value}", " + ".join(filter(None, parts)))
         if isinstance(node.op, ast.Div):
             if not right.rate:
                 return Pair(f"{left.value} / {right.value}", f"{closed(left.rate)} / {right.value}")
             quotient = self.named(f"{left.value} / {right.value}")
-            rate = (f"{closed(left.rate)} - {quotient} * {closed(right.rate)}" if left.rate
-                    else f"-{quotient} * {closed(right.rate)}")
+            rate = (
+                f"{closed(left.rate)} - {quotient} * {closed(right.rate)}"
+                if left.rate
+                else f"-{quotient} * {closed(right.rate)}"
+            )
             return Pair(quotient, f"({rate}) / {right.value}")
         raise ValueError(f"{self.module}.py, line {node.lineno}: this operation has no rate")
 

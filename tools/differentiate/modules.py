@@ -14,8 +14,12 @@ def derivative_modules(modules):
     kernel.reach(kernel.rule_homes[ROOT], ROOT)
     texts = {"derivative_rates": HELPERS}
     for place in kernel.modules:
-        functions = [(module.name, name) for module in modules for name in module.functions
-                     if (module.name, name) in kernel.wanted and kernel.place(module.name, name) == place]
+        functions = [
+            (module.name, name)
+            for module in modules
+            for name in module.functions
+            if (module.name, name) in kernel.wanted and kernel.place(module.name, name) == place
+        ]
         if functions:
             texts[f"derivative_{place}"] = kernel.module_text(place, functions)
     return texts
@@ -31,8 +35,12 @@ class Kernel:
             for name in module.functions:
                 self.homes.setdefault(name, []).append(module.name)
         #: The module of each rule.
-        self.rule_homes = {name: home for home in RULE_MODULES if home in self.modules
-                           for name in self.modules[home].functions}
+        self.rule_homes = {
+            name: home
+            for home in RULE_MODULES
+            if home in self.modules
+            for name in self.modules[home].functions
+        }
         self.known_returns, self.wanted, self.known_writes, self.known_active = {}, set(), {}, {}
 
     def home(self, module, name):
@@ -40,8 +48,14 @@ class Kernel:
         if it is not the kernel's."""
         if name in self.modules[module].functions:
             return module
-        return next((home for home, names in self.modules[module].imports.items()
-                     if name in names and name in self.modules[home].functions), None)
+        return next(
+            (
+                home
+                for home, names in self.modules[module].imports.items()
+                if name in names and name in self.modules[home].functions
+            ),
+            None,
+        )
 
     def node(self, module, name):
         return self.modules[module].functions[name]
@@ -132,15 +146,20 @@ class Kernel:
             names = {node.id for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name)}
             used |= names
             module = self.modules[body.module]
-            for home, offered in [*module.imports.items(),
-                                  (module.name, {*module.constants, *module.functions})]:
+            for home, offered in [
+                *module.imports.items(),
+                (module.name, {*module.constants, *module.functions}),
+            ]:
                 imported.setdefault(home, set()).update((names & set(offered)) - RATE_FUNCTIONS)
         lines = [f'"""Derivatives of {place}.py."""', ""]
         mathematics = sorted(used & {"copysign", "fabs", "inf", "isfinite", "nan", "pi", "sqrt"})
         if mathematics:
             lines.append(f"from math import {', '.join(mathematics)}")
-        lines += [f"from .{home} import {', '.join(sorted(names))}"
-                  for home, names in sorted(imported.items()) if names]
+        lines += [
+            f"from .{home} import {', '.join(sorted(names))}"
+            for home, names in sorted(imported.items())
+            if names
+        ]
         rates = sorted(used & RATE_FUNCTIONS)
         if rates:
             lines.append(f"from .derivative_rates import {', '.join(rates)}")
@@ -149,6 +168,8 @@ class Kernel:
             for home, name in body.derivatives:
                 if self.place(home, name) != place:
                     calls.setdefault(self.place(home, name), set()).add(name + "_t")
-        lines += [f"from .derivative_{home} import {', '.join(sorted(names))}"
-                  for home, names in sorted(calls.items())]
+        lines += [
+            f"from .derivative_{home} import {', '.join(sorted(names))}"
+            for home, names in sorted(calls.items())
+        ]
         return "\n".join(lines) + "\n\n\n" + "\n\n\n".join(texts) + "\n"

@@ -3,10 +3,19 @@ that follow the inputs, rates of functions."""
 
 #: What stands in for an iteration or a series when the kernel is differentiated: a function of RULE_MODULES.
 RULES = {
-    "zone_width": "width_rule", "solve_penetrations": "penetrations_rule", "move_arc": "arc_rule",
-    "move_chord": "chord_rule", "move_across": "across_rule", "meet_wheel": "meet_rule",
-    "find_overlaps": "overlaps_rule", "sine_cosine": "sine_cosine_rule", "atan": "atan_rule",
-    "atan2": "atan2_rule", "exp": "exp_rule", "log": "log_rule", "cube_root": "cube_root_rule",
+    "zone_width": "width_rule",
+    "solve_penetrations": "penetrations_rule",
+    "move_arc": "arc_rule",
+    "move_chord": "chord_rule",
+    "move_across": "across_rule",
+    "meet_wheel": "meet_rule",
+    "find_overlaps": "overlaps_rule",
+    "sine_cosine": "sine_cosine_rule",
+    "atan": "atan_rule",
+    "atan2": "atan2_rule",
+    "exp": "exp_rule",
+    "log": "log_rule",
+    "cube_root": "cube_root_rule",
 }
 #: A part of a rule, and the function whose rule it is a part of.
 PARTS = {"turning_rule": "find_overlaps", "width_jet": "zone_width"}

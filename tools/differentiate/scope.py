@@ -17,8 +17,9 @@ class Scope:
     def __init__(self, kernel, module, node):
         self.kernel, self.module, self.node = kernel, module, node
         self.kinds = dict(parameters(node))
-        for statement in sorted((n for n in ast.walk(node) if isinstance(n, (ast.Assign, ast.For))),
-                                key=lambda n: n.lineno):
+        for statement in sorted(
+            (n for n in ast.walk(node) if isinstance(n, (ast.Assign, ast.For))), key=lambda n: n.lineno
+        ):
             if isinstance(statement, ast.For):
                 self.kinds.setdefault(statement.target.id, "int")
                 continue
@@ -26,9 +27,11 @@ class Scope:
             if isinstance(target, ast.Name):
                 self.kinds.setdefault(target.id, self.kind(value))
             elif isinstance(target, ast.Tuple):
-                kinds = [self.kind(element)
-                         for element in value.elts] if isinstance(value,
-                                                                  ast.Tuple) else self.call_kinds(value)
+                kinds = (
+                    [self.kind(element) for element in value.elts]
+                    if isinstance(value, ast.Tuple)
+                    else self.call_kinds(value)
+                )
                 for element, kind in zip(target.elts, kinds):
                     if isinstance(element, ast.Name):
                         self.kinds.setdefault(element.id, kind)
@@ -58,8 +61,10 @@ class Scope:
             return "int" if node.func.id == "int" else "bool"
         if node.func.id in ("min", "max"):
             return self.kind(node.args[0])
-        if (node.func.id in ("held", "moving", "seeded", "rate_of", "common_rate")
-            or self.kernel.home(self.module, node.func.id) is None):
+        if (
+            node.func.id in ("held", "moving", "seeded", "rate_of", "common_rate")
+            or self.kernel.home(self.module, node.func.id) is None
+        ):
             return "float"
         kinds = self.call_kinds(node)
         return kinds[0] if len(kinds) == 1 else "call"
@@ -68,8 +73,10 @@ class Scope:
         """Kind of a module's constant."""
         if name == "pi":
             return "float"
-        homes = [self.module,
-                 *(home for home, names in self.kernel.modules[self.module].imports.items() if name in names)]
+        homes = [
+            self.module,
+            *(home for home, names in self.kernel.modules[self.module].imports.items() if name in names),
+        ]
         for home in homes:
             kinds = constant_kinds(self.kernel.modules[home].tree)
             if name in kinds:
@@ -80,5 +87,8 @@ class Scope:
 @cache
 def constant_kinds(tree):
     """Kind of every constant of a module, by name."""
-    return {node.target.id: ast.unparse(node.annotation)[len("Final["):-1] for node in tree.body
-            if isinstance(node, ast.AnnAssign)}
+    return {
+        node.target.id: ast.unparse(node.annotation)[len("Final[") : -1]
+        for node in tree.body
+        if isinstance(node, ast.AnnAssign)
+    }

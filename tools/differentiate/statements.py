@@ -18,11 +18,12 @@ class Differentiated(Expressions):
             names.append(f"{name}: {annotation}")
             if kind == "float" or kind == "array" and name in ACTIVE_ARRAYS:
                 names.append(f"{name}_t: {annotation}")
-        self.block([n for n in self.node.body
-                    if not (isinstance(n, ast.Expr) and isinstance(n.value, ast.Constant))])
+        self.block(
+            [n for n in self.node.body if not (isinstance(n, ast.Expr) and isinstance(n.value, ast.Constant))]
+        )
         head = f"def {self.node.name}_t({', '.join(names)}):"
         text = "\n".join([head, f'    """Derivative of ``{self.node.name}``."""', *self.lines])
-        return ast.unparse(ast.parse(text))         # in as few parentheses as the meaning needs
+        return ast.unparse(ast.parse(text))  # in as few parentheses as the meaning needs
 
     def block(self, statements, deeper=0):
         self.depth += deeper
@@ -45,8 +46,9 @@ class Differentiated(Expressions):
         before = len(self.lines)
         test = self.value(node.test)
         if len(self.lines) > before:
-            raise ValueError(f"{self.module}.py, line {node.lineno}: a while loop's condition calls what "
-                             f"changes something")
+            raise ValueError(
+                f"{self.module}.py, line {node.lineno}: a while loop's condition calls what changes something"
+            )
         self.write(f"while {test}:")
         self.block(node.body, 1)
 
@@ -65,8 +67,11 @@ class Differentiated(Expressions):
         if len(values) == 1 and isinstance(values[0], ast.Call) and len(kinds) > 1:
             names = [self.fresh("r") for _ in kinds]
             self.results(values[0], [ast.Name(name, ast.Store()) for name in names])
-            results = [text for name, kind in zip(names, kinds)
-                       for text in ([name, name + "_t"] if kind == "float" else [name])]
+            results = [
+                text
+                for name, kind in zip(names, kinds)
+                for text in ([name, name + "_t"] if kind == "float" else [name])
+            ]
         else:
             results = []
             for value in values:
@@ -143,8 +148,11 @@ class Differentiated(Expressions):
                 if kind == "float" and name in self.active:
                     self.write(f"{name}_t = 0.0")
             return
-        results = [text for name, kind in zip(names, kinds)
-                   for text in ([name, name + "_t"] if kind == "float" else [name])]
+        results = [
+            text
+            for name, kind in zip(names, kinds)
+            for text in ([name, name + "_t"] if kind == "float" else [name])
+        ]
         if not names and "float" in kinds:
             results = [self.fresh("n"), self.fresh("n")]
         text = self.derivative_call(call, derivative)

@@ -31,8 +31,9 @@ class ReleaseProblem(Exception):
 def run(*words, **settings):
     """Run a command in the checkout; ReleaseProblem with its last lines if it fails."""
     clean = {name: value for name, value in os.environ.items() if name not in OWN}
-    done = subprocess.run([*map(str, words)], text=True, capture_output=True, cwd=ROOT,
-                          env={**clean, **settings})
+    done = subprocess.run(
+        [*map(str, words)], text=True, capture_output=True, cwd=ROOT, env={**clean, **settings}
+    )
     if done.returncode:
         last = "\n".join((done.stdout + done.stderr).splitlines()[-20:])
         raise ReleaseProblem(f"{' '.join(map(str, words))} ended with code {done.returncode}:\n{last}")
@@ -63,7 +64,7 @@ def try_packages(folder, scratch):
     their own; they evaluate a pose with the bits that are known here, and the first runs the demo.
     """
     wheel = wheel_of(folder, host_platform())
-    archive, = folder.glob("wrcontact-*.tar.gz")
+    (archive,) = folder.glob("wrcontact-*.tar.gz")
     python = environment(scratch / "wheel", wheel)
     words = [tried(python, f"{wheel.name} in a new environment")]
     run_there(python.with_name("wrcontact"), "demo", "--output", scratch / "demo")
@@ -71,14 +72,14 @@ def try_packages(folder, scratch):
     run(sys.executable, "-m", "venv", scratch / "builder")
     builder = interpreter(scratch / "builder")
     run_there(builder, "-m", "pip", "wheel", "-q", "--no-deps", "--wheel-dir", scratch / "built", archive)
-    built, = (scratch / "built").iterdir()
+    (built,) = (scratch / "built").iterdir()
     python = environment(scratch / "source", built)
     return [*words, tried(python, f"{archive.name}, built as {built.name}")]
 
 
 def wheel_of(folder, platform):
     """The wheel in ``folder`` for a platform."""
-    wheel, = folder.glob(f"wrcontact-*-py3-none-{PLATFORMS[platform].wheel}.whl")
+    (wheel,) = folder.glob(f"wrcontact-*-py3-none-{PLATFORMS[platform].wheel}.whl")
     return wheel
 
 
@@ -98,8 +99,9 @@ def tried(python, what):
     file, compiled, version, found = run_there(python, "-I", "-W", "error", "-c", EVALUATE).split()
     expected = ContactSystem().evaluate(lateral_shift=5e-3, yaw=1e-3).right.penetration.hex()
     if not Path(file).is_relative_to(python.parents[1]) or (compiled, found) != ("True", expected):
-        raise ReleaseProblem(f"{what}: {file}, compiled {compiled}, version {version}, gives {found} and not "
-                             f"{expected}")
+        raise ReleaseProblem(
+            f"{what}: {file}, compiled {compiled}, version {version}, gives {found} and not {expected}"
+        )
     return f"{what}: version {version}, compiled, the bits of this machine"
 
 
@@ -109,11 +111,24 @@ def try_kernels(folder, platforms, scratch):
     place.mkdir()
     for name in platforms:
         with zipfile.ZipFile(wheel_of(folder, name)) as archive:
-            library, = (entry for entry in archive.namelist()
-                        if entry.startswith("wrcontact/kernel/_wrcontact"))
+            (library,) = (
+                entry for entry in archive.namelist() if entry.startswith("wrcontact/kernel/_wrcontact")
+            )
             place.joinpath(Path(library).name).write_bytes(archive.read(library))
-    told = run(sys.executable, "-m", "pytest", "-q", "-rs", "-m", "", "-p", "no:cacheprovider",
-               "tests/fmu/test_platforms.py", "-k", "test_kernel_on_other_machines",
-               WRCONTACT_TEST_KERNELS=str(place))
+    told = run(
+        sys.executable,
+        "-m",
+        "pytest",
+        "-q",
+        "-rs",
+        "-m",
+        "",
+        "-p",
+        "no:cacheprovider",
+        "tests/fmu/test_platforms.py",
+        "-k",
+        "test_kernel_on_other_machines",
+        WRCONTACT_TEST_KERNELS=str(place),
+    )
     shutil.rmtree(place)
     return f"kernels of the wheels under emulators: {told.strip().splitlines()[-1]}"

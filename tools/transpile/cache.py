@@ -58,7 +58,7 @@ def keep(path, pair):
     part.replace(path)
     kept = list(path.parent.glob("*.json"))
     if len(kept) > MOST:
-        for old in sorted(kept, key=lambda one: one.stat().st_mtime)[:MOST // 2]:
+        for old in sorted(kept, key=lambda one: one.stat().st_mtime)[: MOST // 2]:
             old.unlink(missing_ok=True)
 
 
@@ -75,8 +75,11 @@ def described(kernel, home, name):
     module = kernel.modules[home]
     if name in module.functions:
         return stub(kernel, home, name)
-    return next(f"{name}: {ast.unparse(node.annotation)}" for node in module.tree.body
-                if isinstance(node, ast.AnnAssign) and node.target.id == name)
+    return next(
+        f"{name}: {ast.unparse(node.annotation)}"
+        for node in module.tree.body
+        if isinstance(node, ast.AnnAssign) and node.target.id == name
+    )
 
 
 def stub(kernel, home, name):
@@ -100,15 +103,15 @@ def stubs(kernel, changed):
     texts = {}
     for home, used in wanted.items():
         module = kernel.modules[home]
-        constants = [node for node in module.tree.body if isinstance(node, ast.AnnAssign)
-                     and (home != "layout" or node.target.id in used)]
+        constants = [
+            node
+            for node in module.tree.body
+            if isinstance(node, ast.AnnAssign) and (home != "layout" or node.target.id in used)
+        ]
         lines = ["from typing import Final"]
         for node in constants:
-            kind = ast.unparse(node.annotation)[len("Final["):-1]
+            kind = ast.unparse(node.annotation)[len("Final[") : -1]
             lines.append(f"{node.target.id}: Final[{kind}] = {VALUES.get(kind) or ast.unparse(node.value)}")
         lines += [stub(kernel, home, name) for name in sorted(used) if name in module.functions]
         texts[home] = "\n".join(lines) + "\n"
     return texts
-
-
-

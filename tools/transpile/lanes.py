@@ -41,10 +41,12 @@ def in_lanes(text, kinds):
     """The C ``text`` of prototypes or functions with rates in lanes; ``kinds`` is that of
     :func:`parameter_kinds`."""
     parts = re.split(r"(^static [^\n]*\)\n\{\n.*?^\})", text, flags=re.MULTILINE | re.DOTALL)
-    return "".join(function_in_lanes(part, kinds) if part.startswith("static ") and "\n{\n" in part
-                   else re.sub(r"^(static .* \*?\w+\()(.*)(\);)$", prototype_in_lanes, part,
-                               flags=re.MULTILINE)
-                   for part in parts)
+    return "".join(
+        function_in_lanes(part, kinds)
+        if part.startswith("static ") and "\n{\n" in part
+        else re.sub(r"^(static .* \*?\w+\()(.*)(\);)$", prototype_in_lanes, part, flags=re.MULTILINE)
+        for part in parts
+    )
 
 
 def prototype_in_lanes(match):
@@ -64,8 +66,9 @@ def function_in_lanes(text, kinds):
     for array in RATE_ARRAYS:
         body = body.replace(f"cspan_at(&{array}, ", f"lanes_at(&{array}, ")
     lines = body.split("\n")
-    declared = dict(found.group(1, 0) for found in map(re.compile(rf" +double ({NAME});").fullmatch, lines)
-                    if found)
+    declared = dict(
+        found.group(1, 0) for found in map(re.compile(rf" +double ({NAME});").fullmatch, lines) if found
+    )
     known = {name for _, name, _ in parameters(opened[2])} | declared.keys()
     rates |= {name for name in declared if name.endswith("_t") and name[:-2] in known}
     before = -1
@@ -75,8 +78,12 @@ def function_in_lanes(text, kinds):
             rates |= {name for name in assigned_rates(line, rates, kinds) if name in declared}
     numbers = itertools.count(1)
     changed = [line for statement in lines for line in statement_in_lanes(statement, rates, kinds, numbers)]
-    changed = [line.replace("double", "lanes") if line in {declared[name] for name in rates & declared.keys()}
-               else line for line in changed]
+    changed = [
+        line.replace("double", "lanes")
+        if line in {declared[name] for name in rates & declared.keys()}
+        else line
+        for line in changed
+    ]
     return prototype_in_lanes(opened) + "\n{\n" + "\n".join(changed)
 
 
@@ -86,8 +93,11 @@ def assigned_rates(line, rates, kinds):
     if found and has_rate(found[2], rates):
         yield found[1]
     for name, arguments in calls(line, kinds):
-        yield from (argument[1:] for argument, is_rate in zip(arguments, kinds[name])
-                    if is_rate and argument.startswith("&"))
+        yield from (
+            argument[1:]
+            for argument, is_rate in zip(arguments, kinds[name])
+            if is_rate and argument.startswith("&")
+        )
 
 
 def statement_in_lanes(line, rates, kinds, numbers):
@@ -101,23 +111,33 @@ def statement_in_lanes(line, rates, kinds, numbers):
                 own.append(argument)
             elif has_rate(argument, rates):
                 own.append(f"rates_{next(numbers)}")
-                before += [f"{space}lanes {own[-1]};",
-                           f"{space}EACH_LANE each({own[-1]}) = {by_lane(argument, rates)};"]
+                before += [
+                    f"{space}lanes {own[-1]};",
+                    f"{space}EACH_LANE each({own[-1]}) = {by_lane(argument, rates)};",
+                ]
             else:
                 own.append(f"all_lanes({argument})")
         line = line.replace(f"{name}({', '.join(arguments)})", f"{name}({', '.join(own)})")
     found = re.fullmatch(r" +(.*?) = (.*);", line)
     if found and has_rate(found[1], rates):
-        line = (f"{space}EACH_LANE {by_lane(found[1], rates)} = {by_lane(found[2], rates)};"
-                if has_rate(found[2], rates) else f"{space}{found[1]} = all_lanes({found[2]});")
+        line = (
+            f"{space}EACH_LANE {by_lane(found[1], rates)} = {by_lane(found[2], rates)};"
+            if has_rate(found[2], rates)
+            else f"{space}{found[1]} = all_lanes({found[2]});"
+        )
     return [*before, line]
 
 
 def is_place(expression, rates):
     """Whether a C expression names one rate."""
     found = re.match(r"\(\*lanes_at\(", expression)
-    return (expression in rates or re.fullmatch(rf"\(\*({NAME})\)", expression) and expression[2:-1] in rates
-            or found and closed_at(expression, 1) == len(expression))
+    return (
+        expression in rates
+        or re.fullmatch(rf"\(\*({NAME})\)", expression)
+        and expression[2:-1] in rates
+        or found
+        and closed_at(expression, 1) == len(expression)
+    )
 
 
 def by_lane(expression, rates):
@@ -130,7 +150,7 @@ def by_lane(expression, rates):
         if name and name not in rates:
             continue
         stop = found.end() if name else closed_at(expression, found.start() + 1)
-        parts += [expression[place:found.start()], f"each({expression[found.start():stop]})"]
+        parts += [expression[place : found.start()], f"each({expression[found.start() : stop]})"]
         place = stop
     return "".join([*parts, expression[place:]])
 
@@ -139,7 +159,7 @@ def has_rate(expression, rates):
     """Whether a C expression is a rate."""
     for asked in list(ASKED.finditer(expression)):
         inside = closed_at(expression, asked.end())
-        expression = expression.replace(expression[asked.start():inside], "0")
+        expression = expression.replace(expression[asked.start() : inside], "0")
     return "lanes_at(" in expression or any(name in rates for name in re.findall(rf"\b{NAME}\b", expression))
 
 
@@ -157,7 +177,7 @@ def calls(line, kinds):
     """(name, arguments) of the calls in a statement of functions with rates."""
     for found in re.finditer(rf"\b({NAME})\(", line):
         if found[1] in kinds and any(kinds[found[1]]):
-            yield found[1], split_arguments(line[found.end():closed_at(line, found.end()) - 1])
+            yield found[1], split_arguments(line[found.end() : closed_at(line, found.end()) - 1])
 
 
 def split_arguments(text):

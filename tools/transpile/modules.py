@@ -66,20 +66,34 @@ class Module:
         self.place = path.name if self.name.startswith("derivative_") else f"{path.parent.name}/{path.name}"
         self.text = flat_imports(path) if text is None else text
         written = ast.parse(path.read_bytes())
-        self.marks = {node.name: mark.id for node in written.body
-                      if isinstance(node, ast.FunctionDef) for mark in node.decorator_list}
-        if self.name == "derivative_rates":         # native/lanes.h has them
+        self.marks = {
+            node.name: mark.id
+            for node in written.body
+            if isinstance(node, ast.FunctionDef)
+            for mark in node.decorator_list
+        }
+        if self.name == "derivative_rates":  # native/lanes.h has them
             self.marks = {node.name: "native" for node in written.body if isinstance(node, ast.FunctionDef)}
         if "native" in self.marks.values():
             self.text = native_text(written)
         self.tree = ast.parse(self.text, str(path))
         self.functions = {node.name: node for node in self.tree.body if isinstance(node, ast.FunctionDef)}
         self.constants = [node.target.id for node in self.tree.body if isinstance(node, ast.AnnAssign)]
-        self.imports = {node.module: {alias.name for alias in node.names} for node in self.tree.body
-                        if isinstance(node, ast.ImportFrom) and node.level}
+        self.imports = {
+            node.module: {alias.name for alias in node.names}
+            for node in self.tree.body
+            if isinstance(node, ast.ImportFrom) and node.level
+        }
         #: Offsets and sizes of records, which only the lowered text has.
-        self.offsets = {node.target.id: ast.literal_eval(node.value) for node in self.tree.body
-                        if isinstance(node, ast.AnnAssign)} if self.name == "layout" else {}
+        self.offsets = (
+            {
+                node.target.id: ast.literal_eval(node.value)
+                for node in self.tree.body
+                if isinstance(node, ast.AnnAssign)
+            }
+            if self.name == "layout"
+            else {}
+        )
         self.room = path.parent.name
         self.derivative = self.name.startswith("derivative_")
 
@@ -89,40 +103,57 @@ class Module:
     def refuse_silent_traps(self):
         """Refuse Python whose translation compiles and means something else."""
         for node in self.tree.body:
-            is_final = (isinstance(node, ast.AnnAssign) and ast.unparse(node.annotation).startswith("Final[")
-                        and node.value)
+            is_final = (
+                isinstance(node, ast.AnnAssign)
+                and ast.unparse(node.annotation).startswith("Final[")
+                and node.value
+            )
             is_docstring = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
             if not (is_final or is_docstring or isinstance(node, (ast.FunctionDef, ast.ImportFrom))):
-                self.refuse(node,
-                            "a module may hold its docstring, 'from' imports, Final constants and functions "
-                            "only")
+                self.refuse(
+                    node,
+                    "a module may hold its docstring, 'from' imports, Final constants and functions only",
+                )
         for node in ast.walk(self.tree):
             if isinstance(node, (ast.For, ast.While)) and node.orelse:
                 self.refuse(node, "Pyccel drops the else of a loop")
             if isinstance(node, ast.For) and not ast.unparse(node.iter).startswith("range("):
                 self.refuse(node, "a for loop runs over a range")
             if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
-                self.refuse(node, "a power differs from machine to machine in the last bit; write x*x, "
-                            "sqrt(x) or cube_root(x)")
+                self.refuse(
+                    node,
+                    "a power differs from machine to machine in the last bit; write x*x, "
+                    "sqrt(x) or cube_root(x)",
+                )
             if isinstance(node, ast.ImportFrom) and node.module == "math":
                 for name in sorted({alias.name for alias in node.names} - EXACT):
-                    self.refuse(node, f"{name} of math differs from machine to machine in the last bit; the "
-                                "room elementary has functions that do not")
+                    self.refuse(
+                        node,
+                        f"{name} of math differs from machine to machine in the last bit; the "
+                        "room elementary has functions that do not",
+                    )
         for function, loop in self.range_loops():
             self.refuse_loop_variable(function, loop)
 
     def range_loops(self):
         """(function, loop) of every ``for``."""
-        return [(function, node) for function in self.functions.values() for node in ast.walk(function)
-                if isinstance(node, ast.For)]
+        return [
+            (function, node)
+            for function in self.functions.values()
+            for node in ast.walk(function)
+            if isinstance(node, ast.For)
+        ]
 
     def refuse_loop_variable(self, function, loop):
         """Refuse uses of the loop's variable that C's ``for`` gives another value."""
         variables = stored([loop.target])
         if stored(loop.body) & variables:
             self.refuse(loop, "the loop changes its own variable, which in C changes the number of turns")
-        later = [name for name in ast.walk(function) if isinstance(name, ast.Name) and name.id in variables
-                 and name.lineno > loop.end_lineno]
+        later = [
+            name
+            for name in ast.walk(function)
+            if isinstance(name, ast.Name) and name.id in variables and name.lineno > loop.end_lineno
+        ]
         first = min(later, key=lambda name: (name.lineno, isinstance(name.ctx, ast.Store)), default=None)
         if first is not None and isinstance(first.ctx, ast.Load):
             self.refuse(first, f"after its loop, {first.id} is one turn further in C than in Python")
@@ -130,23 +161,28 @@ class Module:
     def source(self):
         """The module's text with a name for each range's end that C, which reads it anew in each
         turn, might find changed."""
-        lines = self.text.splitlines()                              # bytes, as ast counts columns
+        lines = self.text.splitlines()  # bytes, as ast counts columns
         for function, loop in sorted(self.range_loops(), key=lambda pair: -pair[1].lineno):
             end = loop.iter.args[1 if len(loop.iter.args) > 1 else 0]
             names = {node.id for node in ast.walk(end) if isinstance(node, ast.Name)}
-            if not (names & stored(loop.body)
-                    or any(isinstance(node, ast.Subscript) for node in ast.walk(end))):
+            if not (
+                names & stored(loop.body) or any(isinstance(node, ast.Subscript) for node in ast.walk(end))
+            ):
                 continue
             name = f"{loop.target.id}_end"
-            if (end.end_lineno != loop.lineno
-                or name in {node.id for node in ast.walk(function) if isinstance(node, ast.Name)}):
-                self.refuse(loop,
-                            f"the range should stand in one line, and the name {name} be free for its end")
+            if end.end_lineno != loop.lineno or name in {
+                node.id for node in ast.walk(function) if isinstance(node, ast.Name)
+            }:
+                self.refuse(
+                    loop, f"the range should stand in one line, and the name {name} be free for its end"
+                )
             line = lines[loop.lineno - 1]
-            expression = line[end.col_offset:end.end_col_offset]
-            head = line[:end.col_offset] + name.encode() + line[end.end_col_offset:]
-            lines[loop.lineno - 1:loop.lineno] = [b" " * loop.col_offset + name.encode() + b" = "
-                                                  + expression, head]
+            expression = line[end.col_offset : end.end_col_offset]
+            head = line[: end.col_offset] + name.encode() + line[end.end_col_offset :]
+            lines[loop.lineno - 1 : loop.lineno] = [
+                b" " * loop.col_offset + name.encode() + b" = " + expression,
+                head,
+            ]
         return b"\n".join(lines) + b"\n"
 
 
@@ -156,15 +192,20 @@ def native_text(tree):
     lines = [f'"""{ast.get_docstring(tree)}"""']
     for node in tree.body:
         if isinstance(node, ast.FunctionDef):
-            lines += ["", "", f"def {node.name}({ast.unparse(node.args)}):",
-                      f"    result = {VALUES[node.returns.id]}", "    return result"]
+            lines += [
+                "",
+                "",
+                f"def {node.name}({ast.unparse(node.args)}):",
+                f"    result = {VALUES[node.returns.id]}",
+                "    return result",
+            ]
     return "\n".join([*lines, ""]).encode()
 
 
 def flat_name(path):
     """The name of a module among all others, which Pyccel and C see in one folder."""
     room = path.parent.name
-    if "layout" in (room, path.name):           # whichever of its files: they are one module
+    if "layout" in (room, path.name):  # whichever of its files: they are one module
         return "layout"
     return f"prepare_{path.stem}" if room == "prepare" else path.stem
 
@@ -180,7 +221,7 @@ def flat_imports(path):
         if found:
             target = folder if len(found[1]) == 1 else folder.parent
             target = target.joinpath(*found[2].decode().split("."))
-            lines[number] = b"from ." + flat_name(target).encode() + line[found.end(2):]
+            lines[number] = b"from ." + flat_name(target).encode() + line[found.end(2) :]
     return b"\n".join(lines)
 
 
@@ -193,12 +234,14 @@ def stored(nodes):
 def import_kernel(kernel, name):
     """The module ``name``, such as "search.roll", of the kernel in the folder
     ``kernel``, imported on its own."""
-    package, room = (types.ModuleType("package_being_translated"),
-                     types.ModuleType("package_being_translated.kernel"))
+    package, room = (
+        types.ModuleType("package_being_translated"),
+        types.ModuleType("package_being_translated.kernel"),
+    )
     package.__path__, room.__path__ = [str(kernel.parent), str(KERNEL.parent)], [str(kernel)]
     if getattr(sys.modules.get(room.__name__), "__path__", None) != room.__path__:
         for old in [old for old in sys.modules if old.startswith(package.__name__)]:
-            del sys.modules[old]                                # those of another folder
+            del sys.modules[old]  # those of another folder
         sys.modules |= {package.__name__: package, room.__name__: room}
     sys.dont_write_bytecode = True
     return importlib.import_module(f"{room.__name__}.{name}")

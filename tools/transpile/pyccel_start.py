@@ -44,10 +44,10 @@ def names_of_class(kind):
 
 
 def main():
-    gc.disable()                                            # it is a short run, and everything is in use
+    gc.disable()  # it is a short run, and everything is in use
     Wrappergen.wrap = lambda self, folder: None
     make_pipeline.manage_dependencies = lambda *given, **options: None
-    FunctionDef.global_vars = ()                            # the kernel has none: Module refuses them
+    FunctionDef.global_vars = ()  # the kernel has none: Module refuses them
     Parser.parse_sons = read_imported_once
     FunctionDef.clone = clone_apart
     variable.dir = lambda node: names_of_class(type(node))  # clone() lists its own names for each of them

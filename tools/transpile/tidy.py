@@ -5,14 +5,16 @@ import re
 
 from .modules import Refused
 
-EDGE = "/*........................................*/"        # Pyccel's line above and below each function
+EDGE = "/*........................................*/"  # Pyccel's line above and below each function
 #: How a function is declared that has a mark (kernel/layout/record.py), or none.
 STORAGE = {None: "static inline", "seldom": "static OUT_OF_LINE", "inlined": "static ALWAYS_INLINE"}
 C_WORDS = {"if", "for", "while", "return", "sizeof", "switch"}
 #: Of math.h; every compiler has them without a library.
 MATH_CALLS = set("copysign fabs isfinite sqrt".split())
-SPAN_CALLS = set("INT64_C cspan_at cspan_slice double_min double_max int64_t_min int64_t_max "
-                 "py_floor_div_int64_t pyc_modulo".split())
+SPAN_CALLS = set(
+    "INT64_C cspan_at cspan_slice double_min double_max int64_t_min int64_t_max "
+    "py_floor_div_int64_t pyc_modulo".split()
+)
 
 
 def written(module):
@@ -34,8 +36,11 @@ def tidy_constants(module, constants):
 def tidy_prototypes(module, text):
     """Lines that declare the functions of a module, from Pyccel's header."""
     found = re.findall(rf"^((\w.* \*?){module.name}__(\w+)\(.*\));$", text, re.MULTILINE)
-    return ["", f"/* {module.place} */",
-            *(f"{storage(module, name)} {line};" for line, _, name in found if name in written(module))]
+    return [
+        "",
+        f"/* {module.place} */",
+        *(f"{storage(module, name)} {line};" for line, _, name in found if name in written(module)),
+    ]
 
 
 def definition(name, value):
@@ -55,15 +60,17 @@ def tidy_code(module, text):
     """The module's functions in the order of the Python source, each under its docstring."""
     chunks = {}
     for chunk in text.split(EDGE):
-        signature = re.search(rf"^(\w.* \*?{module.name}__(\w+)\(.*\))\n\{{\n(.*)^\}}$", chunk,
-                              re.MULTILINE | re.DOTALL)
+        signature = re.search(
+            rf"^(\w.* \*?{module.name}__(\w+)\(.*\))\n\{{\n(.*)^\}}$", chunk, re.MULTILINE | re.DOTALL
+        )
         if signature and signature[2] in written(module):
             head = f"{storage(module, signature[2])} {signature[1]}"
             chunks[signature[2]] = f"{head}\n{{\n{tidy_body(signature[3])}}}"
     functions = written(module)
     if chunks.keys() != functions.keys():
-        raise Refused(f"{module.path.name}: Pyccel renamed or dropped "
-                      f"{sorted(chunks.keys() ^ functions.keys())}")
+        raise Refused(
+            f"{module.path.name}: Pyccel renamed or dropped {sorted(chunks.keys() ^ functions.keys())}"
+        )
     documented = [comment(ast.get_docstring(node)) + chunks[name] for name, node in functions.items()]
     return "\n\n".join([banner(module), *documented]) + "\n"
 
@@ -78,8 +85,12 @@ def tidy_body(body):
             body = re.sub(rf"^( *){name} = ", r"\1", body, flags=re.MULTILINE)
     # a cast that Pyccel writes or not, by what it has translated before
     body = re.sub(r"<< \(int64_t\)\((\w+)\)", r"<< \1", body)
-    return re.sub(r"^( *)/\*(.*)\*/$", lambda match: f"{match[1]}/* {apart(match[2]).strip()} */", body,
-                  flags=re.MULTILINE)
+    return re.sub(
+        r"^( *)/\*(.*)\*/$",
+        lambda match: f"{match[1]}/* {apart(match[2]).strip()} */",
+        body,
+        flags=re.MULTILINE,
+    )
 
 
 def apart(text):
@@ -107,9 +118,13 @@ def refuse_unknown_calls(module, text, functions):
     """Refuse calls that neither the kernel nor spans.h and math.h define, and arrays on the stack."""
     code = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
     if re.search(r"\w+\[", code.replace("shape[", "")):
-        raise Refused(f"{module.path.name}: the C would copy an array to the stack; an argument like x[a:b] "
-                      "needs a name first")
+        raise Refused(
+            f"{module.path.name}: the C would copy an array to the stack; an argument like x[a:b] "
+            "needs a name first"
+        )
     unknown = set(re.findall(r"\b([A-Za-z_]\w*)\(", code)) - functions - MATH_CALLS - SPAN_CALLS - C_WORDS
     if unknown:
-        raise Refused(f"{module.path.name}: the C would call {', '.join(sorted(unknown))}, which spans.h and "
-                      "math.h do not have")
+        raise Refused(
+            f"{module.path.name}: the C would call {', '.join(sorted(unknown))}, which spans.h and "
+            "math.h do not have"
+        )

@@ -14,10 +14,16 @@ def assemble(kernel, modules, raw):
     ``raw``, by module name."""
     plain, rated = ([module for module in modules if module.derivative == kind] for kind in (False, True))
     functions = {f"{module.name}__{name}" for module in modules for name in module.functions}
-    files = {"constants.h": constants_header(kernel, plain),
-             "derivatives.h": header("DERIVATIVES", "The differentiated kernel's functions", "constants.h",
-                                     (tidy_prototypes(module, raw[module.name][0]) for module in rated),
-                                     "../native/lanes.h")}
+    files = {
+        "constants.h": constants_header(kernel, plain),
+        "derivatives.h": header(
+            "DERIVATIVES",
+            "The differentiated kernel's functions",
+            "constants.h",
+            (tidy_prototypes(module, raw[module.name][0]) for module in rated),
+            "../native/lanes.h",
+        ),
+    }
     for room in dict.fromkeys(module.room for module in modules if module.functions):
         files[f"{room}.c"] = room_file(room, [module for module in modules if module.room == room], raw)
     for module in modules:
@@ -26,28 +32,38 @@ def assemble(kernel, modules, raw):
     for name in [name for name in files if name.startswith("derivative")]:
         files[name] = in_lanes(files[name], kinds)
     files["unit.c"] = step_unit(kernel, plain)
-    files["prepare_unit.c"] = part_unit("What prepares the kernel's tables.", plain,
-                                        {module.name for module in plain if module.room == "prepare"})
-    files["derivative_unit.c"] = part_unit("The kernel with a rate beside every value.", modules,
-                                        {module.name for module in rated})
+    files["prepare_unit.c"] = part_unit(
+        "What prepares the kernel's tables.",
+        plain,
+        {module.name for module in plain if module.room == "prepare"},
+    )
+    files["derivative_unit.c"] = part_unit(
+        "The kernel with a rate beside every value.", modules, {module.name for module in rated}
+    )
     return files
 
 
 def constants_header(kernel, modules):
     """The header with the constants of the ``modules``."""
     constants = constant_values(kernel, modules)
-    return header("CONSTANTS", "What the kernel's numbers stand for", "../native/spans.h",
-                  (tidy_constants(module, constants[module.name]) for module in modules))
+    return header(
+        "CONSTANTS",
+        "What the kernel's numbers stand for",
+        "../native/spans.h",
+        (tidy_constants(module, constants[module.name]) for module in modules),
+    )
 
 
 def constant_values(kernel, modules):
     """Value of every constant, as Python computes it: {module: {constant: value}}."""
     values = {}
     for module in modules:
-        source = import_kernel(kernel,
-                               f"{module.path.parent.name}.{module.path.stem}".removesuffix(".__init__"))
-        values[module.name] = {name: getattr(source, name) for name in module.constants
-                               if hasattr(source, name)}
+        source = import_kernel(
+            kernel, f"{module.path.parent.name}.{module.path.stem}".removesuffix(".__init__")
+        )
+        values[module.name] = {
+            name: getattr(source, name) for name in module.constants if hasattr(source, name)
+        }
         values[module.name] |= module.offsets
         if module.name == "layout":
             values["layout"] |= {name: value for name, value in vars(source).items() if name in ARRAYS}
@@ -57,17 +73,29 @@ def constant_values(kernel, modules):
 def header(name, words, needs, texts, *others):
     """A header with the lines of modules, which includes others."""
     guard = f"GENERATED_{name}_H"
-    return "\n".join([f"/* {words}. {NOTE}. */", f"#ifndef {guard}", f"#define {guard}", "",
-                      *(f'#include "{other}"' for other in (needs, *others)),
-             *(line for lines in texts for line in lines), "", "#endif", ""])
+    return "\n".join(
+        [
+            f"/* {words}. {NOTE}. */",
+            f"#ifndef {guard}",
+            f"#define {guard}",
+            "",
+            *(f'#include "{other}"' for other in (needs, *others)),
+            *(line for lines in texts for line in lines),
+            "",
+            "#endif",
+            "",
+        ]
+    )
 
 
 def room_file(room, modules, raw):
     """The functions of the modules of a room, declared first; those of differentiated rooms call each other
     and are declared in a header."""
     inside = [module for module in modules if module.functions]
-    lines = [f"/* The room {room} of the kernel. {NOTE}. */",
-             f'#include "{"derivatives" if inside[0].derivative else "constants"}.h"']
+    lines = [
+        f"/* The room {room} of the kernel. {NOTE}. */",
+        f'#include "{"derivatives" if inside[0].derivative else "constants"}.h"',
+    ]
     if not inside[0].derivative:
         lines += [line for module in inside for line in tidy_prototypes(module, raw[module.name][0])]
     codes = [tidy_code(module, raw[module.name][1]) for module in inside]
@@ -77,8 +105,11 @@ def room_file(room, modules, raw):
 def step_unit(kernel, modules):
     """The file with the kernel's fingerprint that includes all rooms of a step."""
     fingerprint = FILES["fingerprint"](kernel, import_kernel(kernel, "layout").digest())
-    lines = [f"/* The whole kernel. {NOTE}. */",
-             f"#define WRCONTACT_KERNEL_FINGERPRINT INT64_C(0x{fingerprint:015x})", ""]
+    lines = [
+        f"/* The whole kernel. {NOTE}. */",
+        f"#define WRCONTACT_KERNEL_FINGERPRINT INT64_C(0x{fingerprint:015x})",
+        "",
+    ]
     rooms = dict.fromkeys(module.room for module in modules if module.functions and module.room != "prepare")
     lines += [f'#include "{room}.c"' for room in rooms]
     return "\n".join(lines) + "\n"
@@ -95,10 +126,18 @@ def part_unit(words, modules, needed):
     while waiting:
         room = waiting.pop()
         rooms.add(room)
-        waiting |= {by_name[name].room for module in of_room[room] for name, used in module.imports.items()
-                    if used & set(by_name[name].functions)} - rooms
-    lines = [f"/* {words} {NOTE}. */",
-             "/* Not all functions of these rooms are called here. */",
-             "#ifdef __GNUC__", '#pragma GCC diagnostic ignored "-Wunused-function"', "#endif",
-             *(f'#include "{room}.c"' for room in of_room if room in rooms)]
+        waiting |= {
+            by_name[name].room
+            for module in of_room[room]
+            for name, used in module.imports.items()
+            if used & set(by_name[name].functions)
+        } - rooms
+    lines = [
+        f"/* {words} {NOTE}. */",
+        "/* Not all functions of these rooms are called here. */",
+        "#ifdef __GNUC__",
+        '#pragma GCC diagnostic ignored "-Wunused-function"',
+        "#endif",
+        *(f'#include "{room}.c"' for room in of_room if room in rooms),
+    ]
     return "\n".join(lines) + "\n"

@@ -101,22 +101,29 @@ def print_check(report):
     """Print all tables and remarks of a :class:`~wrcontact.conditioning.Conditioning`."""
     out, chosen = console(), report.system.parameters
     inclination = chosen["rail_inclination"]
-    out.print(f"{report.system.title}: gauge {_mm(chosen['gauge'])} mm, "
-              f"{f'inclination 1:{1 / inclination:.4g}' if inclination else 'rails upright'}, nominal radius "
-              f"{_mm(chosen['nominal_radius'])} mm, running circles {_mm(chosen['running_circle_distance'])} "
-              f"mm apart{differing_left(report.system)}; without yaw", soft_wrap=True)
+    out.print(
+        f"{report.system.title}: gauge {_mm(chosen['gauge'])} mm, "
+        f"{f'inclination 1:{1 / inclination:.4g}' if inclination else 'rails upright'}, nominal radius "
+        f"{_mm(chosen['nominal_radius'])} mm, running circles {_mm(chosen['running_circle_distance'])} "
+        f"mm apart{differing_left(report.system)}; without yaw",
+        soft_wrap=True,
+    )
     out.print(_range_words(report), soft_wrap=True)
     mirrored = " (the left one's are the mirror image)" if report.system.equal_sides else ""
-    parts = [("Profiles", profile_table(report)),
-             (f"Jumps of the right contact{mirrored}", jump_table(report)),
-             ("Right contact over the lateral shift", move_table(report.curves)),
-             ("Equivalent conicity", conicity_table(report.conicity)),
-             ("Conformal zones of the right contact", zone_table(report))]
+    parts = [
+        ("Profiles", profile_table(report)),
+        (f"Jumps of the right contact{mirrored}", jump_table(report)),
+        ("Right contact over the lateral shift", move_table(report.curves)),
+        ("Equivalent conicity", conicity_table(report.conicity)),
+        ("Conformal zones of the right contact", zone_table(report)),
+    ]
     if not report.system.equal_sides:
         parts[1:1] = [("Profiles of the left side", profile_table(report, "left"))]
-        parts += [("Jumps of the left contact", jump_table(report, "left")),
-                  ("Left contact over the lateral shift", move_table(report.curves, "left")),
-                  ("Conformal zones of the left contact", zone_table(report, "left"))]
+        parts += [
+            ("Jumps of the left contact", jump_table(report, "left")),
+            ("Left contact over the lateral shift", move_table(report.curves, "left")),
+            ("Conformal zones of the left contact", zone_table(report, "left")),
+        ]
     for title, table in parts:
         out.print(f"\n{title}{'' if table.row_count else ': none'}", soft_wrap=True)
         if table.row_count:
@@ -140,8 +147,10 @@ def _range_words(report):
     if not math.isfinite(first):
         return "no contact in the centred position"
     flange = f"{report.flange_shift * 1e3:.2f} mm" if math.isfinite(report.flange_shift) else "nowhere"
-    return (f"contact at lateral shifts from {first * 1e3:.2f} to {last * 1e3:.2f} mm; on the flange "
-            f"(steeper than 45 deg) from: {flange}")
+    return (
+        f"contact at lateral shifts from {first * 1e3:.2f} to {last * 1e3:.2f} mm; on the flange "
+        f"(steeper than 45 deg) from: {flange}"
+    )
 
 
 def _table(*headings):
@@ -161,8 +170,11 @@ def profile_table(report, side="right"):
     for words, unit, factor, digits, read in QUALITIES:
         table.add_row(words, unit, *(_shown(read(quality), factor, digits) for quality in both))
     for words, unit, factor, digits, read in READINGS if any(quality.reading for quality in both) else ():
-        table.add_row(words, unit, *(_shown(read(quality.reading), factor, digits) if quality.reading else "-"
-                                     for quality in both))
+        table.add_row(
+            words,
+            unit,
+            *(_shown(read(quality.reading), factor, digits) if quality.reading else "-" for quality in both),
+        )
     return table
 
 
@@ -184,16 +196,21 @@ def move_table(curves, side="right"):
     for shift in PRINTED:
         at = int(np.argmin(np.abs(curves.lateral_shift - shift * 1e-3)))
         if np.isfinite(curves.roll[at]):
-            table.add_row(str(shift),
-                          *(_shown(read(curves)[at], factor, digits) for _, read, factor, digits in MOVES))
+            table.add_row(
+                str(shift), *(_shown(read(curves)[at], factor, digits) for _, read, factor, digits in MOVES)
+            )
     return table
 
 
 def conicity_table(conicity):
     """Amplitude, equivalent conicity without and with roll, and wavelength without roll."""
     table = _table("amplitude\nmm", "without\nroll", "with\nroll", "wavelength\nm")
-    columns = ((conicity.amplitude, 1e3, 0), (conicity.level, 1.0, 3), (conicity.rolled, 1.0, 3),
-               (conicity.wavelength, 1.0, 1))
+    columns = (
+        (conicity.amplitude, 1e3, 0),
+        (conicity.level, 1.0, 3),
+        (conicity.rolled, 1.0, 3),
+        (conicity.wavelength, 1.0, 1),
+    )
     for row in range(len(conicity.amplitude)):
         table.add_row(*(_shown(values[row], factor, digits, 3) for values, factor, digits in columns))
     return table
@@ -201,10 +218,14 @@ def conicity_table(conicity):
 
 def zone_table(report, side="right"):
     """Ranges of lateral shift over which the contact of a side is conformal."""
-    table = _table("from\nmm", "to\nmm", "on wheel\nfrom", "to\nmm", f"within\n{_mm(NEAR)} mm over",
-                   "turns by\ndeg")
+    table = _table(
+        "from\nmm", "to\nmm", "on wheel\nfrom", "to\nmm", f"within\n{_mm(NEAR)} mm over", "turns by\ndeg"
+    )
     for zone in report.conformal:
         if zone.side == side:
-            table.add_row(*(_shown(y, 1e3, 2) for y in (zone.start, zone.stop)), *(_shown(y, 1e3, 1) for y in
-                          (zone.y_low, zone.y_high, zone.width)), _shown(zone.turn, math.degrees(1), 1))
+            table.add_row(
+                *(_shown(y, 1e3, 2) for y in (zone.start, zone.stop)),
+                *(_shown(y, 1e3, 1) for y in (zone.y_low, zone.y_high, zone.width)),
+                _shown(zone.turn, math.degrees(1), 1),
+            )
     return table

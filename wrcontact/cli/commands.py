@@ -40,11 +40,15 @@ from .typed import Typed, remark_lines, typed
 from .wear import wear
 
 main = typer.Typer(
-    name="wrcontact", cls=Door, add_completion=False, pretty_exceptions_enable=False,
+    name="wrcontact",
+    cls=Door,
+    add_completion=False,
+    pretty_exceptions_enable=False,
     help="Wheel-rail contact of a railway wheelset: where each wheel touches its rail, the roll of the "
-         "wheelset, and the size, load and pressure of the contact patches. Lengths are in mm, angles in "
-         "deg, forces in kN, pressures in MPa, velocities in m/s and "
-         "rad/s.")
+    "wheelset, and the size, load and pressure of the contact patches. Lengths are in mm, angles in "
+    "deg, forces in kN, pressures in MPa, velocities in m/s and "
+    "rad/s.",
+)
 RUBBING = {row.name for row in FRICTION}
 CONTACT, FMUS, STUDY = "Contacts", "FMUs", "The study that wrcontact started from"
 
@@ -57,8 +61,10 @@ def millimetres(option, words):
 def _both(batch):
     """``batch``, unless an option stands where one of its two belongs."""
     if batch and any(given.startswith("--") for given in batch):
-        raise Refused(f"--batch has {' and '.join(map(repr, batch))}; permitted are wheels and rails, each a "
-                      "folder, a pattern, a file or a name")
+        raise Refused(
+            f"--batch has {' and '.join(map(repr, batch))}; permitted are wheels and rails, each a "
+            "folder, a pattern, a file or a name"
+        )
     return batch
 
 
@@ -70,10 +76,18 @@ def micrometres(text):
     return value
 
 
-Smoothing = Annotated[float | None, typer.Option(
-    "--smoothing-um", parser=micrometres, metavar="NUMBER", hidden=True, rich_help_panel=FILES,
-    help="Smoothing of profile files: root mean square distance between the curve and the points, in um; 0 "
-         "goes through every point (default: the estimated noise of the points)")]
+Smoothing = Annotated[
+    float | None,
+    typer.Option(
+        "--smoothing-um",
+        parser=micrometres,
+        metavar="NUMBER",
+        hidden=True,
+        rich_help_panel=FILES,
+        help="Smoothing of profile files: root mean square distance between the curve and the points, in um; 0 "
+        "goes through every point (default: the estimated noise of the points)",
+    ),
+]
 
 
 def _print_version(wanted):
@@ -83,9 +97,12 @@ def _print_version(wanted):
 
 
 @main.callback(invoke_without_command=True)
-def welcome(context: typer.Context,
-            version: Annotated[bool, typer.Option("--version", callback=_print_version, is_eager=True,
-                                                  help="Print the version")] = False):
+def welcome(
+    context: typer.Context,
+    version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version")
+    ] = False,
+):
     # no docstring: typer would show it instead of the help above
     if context.invoked_subcommand is None:
         print(context.get_help())
@@ -94,12 +111,17 @@ def welcome(context: typer.Context,
 
 
 @main.command(cls=Command, rich_help_panel=FMUS)
-def demo(output: Annotated[Path, typer.Option(
-             metavar="DIR", help="Folder for the FMU, the table and the picture")]
-         = Path("wrcontact-demo"),
-         native: Annotated[bool, typer.Option(
-             "--native", help="Build the native FMUs, which need no Python, and run the one for FMI 2.0")]
-         = False):
+def demo(
+    output: Annotated[
+        Path, typer.Option(metavar="DIR", help="Folder for the FMU, the table and the picture")
+    ] = Path("wrcontact-demo"),
+    native: Annotated[
+        bool,
+        typer.Option(
+            "--native", help="Build the native FMUs, which need no Python, and run the one for FMI 2.0"
+        ),
+    ] = False,
+):
     """Build the FMU, run it over tread, flange root and flange, and check its results.
 
     The FMU steps through a stored run of a hunting wheelset. Its results are compared with independent
@@ -115,28 +137,49 @@ def demo(output: Annotated[Path, typer.Option(
 @with_all
 @reads_files
 @with_left_side
-def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of the FMU")] = Path("dist"),
-          native: Annotated[bool, typer.Option(
-              "--native", help="Pack the two native FMUs instead, for FMI 2.0 and FMI 3.0, which need no "
-                               "Python")] = False,
-          platforms: Annotated[str | None, typer.Option(
-              metavar="NAME[,NAME]",
-              help="Platforms of the native FMUs: by default this machine's; or any of "
-                   f"{', '.join(PLATFORMS)}; or all. Other platforms than this machine's need "
-                   "ziglang")] = None,
-          single_wheel: Annotated[bool, typer.Option(
-              "--single-wheel", help="Native FMUs of one wheel on the right rail, WheelContact, instead of a "
-                                     "wheelset")] = False,
-          wheel: Annotated[str | None, typer.Option(
-              metavar="FILE", help="Wheel profile to pack and use as the default: a file of points, or a "
-                                   "built-in name")] = None,
-          rail: Annotated[str | None, typer.Option(
-              metavar="FILE", help="Rail profile, likewise")] = None,
-          settings: Annotated[list[str] | None, typer.Option(
-              "--set", metavar="NAME=VALUE",
-              help="Start value of a parameter, by its name in the FMU and in SI units, for tools that "
-                   "cannot set it: --set contact_mode=compliant; can be repeated")] = None,
-          smoothing: Smoothing = None):
+def build(
+    output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of the FMU")] = Path("dist"),
+    native: Annotated[
+        bool,
+        typer.Option(
+            "--native", help="Pack the two native FMUs instead, for FMI 2.0 and FMI 3.0, which need no Python"
+        ),
+    ] = False,
+    platforms: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME[,NAME]",
+            help="Platforms of the native FMUs: by default this machine's; or any of "
+            f"{', '.join(PLATFORMS)}; or all. Other platforms than this machine's need "
+            "ziglang",
+        ),
+    ] = None,
+    single_wheel: Annotated[
+        bool,
+        typer.Option(
+            "--single-wheel",
+            help="Native FMUs of one wheel on the right rail, WheelContact, instead of a wheelset",
+        ),
+    ] = False,
+    wheel: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FILE",
+            help="Wheel profile to pack and use as the default: a file of points, or a built-in name",
+        ),
+    ] = None,
+    rail: Annotated[str | None, typer.Option(metavar="FILE", help="Rail profile, likewise")] = None,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--set",
+            metavar="NAME=VALUE",
+            help="Start value of a parameter, by its name in the FMU and in SI units, for tools that "
+            "cannot set it: --set contact_mode=compliant; can be repeated",
+        ),
+    ] = None,
+    smoothing: Smoothing = None,
+):
     """Pack the FMU of a wheelset on track and print its path.
 
     Example: wrcontact build --native --wheel my_wheel.csv --rail 54E1 --output fmus
@@ -150,14 +193,24 @@ def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of th
         raise Refused("--single-wheel is given; it is permitted only with --native")
     for name in platforms.split(",") if platforms and platforms != "all" else ():
         if name not in PLATFORMS:
-            raise Refused(f"--platforms has {name!r}; permitted are {', '.join(PLATFORMS)} and all"
-                          f"{did_you_mean(name, PLATFORMS)}")
+            raise Refused(
+                f"--platforms has {name!r}; permitted are {', '.join(PLATFORMS)} and all"
+                f"{did_you_mean(name, PLATFORMS)}"
+            )
     check_folder(output)
     with sentences(lambda sentence: f"--set: {sentence}"):
         settings = settings_of(settings or ())
     with sentences(typed), working("building the FMU"):
-        paths = built(native, platforms, "right" if single_wheel else None, output=output, wheel=wheel,
-                      rail=rail, settings=settings, smoothing=None if smoothing is None else smoothing / 1e6)
+        paths = built(
+            native,
+            platforms,
+            "right" if single_wheel else None,
+            output=output,
+            wheel=wheel,
+            rail=rail,
+            settings=settings,
+            smoothing=None if smoothing is None else smoothing / 1e6,
+        )
     print(*paths, sep="\n")
 
 
@@ -165,10 +218,12 @@ def build(output: Annotated[Path, typer.Option(metavar="DIR", help="Folder of th
 @with_all
 @reads_files
 @takes(pose=POSE, system=SYSTEM)
-def solve(pose, system,
-          as_json: Annotated[bool, typer.Option(
-              "--json", help="Print all results as JSON, in SI units")] = False,
-          smoothing: Smoothing = None):
+def solve(
+    pose,
+    system,
+    as_json: Annotated[bool, typer.Option("--json", help="Print all results as JSON, in SI units")] = False,
+    smoothing: Smoothing = None,
+):
     """Solve one pose and print the contact of both wheels side by side.
 
     With --contact-mode rigid, the default, the undeformed wheels touch the rails. With elastic, the wheels
@@ -193,16 +248,20 @@ def solve(pose, system,
 @sweeps_grids
 @reads_files
 @takes(load=LOAD, system=SYSTEM)
-def sweep(load, system,
-          start: Annotated[float | None, millimetres(
-              "--from-mm", "First lateral shift, in mm (default: -8)")] = None,
-          stop: Annotated[float | None, millimetres(
-              "--to-mm", "Last lateral shift, in mm (default: 8)")] = None,
-          step: Annotated[float | None, millimetres(
-              "--step-mm", "Step of the lateral shift, in mm (default: 0.5)")] = None,
-          grid=None,
-          file=None,
-          smoothing: Smoothing = None):
+def sweep(
+    load,
+    system,
+    start: Annotated[
+        float | None, millimetres("--from-mm", "First lateral shift, in mm (default: -8)")
+    ] = None,
+    stop: Annotated[float | None, millimetres("--to-mm", "Last lateral shift, in mm (default: 8)")] = None,
+    step: Annotated[
+        float | None, millimetres("--step-mm", "Step of the lateral shift, in mm (default: 0.5)")
+    ] = None,
+    grid=None,
+    file=None,
+    smoothing: Smoothing = None,
+):
     """Move the wheelset across the track and print a table of its contacts.
 
     With --output all outputs are written to a file instead: .csv and .json with the names of the FMU,
@@ -228,8 +287,9 @@ def sweep(load, system,
         print(f"{len(shifts)} rows written to {file.path}")
     else:
         columns = sweep_columns(system, load)
-        table = system.evaluate_many(lateral_shift=shifts, outputs=sweep_outputs(columns),
-                                     processes=os.cpu_count() or 1, **load)
+        table = system.evaluate_many(
+            lateral_shift=shifts, outputs=sweep_outputs(columns), processes=os.cpu_count() or 1, **load
+        )
         remark.add(table)
         if not remark.useless:
             print_sweep(table, step, columns)
@@ -283,24 +343,44 @@ def plot(pose, system, picture, smoothing: Smoothing = None):
 @with_all
 @reads_files
 @takes(geometry=GEOMETRY)
-def check(geometry,
-          output: Annotated[Path | None, typer.Option(
-              metavar="FILE", show_default=False,
-              help="File of the picture: .png, .svg or .pdf; with --batch a folder (default: check.png, "
-                   "wrcontact-fleet)")] = None,
-          file: Annotated[Path | None, typer.Option(
-              "--json", metavar="FILE", help="Write all results to this file as JSON, in SI units")] = None,
-          batch: Annotated[tuple[str, str] | None, typer.Option(
-              metavar="WHEELS RAILS", callback=_both,
-              help="Check every wheel on every rail: folders with files, patterns in quotes, or names; "
-                   "interrupted, the same command continues")] = None,
-          pictures: Annotated[str | None, typer.Option(
-              metavar="remarks|all|none",
-              help="With --batch: which pairs are drawn (default: remarks)")] = None,
-          scheduler: Annotated[str | None, typer.Option(
-              metavar="ADDRESS", help="With --batch: address of a dask scheduler whose workers do the work")]
-          = None,
-          smoothing: Smoothing = None):
+def check(
+    geometry,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            show_default=False,
+            help="File of the picture: .png, .svg or .pdf; with --batch a folder (default: check.png, "
+            "wrcontact-fleet)",
+        ),
+    ] = None,
+    file: Annotated[
+        Path | None,
+        typer.Option("--json", metavar="FILE", help="Write all results to this file as JSON, in SI units"),
+    ] = None,
+    batch: Annotated[
+        tuple[str, str] | None,
+        typer.Option(
+            metavar="WHEELS RAILS",
+            callback=_both,
+            help="Check every wheel on every rail: folders with files, patterns in quotes, or names; "
+            "interrupted, the same command continues",
+        ),
+    ] = None,
+    pictures: Annotated[
+        str | None,
+        typer.Option(
+            metavar="remarks|all|none", help="With --batch: which pairs are drawn (default: remarks)"
+        ),
+    ] = None,
+    scheduler: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ADDRESS", help="With --batch: address of a dask scheduler whose workers do the work"
+        ),
+    ] = None,
+    smoothing: Smoothing = None,
+):
     """Check a pair of profiles before a simulation relies on it.
 
     The command prints and draws where the contact jumps, how fast contact and roll change with the lateral
@@ -316,10 +396,15 @@ def check(geometry,
 
     if batch:
         if file:
-            raise Refused("--json is given; it is permitted only without --batch, which writes one for each "
-                          "pair")
-        check_many(geometry, batch, output or Path("wrcontact-fleet"),
-                   {"pictures": pictures or "remarks", "scheduler": scheduler, "smoothing": smoothing})
+            raise Refused(
+                "--json is given; it is permitted only without --batch, which writes one for each pair"
+            )
+        check_many(
+            geometry,
+            batch,
+            output or Path("wrcontact-fleet"),
+            {"pictures": pictures or "remarks", "scheduler": scheduler, "smoothing": smoothing},
+        )
         return
     for name, value in (("pictures", pictures), ("scheduler", scheduler)):
         if value is not None:
@@ -335,13 +420,17 @@ main.command(cls=Command, rich_help_panel=CONTACT)(with_all(reads_files(takes(ge
 
 
 @main.command(cls=Command, rich_help_panel=STUDY)
-def figures(more: Annotated[list[str] | None,
-                            typer.Argument(metavar="NUMBER", help="Further figures after --only")] = None,
-            output: Annotated[Path, typer.Option(metavar="DIR",
-                                                 help="Folder for the pictures, the tables and the index")]
-            = Path("wrcontact-figures"),
-            only: Annotated[list[str] | None, typer.Option(
-                metavar="NUMBER", help="Draw only these figures, such as 7.2")] = None):
+def figures(
+    more: Annotated[
+        list[str] | None, typer.Argument(metavar="NUMBER", help="Further figures after --only")
+    ] = None,
+    output: Annotated[
+        Path, typer.Option(metavar="DIR", help="Folder for the pictures, the tables and the index")
+    ] = Path("wrcontact-figures"),
+    only: Annotated[
+        list[str] | None, typer.Option(metavar="NUMBER", help="Draw only these figures, such as 7.2")
+    ] = None,
+):
     """Recompute and draw the figures of the degree project that wrcontact started from.
 
     Each figure is written as a picture and a CSV table, such as fig_7_2.png and fig_7_2.csv. The index
@@ -373,21 +462,28 @@ def _system(parameters, smoothing):
 
 def _refuse_what_is_not_read(system, given):
     """Refuse an option that the methods do not use: the result would not be what was asked for."""
-    names = ("normal_force", "load_transfer") if is_compliant(system) else ("vertical_shift_input",
-                                                                            "roll_input")
+    names = (
+        ("normal_force", "load_transfer") if is_compliant(system) else ("vertical_shift_input", "roll_input")
+    )
     for variable in POSE:
         if variable.name in names and variable.name in given:
             allowed = "rigid or elastic" if is_compliant(system) else "compliant"
-            raise Refused(f"{option_of(variable)} is given; it is permitted only with --contact-mode "
-                          f"{allowed}; {system.parameters['contact_mode']!r} does not use it")
+            raise Refused(
+                f"{option_of(variable)} is given; it is permitted only with --contact-mode "
+                f"{allowed}; {system.parameters['contact_mode']!r} does not use it"
+            )
         if variable.name in RUBBING and name_of(variable) in given and not has_model(system):
-            raise Refused(f"{option_of(variable)} is given; it is permitted only with --tangential-model "
-                          f"{' or '.join(CHOICES['tangential_model'][1:])}")
+            raise Refused(
+                f"{option_of(variable)} is given; it is permitted only with --tangential-model "
+                f"{' or '.join(CHOICES['tangential_model'][1:])}"
+            )
 
 
 def _refuse_without_contact(system, state):
     """Refuse a state without contact: exit code 1 if the search did not converge, 2 if the input has no
     contact."""
     if state.status > Status.UNLOADED:
-        raise Refused(sentence(state.status, state.inputs, is_compliant(system), Typed()),
-                      code=1 if state.status == Status.NOT_CONVERGED else 2)
+        raise Refused(
+            sentence(state.status, state.inputs, is_compliant(system), Typed()),
+            code=1 if state.status == Status.NOT_CONVERGED else 2,
+        )

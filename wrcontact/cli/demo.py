@@ -75,7 +75,7 @@ def run_demo(folder, native=False):
     passes."""
     stored = stored_run()
     with sentences(), working("building the FMU", 3) as advance:
-        Path(folder).mkdir(parents=True, exist_ok=True)     # before the work
+        Path(folder).mkdir(parents=True, exist_ok=True)  # before the work
         fmu = built(folder, native)
         advance(words="running the FMU")
         answers, seconds = apart(step_through, fmu, stored)
@@ -129,14 +129,15 @@ def apart(function, *arguments):
         try:
             return answer.result()
         except BrokenProcessPool:
-            raise Refused("the process that runs the FMU ended before it returned its results",
-                          code=1) from None
+            raise Refused(
+                "the process that runs the FMU ended before it returned its results", code=1
+            ) from None
 
 
 @contextmanager
 def undisturbed():
     """Processes started inside this context ignore Ctrl-C; it ends this process, which then ends them."""
-    if threading.current_thread() is not threading.main_thread():       # only that receives signals
+    if threading.current_thread() is not threading.main_thread():  # only that receives signals
         yield
         return
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -191,8 +192,12 @@ def _started(folder):
     from fmpy.fmi2 import FMU2Slave
 
     description = read_model_description(folder)
-    slave = FMU2Slave(guid=description.guid, unzipDirectory=folder, instanceName="demo",
-                      modelIdentifier=description.coSimulation.modelIdentifier)
+    slave = FMU2Slave(
+        guid=description.guid,
+        unzipDirectory=folder,
+        instanceName="demo",
+        modelIdentifier=description.coSimulation.modelIdentifier,
+    )
     slave.instantiate()
     slave.setupExperiment(startTime=0.0)
     slave.enterInitializationMode()
@@ -206,8 +211,10 @@ def _started(folder):
 def compare(answers, stored):
     """A list of :class:`Check`: the status, then each quantity against its stored values."""
     wrong = np.flatnonzero(answers["status"])
-    count, place = (len(stored["time"]), f"{stored['lateral_shift'][wrong[0]] / MILLIMETRE:.2f}" if len(wrong)
-                    else "")
+    count, place = (
+        len(stored["time"]),
+        f"{stored['lateral_shift'][wrong[0]] / MILLIMETRE:.2f}" if len(wrong) else "",
+    )
     status = Check("steps not valid", float(len(wrong)), 0.0, "", count - len(wrong), count, place)
     return [status, *(check_quantity(answers, stored, *row) for row in TOLERANCES)]
 
@@ -216,8 +223,9 @@ def check_quantity(answers, stored, quantity, owners, names, tolerance, unit):
     """:class:`Check` of the variables ``names`` of all ``owners``, in ``unit``."""
     variables = [owner + name for owner in owners for name in names]
     deviations = np.array([deviation(answers[name], stored[name], unit) for name in variables])
-    which, row = np.unravel_index(np.argmax(np.where(np.isnan(deviations), np.inf, deviations)),
-                                  deviations.shape)
+    which, row = np.unravel_index(
+        np.argmax(np.where(np.isnan(deviations), np.inf, deviations)), deviations.shape
+    )
     wheel = f" {variables[which].split('.')[0]}" if owners == WHEELS else ""
     place = f"{stored['lateral_shift'][row] / MILLIMETRE:.2f}{wheel}"
     within = int(np.sum(deviations <= tolerance))
@@ -248,15 +256,22 @@ def draw(path, answers, stored):
 def tell(folder, fmu, checks, seconds):
     """Print the summary; True if every check passed."""
     failed = [check.quantity for check in checks if not check.passed]
-    cost = (f"{len(seconds)} steps, median {1e3 * np.median(seconds):.3f} ms (set inputs, step, read all "
-            "outputs)")
-    lines = [cost, f"{fmu}: the FMU", f"{Path(folder, CSV_NAME)}: all outputs of the run, in SI units",
-             f"{Path(folder, PICTURE_NAME)}: the picture",
-             f"FAILED: {', '.join(failed)}" if failed else "PASSED: every output is within its tolerance"]
+    cost = (
+        f"{len(seconds)} steps, median {1e3 * np.median(seconds):.3f} ms (set inputs, step, read all outputs)"
+    )
+    lines = [
+        cost,
+        f"{fmu}: the FMU",
+        f"{Path(folder, CSV_NAME)}: all outputs of the run, in SI units",
+        f"{Path(folder, PICTURE_NAME)}: the picture",
+        f"FAILED: {', '.join(failed)}" if failed else "PASSED: every output is within its tolerance",
+    ]
     out = console()
-    out.print("Results of the FMU compared with the stored run: a hunting wheelset over tread, flange root "
-              "and flange",
-              soft_wrap=True)
+    out.print(
+        "Results of the FMU compared with the stored run: a hunting wheelset over tread, flange root "
+        "and flange",
+        soft_wrap=True,
+    )
     out.print(check_table(checks))
     out.print("penetration, area and pressure are compared with complete half-space theory", soft_wrap=True)
     for line in lines:
@@ -274,6 +289,14 @@ def check_table(checks):
         column.no_wrap, column.vertical = True, "bottom"
     for check in checks:
         verdict, look = ("ok", None) if check.passed else ("FAILED", "bold red")
-        table.add_row(check.quantity, check.unit, f"{check.deviation:.2g}", check.place,
-                      f"{check.tolerance:g}", f"{check.within}/{check.count}", verdict, style=look)
+        table.add_row(
+            check.quantity,
+            check.unit,
+            f"{check.deviation:.2g}",
+            check.place,
+            f"{check.tolerance:g}",
+            f"{check.within}/{check.count}",
+            verdict,
+            style=look,
+        )
     return table

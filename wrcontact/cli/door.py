@@ -48,7 +48,7 @@ class Door(TyperGroup):
             code = _say(str(refusal), refusal.code)
         except UsageError as wrong:
             code = _say(_words_of(wrong), 2)
-        except BrokenPipeError:     # the reader has seen enough
+        except BrokenPipeError:  # the reader has seen enough
             code = _drop_output()
         except OSError as wrong:
             if wrong.filename is not None:
@@ -73,12 +73,15 @@ class Door(TyperGroup):
 def ended_by_signals():
     """Inside this context, requests to terminate and the loss of the terminal raise :class:`Refused`, so that
     files that are half written are removed."""
-    if threading.current_thread() is not threading.main_thread():       # only that receives signals
+    if threading.current_thread() is not threading.main_thread():  # only that receives signals
         yield
         return
     numbers = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
-    before = {number: signal.signal(number, _end) for number in numbers
-              if signal.getsignal(number) is signal.SIG_DFL}
+    before = {
+        number: signal.signal(number, _end)
+        for number in numbers
+        if signal.getsignal(number) is signal.SIG_DFL
+    }
     try:
         yield
     finally:
@@ -125,8 +128,18 @@ def _drop_output():
 
 
 #: What is wrong with a path that the user gave; other errors of a file are failures, such as a full disk.
-WRONG_PATHS = {errno.ENOENT, errno.ENOTDIR, errno.EISDIR, errno.EACCES, errno.EPERM, errno.EROFS,
-               errno.EEXIST, errno.ENAMETOOLONG, errno.ELOOP, errno.EINVAL}
+WRONG_PATHS = {
+    errno.ENOENT,
+    errno.ENOTDIR,
+    errno.EISDIR,
+    errno.EACCES,
+    errno.EPERM,
+    errno.EROFS,
+    errno.EEXIST,
+    errno.ENAMETOOLONG,
+    errno.ELOOP,
+    errno.EINVAL,
+}
 
 
 @contextmanager

@@ -18,18 +18,25 @@ from .door import Refused, sentences
 from .groups import GRID
 from .typed import typed
 
-FORM = ("NAME=START:STOP:COUNT, NAME=VALUE,VALUE or NAME=VALUE, in SI units, such as "
-        "lateral_shift=-8e-3:8e-3:161")
+FORM = (
+    "NAME=START:STOP:COUNT, NAME=VALUE,VALUE or NAME=VALUE, in SI units, such as lateral_shift=-8e-3:8e-3:161"
+)
 #: Values of one axis at most.
 MOST = 10_000_000
 #: Time in which a scheduler has to answer [s].
 PATIENCE = 10.0
 WORDS = {
-    "axis": (list[str], "NAME=A:B:COUNT",
-             "Input that varies, in SI units: COUNT values from A to B, lateral_shift=-8e-3:8e-3:161, or a "
-             "list, yaw=0,1e-3; can be repeated"),
-    "store": (Path, "FOLDER",
-              "Folder of the table, a Zarr store; the same command goes on where it was stopped"),
+    "axis": (
+        list[str],
+        "NAME=A:B:COUNT",
+        "Input that varies, in SI units: COUNT values from A to B, lateral_shift=-8e-3:8e-3:161, or a "
+        "list, yaw=0,1e-3; can be repeated",
+    ),
+    "store": (
+        Path,
+        "FOLDER",
+        "Folder of the table, a Zarr store; the same command goes on where it was stopped",
+    ),
     "outputs": (str, "NAME[,NAME]", "Outputs, roll,right.area; or geometry, patches, all (default: all)"),
     "workers": (int, "NUMBER", "Threads (default: as many as there are cores)"),
     "scheduler": (str, "ADDRESS", "Dask scheduler whose workers compute, tcp://host:8786"),
@@ -57,10 +64,20 @@ def sweeps_grids(command):
         chosen = {name: given.pop(name) for name in WORDS}
         return command(**given, grid=_grid(**chosen))
 
-    options = [Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[
-                   kind | None, typer.Option(f"--{name}", metavar=metavar, help=words, rich_help_panel=GRID,
-                                              hidden=name == "workers")])
-               for name, (kind, metavar, words) in WORDS.items()]
+    options = [
+        Parameter(
+            name,
+            Parameter.KEYWORD_ONLY,
+            default=None,
+            annotation=Annotated[
+                kind | None,
+                typer.Option(
+                    f"--{name}", metavar=metavar, help=words, rich_help_panel=GRID, hidden=name == "workers"
+                ),
+            ],
+        )
+        for name, (kind, metavar, words) in WORDS.items()
+    ]
     own = [p for p in signature(command).parameters.values() if p.name != "grid"]
     with_options.__signature__ = signature(command).replace(parameters=own + options)
     with_options.__annotations__ = {p.name: p.annotation for p in own + options}
@@ -125,16 +142,18 @@ def write_grid(grid, system, load):
     """Compute what is missing of a table with the inputs ``load`` fixed, and print how many states it has."""
     with _stopped(grid.store), sentences(_options), _client(grid.scheduler) as client:
         try:
-            table = sweep(system, grid.axes, grid.outputs, grid.store, client=client, workers=grid.workers,
-                          **load)
+            table = sweep(
+                system, grid.axes, grid.outputs, grid.store, client=client, workers=grid.workers, **load
+            )
         except RuntimeError as failed:
             raise Refused(f"{failed}; what is done is in {grid.store}", code=1) from None
     counts = np.zeros(len(Status), dtype=int)
     for part in table["status"]:
         counts += np.bincount(part.values.ravel(), minlength=len(Status))
-    said = ", ".join(f"{count} {kind.name.lower().replace('_', ' ')}" for kind, count in zip(Status, counts)
-                     if count)
-    if not counts[:Status.UNLOADED + 1].sum():
+    said = ", ".join(
+        f"{count} {kind.name.lower().replace('_', ' ')}" for kind, count in zip(Status, counts) if count
+    )
+    if not counts[: Status.UNLOADED + 1].sum():
         raise Refused(f"no state in {grid.store} has a contact: {said}")
     print(f"{counts.sum()} states in {grid.store}: {said}")
 
@@ -164,5 +183,7 @@ def _client(address):
     try:
         return distributed.Client(address, timeout=PATIENCE)
     except (OSError, ValueError):
-        raise Refused(f"--scheduler is {address!r}, where none answers; permitted is the address that dask "
-                      "scheduler prints, such as tcp://host:8786") from None
+        raise Refused(
+            f"--scheduler is {address!r}, where none answers; permitted is the address that dask "
+            "scheduler prints, such as tcp://host:8786"
+        ) from None

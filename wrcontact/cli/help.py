@@ -104,6 +104,7 @@ def with_all(command):
     option = Parameter("help_all", Parameter.KEYWORD_ONLY, default=False, annotation=Annotated[bool, shown])
     own = list(signature(command).parameters.values())
     with_option.__signature__ = signature(command).replace(
-        parameters=[one.replace(kind=Parameter.KEYWORD_ONLY) for one in own] + [option])
+        parameters=[one.replace(kind=Parameter.KEYWORD_ONLY) for one in own] + [option]
+    )
     with_option.__annotations__ = {one.name: one.annotation for one in (*own, option)}
     return with_option

@@ -21,8 +21,12 @@ from .door import Refused
 from .groups import USUAL, WORDS, group_of, words_of
 
 #: From display units to SI.  Division by a power of ten is correctly rounded; multiplication by 0.001 is not.
-TO_SI = {"mm": lambda value: value / 1e3, "deg": radians, "kN": lambda value: value * 1e3,
-         "MPa": lambda value: value * 1e6}
+TO_SI = {
+    "mm": lambda value: value / 1e3,
+    "deg": radians,
+    "kN": lambda value: value * 1e3,
+    "MPa": lambda value: value * 1e6,
+}
 RATIO = "rail_inclination"
 
 
@@ -41,8 +45,9 @@ def ratio(text):
         rise, _, run = str(text).replace("/", ":").partition(":")
         return float(rise) / float(run or 1)
     except (ValueError, ZeroDivisionError):
-        raise typer.BadParameter(f"{text!r} is neither a ratio such as 1:40 nor a slope such as "
-                                 "0.025") from None
+        raise typer.BadParameter(
+            f"{text!r} is neither a ratio such as 1:40 nor a slope such as 0.025"
+        ) from None
 
 
 #: Without roll_guess, which changes the cost of a result but never the result, and without switches.
@@ -50,8 +55,9 @@ POSE = [v for v in VARIABLES if v.causality == INPUT and v.type == REAL and v.na
 LOAD = [v for v in POSE if v.name != "lateral_shift"]
 SYSTEM = [v for v in VARIABLES if v.causality == PARAMETER]
 #: Profiles, track and wheelset, without materials and methods.
-GEOMETRY = [v for v in SYSTEM
-            if (v.keyword or v.name).removeprefix(LEFT) in ("wheel", "rail", *GEOMETRY_NAMES)]
+GEOMETRY = [
+    v for v in SYSTEM if (v.keyword or v.name).removeprefix(LEFT) in ("wheel", "rail", *GEOMETRY_NAMES)
+]
 
 
 def takes(**groups):
@@ -68,8 +74,11 @@ def takes(**groups):
             return command(**taken, **given)
 
         options = [_option(variable) for variables in groups.values() for variable in variables]
-        own = [p.replace(kind=Parameter.KEYWORD_ONLY) for p in signature(command).parameters.values()
-               if p.name not in groups]
+        own = [
+            p.replace(kind=Parameter.KEYWORD_ONLY)
+            for p in signature(command).parameters.values()
+            if p.name not in groups
+        ]
         with_options.__signature__ = Signature(options + own)
         with_options.__annotations__ = {p.name: p.annotation for p in options + own}
         return with_options
@@ -102,11 +111,16 @@ def _option(variable):
     """The command's parameter for a variable; its default None means the package's default."""
     name, unit = name_of(variable), _unit(variable)
     row = PARAMETERS[name] if variable.causality == PARAMETER else None
-    start = (f"{variable.start * UNITS[variable.unit].display_factor:g}" if variable.type == REAL
-             else variable.start)
+    start = (
+        f"{variable.start * UNITS[variable.unit].display_factor:g}"
+        if variable.type == REAL
+        else variable.start
+    )
     if row and row.right:
-        words, start = (f"{WORDS.get(row.right, row.right.replace('_', ' ').capitalize())}, on the left side",
-                        "as right")
+        words, start = (
+            f"{WORDS.get(row.right, row.right.replace('_', ' ').capitalize())}, on the left side",
+            "as right",
+        )
     else:
         words = words_of(name, variable, row and row.family)
     words += (f" [{unit}]" if unit else "") + f" (default: {start})"
@@ -115,8 +129,14 @@ def _option(variable):
         kind, reading = float, {"metavar": "NUMBER", "parser": ratio if name.endswith(RATIO) else number}
     if variable.type == BOOLEAN:
         kind, reading, start = bool, {}, "no"
-    option = typer.Option(option_of(variable), help=words, show_default=False, hidden=name not in USUAL,
-                          rich_help_panel=group_of(name), **reading)
+    option = typer.Option(
+        option_of(variable),
+        help=words,
+        show_default=False,
+        hidden=name not in USUAL,
+        rich_help_panel=group_of(name),
+        **reading,
+    )
     return Parameter(name, Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[kind | None, option])
 
 
@@ -124,19 +144,22 @@ def _values(variables, given):
     """Remove the options of ``variables`` from ``given``; return those that were given, by Python name, in
     SI."""
     typed = {variable: given.pop(name_of(variable)) for variable in variables}
-    return {name_of(variable): _checked(variable, value) for variable, value in typed.items()
-            if value is not None}
+    return {
+        name_of(variable): _checked(variable, value) for variable, value in typed.items() if value is not None
+    }
 
 
 def _checked(variable, value):
     """The value of an option in SI; Refused, in the option's name and unit, if it is not permitted."""
     found, option = _in_si(variable, value), option_of(variable)
-    if variable.causality != PARAMETER:         # an input's limits are those of a status
+    if variable.causality != PARAMETER:  # an input's limits are those of a status
         return found
     family = PARAMETERS[name_of(variable)].family
     if family and value not in family.names():
-        raise Refused(f"{option} is {value!r}; permitted are {', '.join(map(repr, family.names()))}"
-                      f"{did_you_mean(value, family.names())}")
+        raise Refused(
+            f"{option} is {value!r}; permitted are {', '.join(map(repr, family.names()))}"
+            f"{did_you_mean(value, family.names())}"
+        )
     known = PARAMETERS[PARAMETERS[name_of(variable)].right or name_of(variable)].number
     if known is not None and not known.low <= found <= known.high:
         unit = UNITS[variable.unit]

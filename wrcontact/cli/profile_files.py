@@ -54,8 +54,17 @@ def with_left_side(command):
         return command(**given)
 
     words = "{} profile of the left side, where it differs"
-    options = [Parameter(f"left_{kind}", Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[
-        str | None, typer.Option(metavar="FILE", help=words.format(kind.capitalize()))]) for kind in KINDS]
+    options = [
+        Parameter(
+            f"left_{kind}",
+            Parameter.KEYWORD_ONLY,
+            default=None,
+            annotation=Annotated[
+                str | None, typer.Option(metavar="FILE", help=words.format(kind.capitalize()))
+            ],
+        )
+        for kind in KINDS
+    ]
     own = list(signature(command).parameters.values())
     with_options.__signature__ = Signature([p.replace(kind=Parameter.KEYWORD_ONLY) for p in own] + options)
     with_options.__annotations__ = {p.name: p.annotation for p in own + options}
@@ -81,10 +90,12 @@ def _file_option(kind, name):
         reading = {"metavar": "NUMBER|NAME", "parser": lambda text: int(text) if text.isdecimal() else text}
     else:
         reading = {"metavar": {"shift": "Y,Z"}.get(name, "NUMBER"), "parser": _parser(name)}
-    option = typer.Option(flags, help=words, show_default=False, hidden=True, rich_help_panel=FILES,
-                          **reading)
-    return Parameter(f"{kind}_{name}", Parameter.KEYWORD_ONLY, default=None,
-                     annotation=Annotated[value | None, option])
+    option = typer.Option(
+        flags, help=words, show_default=False, hidden=True, rich_help_panel=FILES, **reading
+    )
+    return Parameter(
+        f"{kind}_{name}", Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[value | None, option]
+    )
 
 
 def _parser(name):

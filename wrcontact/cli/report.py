@@ -19,8 +19,16 @@ from .typed import SWEEP, Typed
 
 VECTOR_AXES = ("x", "y", "z")
 #: What only creep forces give, and the parts of a force without them.
-OF_CREEP = ("tangential.", "stick_share", "max_shear", "friction_power", "saturation", "wear_number",
-            "driving_torque", "normal.")
+OF_CREEP = (
+    "tangential.",
+    "stick_share",
+    "max_shear",
+    "friction_power",
+    "saturation",
+    "wear_number",
+    "driving_torque",
+    "normal.",
+)
 SIDE_NUMBERS = [row for row in single_numbers(SIDE) if row[0] != "patch_count"]
 SIDE_ROWS = [row for row in SIDE_NUMBERS if not row[0].startswith(OF_CREEP)]
 SIDE_CREEP_ROWS = [row for row in SIDE_NUMBERS if row[0].startswith(OF_CREEP)]
@@ -31,10 +39,16 @@ CREEP_ROWS = [row for row in single_numbers(PATCH) if row[0].startswith(OF_CREEP
 RATES = [layout.IN_SPEED, layout.IN_WHEEL_RATE, layout.IN_LEFT_WHEEL_RATE, layout.IN_RIGHT_WHEEL_RATE]
 #: Columns for each wheel in a printed sweep: heading, name, unit, digits after the point; the others with
 #: creep forces: which share of the friction is used, and its power.
-SWEEP_COLUMNS = (("y_wheel", "contact.y_wheel", "m", 3), ("area", "area", "m2", 1),
-                 ("pressure", "max_pressure", "Pa", 0))
-CREEP_COLUMNS = (("y_wheel", "contact.y_wheel", "m", 3), ("used", "patch[1].saturation", "1", 3),
-                 ("power", "friction_power", "W", 3))
+SWEEP_COLUMNS = (
+    ("y_wheel", "contact.y_wheel", "m", 3),
+    ("area", "area", "m2", 1),
+    ("pressure", "max_pressure", "Pa", 0),
+)
+CREEP_COLUMNS = (
+    ("y_wheel", "contact.y_wheel", "m", 3),
+    ("used", "patch[1].saturation", "1", 3),
+    ("power", "friction_power", "W", 3),
+)
 
 
 def sentence(status, inputs, compliant=False, terms=None):
@@ -60,17 +74,29 @@ def print_state(system, state):
     """One state in display units, left and right side by side."""
     shift, yaw = state.inputs[:2]
     out = console()
-    out.print(f"{system.title}: lateral shift {shown(shift, 'm')} mm, yaw "
-              f"{shown(yaw, 'rad')} deg, {load_words(system, state)}", soft_wrap=True)
-    out.print(f"roll {shown(state.roll, 'rad')} deg, vertical shift {shown(state.vertical_shift, 'm')} mm, "
-              f"status {int(state.status)} ({state.status.name.lower().replace('_', ' ')})", soft_wrap=True)
-    out.print(f"contact forces on the wheelset {vector_words(state.force, 'N')}, moment about its centre "
-              f"{vector_words(state.moment, 'N.m')}", soft_wrap=True)
+    out.print(
+        f"{system.title}: lateral shift {shown(shift, 'm')} mm, yaw "
+        f"{shown(yaw, 'rad')} deg, {load_words(system, state)}",
+        soft_wrap=True,
+    )
+    out.print(
+        f"roll {shown(state.roll, 'rad')} deg, vertical shift {shown(state.vertical_shift, 'm')} mm, "
+        f"status {int(state.status)} ({state.status.name.lower().replace('_', ' ')})",
+        soft_wrap=True,
+    )
+    out.print(
+        f"contact forces on the wheelset {vector_words(state.force, 'N')}, moment about its centre "
+        f"{vector_words(state.moment, 'N.m')}",
+        soft_wrap=True,
+    )
     rubbing = has_creep_forces(system, state.inputs)
     if rubbing:
-        out.print(f"of these without creep forces {vector_words(state.normal.force, 'N')}, "
-                  f"{vector_words(state.normal.moment, 'N.m')}; driving torque "
-                  f"{shown(state.driving_torque, 'N.m')} {unit_name('N.m')}", soft_wrap=True)
+        out.print(
+            f"of these without creep forces {vector_words(state.normal.force, 'N')}, "
+            f"{vector_words(state.normal.moment, 'N.m')}; driving torque "
+            f"{shown(state.driving_torque, 'N.m')} {unit_name('N.m')}",
+            soft_wrap=True,
+        )
     elif has_model(system):
         out.print("no creep forces: neither --speed nor --wheel-rate is given", soft_wrap=True)
     out.print(state_table(state, rubbing))
@@ -111,15 +137,15 @@ def state_table(state, rubbing=False):
     sides = [getattr(state, side) for side in SIDES]
     table.add_row("patch_count", "", *(str(side.patch_count) for side in sides))
     for name, unit in SIDE_ROWS + SIDE_CREEP_ROWS * rubbing:
-        table.add_row(name, unit_name(unit),
-                      *(shown(attrgetter(name)(side), unit) for side in sides))
+        table.add_row(name, unit_name(unit), *(shown(attrgetter(name)(side), unit) for side in sides))
     most = max(side.patch_count for side in sides)
     rows = PATCH_ROWS * (most > 1) + CREEPAGE_ROWS * is_rolling(state.inputs) + CREEP_ROWS * rubbing
     for k in range(most if rows else 0):
         table.add_section()
         for name, unit in rows:
-            table.add_row(f"patch[{k + 1}].{name}", unit_name(unit),
-                          *(_of_patch(side, k, name, unit) for side in sides))
+            table.add_row(
+                f"patch[{k + 1}].{name}", unit_name(unit), *(_of_patch(side, k, name, unit) for side in sides)
+            )
     return table
 
 
@@ -160,8 +186,11 @@ def print_sweep(table, step, columns=SWEEP_COLUMNS):
     display units."""
     digits_of_shift = max(3, min(9, 1 - math.floor(math.log10(step))))
     quantities = [("shift", table["lateral_shift"], "m", digits_of_shift), ("roll", table["roll"], "rad", 4)]
-    quantities += [(f"{side}\n{heading}", table[f"{side}.{name}"], unit, digits)
-                   for side in SIDES for heading, name, unit, digits in columns]
+    quantities += [
+        (f"{side}\n{heading}", table[f"{side}.{name}"], unit, digits)
+        for side in SIDES
+        for heading, name, unit, digits in columns
+    ]
     printed = Table(box=box.SIMPLE_HEAD)
     for heading, _, unit, _ in quantities:
         printed.add_column(f"{heading}\n{unit_name(unit)}", justify="right", vertical="bottom", no_wrap=True)

@@ -56,6 +56,7 @@ def _cells(name, values):
 @contextmanager
 def _csv(path, count):
     with open_atomically(path, **TEXT) as file:
+
         def write(table):
             columns = columns_of(table)
             if file.tell() == 0:
@@ -96,9 +97,16 @@ def _parquet(path, count):
 
     def write(table):
         columns = {name: np.ascontiguousarray(values) for name, values in columns_of(table).items()}
-        waiting.append(arrow.table({name: arrow.array(_cells(name, values), arrow.int64()) if name in INTEGERS
-                                    else arrow.array(values, from_pandas=True)
-                                    for name, values in columns.items()}))
+        waiting.append(
+            arrow.table(
+                {
+                    name: arrow.array(_cells(name, values), arrow.int64())
+                    if name in INTEGERS
+                    else arrow.array(values, from_pandas=True)
+                    for name, values in columns.items()
+                }
+            )
+        )
         if sum(map(len, waiting)) >= GROUP:
             flush()
 
@@ -113,13 +121,14 @@ def _parquet(path, count):
 def _netcdf(path, count):
     netcdf, done = needed("netCDF4", "a .nc file"), 0
     with open_atomically(path) as file, netcdf.Dataset(file.name, "w") as data:
+
         def write(table):
             nonlocal done
             found = data_variables(table)
             if not done:
                 _declare(data, found, count)
             for name, (_, values, _) in found.items():
-                data[name][done:done + len(table)] = values
+                data[name][done : done + len(table)] = values
             done += len(table)
 
         yield write
@@ -168,10 +177,14 @@ class TableFile:
 
 # --- options ----------------------------------------------------------------------------------------------
 
-WORDS = {"output": f"Write all outputs to this file, in SI units and with the names of the FMU, instead of "
-                   f"printing a few of them; its ending says the format: {', '.join(ENDINGS)}",
-         **{format: f"The same as --output, for a file that ends in {ending}"
-            for ending, format in ENDINGS.items()}}
+WORDS = {
+    "output": f"Write all outputs to this file, in SI units and with the names of the FMU, instead of "
+    f"printing a few of them; its ending says the format: {', '.join(ENDINGS)}",
+    **{
+        format: f"The same as --output, for a file that ends in {ending}"
+        for ending, format in ENDINGS.items()
+    },
+}
 
 
 def writes_tables(command):
@@ -187,10 +200,17 @@ def writes_tables(command):
             raise Refused(f"{names} are given; permitted is one of them")
         return command(**given, file=next((_file(name, path) for name, path in chosen.items()), None))
 
-    options = [Parameter(name, Parameter.KEYWORD_ONLY, default=None,
-                         annotation=Annotated[Path | None, typer.Option(
-                             f"--{name}", metavar="FILE", hidden=name != "output", help=words)])
-               for name, words in WORDS.items()]
+    options = [
+        Parameter(
+            name,
+            Parameter.KEYWORD_ONLY,
+            default=None,
+            annotation=Annotated[
+                Path | None, typer.Option(f"--{name}", metavar="FILE", hidden=name != "output", help=words)
+            ],
+        )
+        for name, words in WORDS.items()
+    ]
     own = [p for p in signature(command).parameters.values() if p.name != "file"]
     with_options.__signature__ = signature(command).replace(parameters=own + options)
     with_options.__annotations__ = {p.name: p.annotation for p in own + options}
@@ -206,4 +226,4 @@ def _file(option, path):
     if option == "output" or (found != option and path.suffix):
         verb = "are files that end in" if len(permitted) > 1 else "is a file that ends in"
         raise Refused(f"--{option} is {str(path)!r}; permitted {verb} {', '.join(permitted)}")
-    return TableFile(path, option)          # without an ending, such as /dev/stdout
+    return TableFile(path, option)  # without an ending, such as /dev/stdout

@@ -12,7 +12,8 @@ from .options import option_of
 
 INPUTS = {v.name: v for v in VARIABLES if v.causality == INPUT}
 OPTIONS = {v.keyword: option_of(v) for v in VARIABLES if v.keyword in PARAMETERS} | {
-    "smoothing": "--smoothing-um"}
+    "smoothing": "--smoothing-um"
+}
 #: Keywords that are ordinary words, too; they are keywords at the beginning of a sentence.
 ORDINARY = ("wheel", "rail", "left_wheel", "left_rail", "load", "smoothing")
 #: How sentences on a profile begin.

@@ -211,9 +211,7 @@ def _in_kilometres(found):
 def _in_options(sentence):
     """A sentence of the package with options in place of arguments."""
     sentence = re.sub(r"^distance is (\S+)(?=[,;] )", _in_kilometres, sentence)
-    for name, option in (
-        ("smoothing is ", "--smoothing-mm: "),
-    ):
+    for name, option in (("smoothing is ", "--smoothing-mm: "),):
         if sentence.startswith(name):
             return option + sentence.removeprefix(name)
     for words, option in OTHERS:

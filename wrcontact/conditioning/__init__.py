@@ -15,5 +15,15 @@ from .curves import Curves, Jump, SideCurves, find_jumps
 from .quality import ProfileQuality
 from .report import Conditioning, check
 
-__all__ = ["Conditioning", "Conicity", "ConformalZone", "Curves", "Jump", "ProfileQuality", "SideCurves",
-           "check", "equivalent_conicity", "find_jumps"]
+__all__ = [
+    "Conditioning",
+    "Conicity",
+    "ConformalZone",
+    "Curves",
+    "Jump",
+    "ProfileQuality",
+    "SideCurves",
+    "check",
+    "equivalent_conicity",
+    "find_jumps",
+]

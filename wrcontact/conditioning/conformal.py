@@ -67,12 +67,21 @@ class Outlines:
     def near(self, shift, roll, contact_angle, y_wheel):
         """Length [m] and change of direction [rad] (2, n) of the close stretches of a right wheel in contact
         at ``y_wheel`` (n,) [m]."""
-        pose = np.array([shift, *(list(map(function, angles)) for function, angles in (
-            (math.sin, roll), (math.cos, roll), (math.cos, contact_angle)))])
+        pose = np.array(
+            [
+                shift,
+                *(
+                    list(map(function, angles))
+                    for function, angles in ((math.sin, roll), (math.cos, roll), (math.cos, contact_angle))
+                ),
+            ]
+        )
         contact = np.clip(np.searchsorted(self.y, y_wheel), 1, len(self.y) - 2)
         low, high = self._ends(contact, pose)
-        turn = [np.ptp(self.angle[first:last - CHORD + 1]) if last - first >= CHORD else 0.0
-                for first, last in zip(low, high)]
+        turn = [
+            np.ptp(self.angle[first : last - CHORD + 1]) if last - first >= CHORD else 0.0
+            for first, last in zip(low, high)
+        ]
         return np.array([self.length[high] - self.length[low], turn])
 
     def _ends(self, contact, pose):
@@ -100,7 +109,7 @@ class Outlines:
         across = shift + y * cosine - z * sine
         gap = np.interp(across - self.rail_y, self.y_rail, self.z_rail, left=np.inf, right=np.inf)
         gap -= y * sine + z * cosine
-        least = np.min(gap[:, reach - 1:reach + 2], axis=1, keepdims=True)
+        least = np.min(gap[:, reach - 1 : reach + 2], axis=1, keepdims=True)
         return (gap - least) * lean > NEAR
 
 
@@ -119,20 +128,30 @@ def near_stretches(system, lateral_shift, table):
 
 def conformal_zones(lateral_shift, sides):
     """Every :class:`ConformalZone`, left ones first; ``sides`` has the SideCurves by name."""
-    return tuple(_zone(name, lateral_shift, side, shifts) for name, side in sides.items()
-                 for shifts in _zones(lateral_shift, (side.near_width > WIDE) | (side.near_turn > TURN)))
+    return tuple(
+        _zone(name, lateral_shift, side, shifts)
+        for name, side in sides.items()
+        for shifts in _zones(lateral_shift, (side.near_width > WIDE) | (side.near_turn > TURN))
+    )
 
 
 def _zones(lateral_shift, conformal):
     """Indices of the ``conformal`` shifts (n,), one array per zone; shifts no farther apart than ONE are in
     one zone."""
     found = np.flatnonzero(conformal)
-    return [part for part in np.split(found, np.flatnonzero(np.diff(lateral_shift[found]) > ONE) + 1)
-            if len(part)]
+    return [
+        part for part in np.split(found, np.flatnonzero(np.diff(lateral_shift[found]) > ONE) + 1) if len(part)
+    ]
 
 
 def _zone(name, lateral_shift, side, shifts):
     place = side.y_wheel[shifts]
-    return ConformalZone(name, float(lateral_shift[shifts[0]]), float(lateral_shift[shifts[-1]]),
-                         float(np.min(place)), float(np.max(place)), float(np.max(side.near_width[shifts])),
-                         float(np.max(side.near_turn[shifts])))
+    return ConformalZone(
+        name,
+        float(lateral_shift[shifts[0]]),
+        float(lateral_shift[shifts[-1]]),
+        float(np.min(place)),
+        float(np.max(place)),
+        float(np.max(side.near_width[shifts])),
+        float(np.max(side.near_turn[shifts])),
+    )

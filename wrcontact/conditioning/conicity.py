@@ -98,8 +98,9 @@ class Swing:
     def _swings(self, first, last):
         edge = ROUNDING * (last - first)
         inside = self.sums[(self.shift > first + edge) & (self.shift < last - edge)]
-        return (self.difference_at(first) < 0.0 < self.difference_at(last)
-                and np.max(inside, initial=-math.inf) < self.energy(first))
+        return self.difference_at(first) < 0.0 < self.difference_at(last) and np.max(
+            inside, initial=-math.inf
+        ) < self.energy(first)
 
     def half_wave(self, first, last):
         """Distance x from the turning point ``first`` to ``last`` for e r0 = 1; the substitution y = middle +
@@ -149,11 +150,15 @@ def equivalent_conicity(lateral_shift, radius_difference, amplitude):
     """
     shift, difference = np.asarray(lateral_shift, dtype=float), np.asarray(radius_difference, dtype=float)
     if shift.ndim != 1 or shift.shape != difference.shape or len(shift) < 2:
-        raise ValueError(f"lateral_shift has shape {shift.shape} and radius_difference {difference.shape}; "
-                         "permitted are arrays of the same length, 2 or more")
+        raise ValueError(
+            f"lateral_shift has shape {shift.shape} and radius_difference {difference.shape}; "
+            "permitted are arrays of the same length, 2 or more"
+        )
     if not (np.all(np.isfinite(shift)) and np.all(np.isfinite(difference)) and np.all(np.diff(shift) > 0.0)):
-        raise ValueError("lateral_shift does not rise all along, or there are values that are not finite; "
-                         "permitted are finite numbers [m], lateral_shift rising")
+        raise ValueError(
+            "lateral_shift does not rise all along, or there are values that are not finite; "
+            "permitted are finite numbers [m], lateral_shift rising"
+        )
     amplitudes = np.atleast_1d(np.asarray(amplitude, dtype=float))
     if not np.all(amplitudes > 0.0):
         raise ValueError(f"amplitude is {amplitude!r}; permitted is amplitude > 0 m")
@@ -169,8 +174,16 @@ def conicities(level, rolled, *, running_circle_distance, nominal_radius):
     with np.errstate(divide="ignore"):
         wavelength = 2 * math.pi * np.sqrt(running_circle_distance * nominal_radius / (2 * values))
     at = {round(value * 1e3): k for k, value in enumerate(AMPLITUDES)}
-    return Conicity(AMPLITUDES, values, rolled_values, middles, wavelength, reasons, rolled_reasons,
-                    float(values[at[4]] - values[at[2]]) / 2e-3)
+    return Conicity(
+        AMPLITUDES,
+        values,
+        rolled_values,
+        middles,
+        wavelength,
+        reasons,
+        rolled_reasons,
+        float(values[at[4]] - values[at[2]]) / 2e-3,
+    )
 
 
 def _at_amplitudes(curve):

@@ -77,8 +77,9 @@ class Curves(ShortText):
 def geometry(system, lateral_shift, yaw=0.0):
     """States at ``lateral_shift`` (n,) [m] and ``yaw`` [rad], geometry only: of a rigid wheelset, or of a
     compliant one at zero roll."""
-    return system.evaluate_many(lateral_shift=lateral_shift, yaw=yaw, vertical_shift_input=LIFTED,
-                                outputs="geometry", threads=1)     # their blocks would decide last bits
+    return system.evaluate_many(
+        lateral_shift=lateral_shift, yaw=yaw, vertical_shift_input=LIFTED, outputs="geometry", threads=1
+    )  # their blocks would decide last bits
 
 
 def radius_difference(system, lateral_shift):
@@ -129,8 +130,10 @@ def contact_places(system, lateral_shift, yaw=0.0):
     """y_wheel and y_rail of the contacts [m], (2, n) by side, for ``lateral_shift`` (n,); NaN without
     contact."""
     table = geometry(system, lateral_shift, yaw)
-    return {side: np.array([getattr(table, side).contact.y_wheel, getattr(table, side).contact.y_rail])
-            for side in SIDES}
+    return {
+        side: np.array([getattr(table, side).contact.y_wheel, getattr(table, side).contact.y_rail])
+        for side in SIDES
+    }
 
 
 def _jumps_of(system, yaw, side, shift, places):
@@ -146,9 +149,12 @@ def _jumps_of(system, yaw, side, shift, places):
         low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
         before, after = np.hstack([before, between]), np.hstack([between, after])
     order = np.argsort(low)
-    return [Jump(side, *map(float, row)) for row in
-            zip(0.5 * (low + high)[order], before[0, order], after[0, order], before[1, order],
-                after[1, order])]
+    return [
+        Jump(side, *map(float, row))
+        for row in zip(
+            0.5 * (low + high)[order], before[0, order], after[0, order], before[1, order], after[1, order]
+        )
+    ]
 
 
 def merged_jumps(jumps, side):
@@ -160,6 +166,14 @@ def merged_jumps(jumps, side):
             clusters[-1].append(jump)
         else:
             clusters.append([jump])
-    return [Jump(side, max(cluster, key=lambda jump: abs(jump.after - jump.before)).lateral_shift,
-                 cluster[0].before, cluster[-1].after, cluster[0].rail_before, cluster[-1].rail_after)
-            for cluster in clusters]
+    return [
+        Jump(
+            side,
+            max(cluster, key=lambda jump: abs(jump.after - jump.before)).lateral_shift,
+            cluster[0].before,
+            cluster[-1].after,
+            cluster[0].rail_before,
+            cluster[-1].rail_after,
+        )
+        for cluster in clusters
+    ]

@@ -55,12 +55,21 @@ def profile_quality(profile, table, visited, inclination=0.0):
     joints = [joint for joint, at in zip(profile.joints, y) if visited[0] <= at <= visited[1]]
     y = y[(y >= visited[0]) & (y <= visited[1])]
     square = 1.0 + profile.slope(np.array([joint.y for joint in joints])) ** 2
-    turns = np.array([joint.slope_step for joint in joints]) / square       # to first order in the step
+    turns = np.array([joint.slope_step for joint in joints]) / square  # to first order in the step
     steps = np.abs([joint.bend_step for joint in joints]) / square**1.5
     kinks = tuple((float(at), float(turn)) for at, turn in zip(y, turns) if abs(turn) > KINK)
-    return ProfileQuality(profile.name, profile.kind, Profile.at(table).start, Profile.at(table).stop,
-                          visited, len(profile.zones), kinks, float(np.max(steps, initial=0.0)),
-                          _roughness(table, *visited), profile.reading)
+    return ProfileQuality(
+        profile.name,
+        profile.kind,
+        Profile.at(table).start,
+        Profile.at(table).stop,
+        visited,
+        len(profile.zones),
+        kinks,
+        float(np.max(steps, initial=0.0)),
+        _roughness(table, *visited),
+        profile.reading,
+    )
 
 
 def _on_track(profile, angle):
@@ -87,4 +96,4 @@ def _roughness(table, low, high):
     curvature = bend / (1.0 + slope**2) ** 1.5
     spare = len(window) // 2
     mean = np.convolve(curvature, window / len(window), mode="valid")
-    return float(np.median(np.abs(curvature[spare:len(curvature) - spare] - mean)))
+    return float(np.median(np.abs(curvature[spare : len(curvature) - spare] - mean)))

@@ -30,11 +30,20 @@ def sentences(found):
     grave = [remark for profile in profiles for remark in _grave(*profile, found.system)]
     on_profiles = [remark for profile in profiles for remark in _on_profile(*profile)]
     if not math.isfinite(found.usable_shifts[0]):
-        return ("there is no contact in the centred position: the smallest gap lies at the end of a profile",
-                *grave, *on_profiles)
-    return (*grave, *_on_range(found.usable, found.usable_shifts, found.flange_shift, found.curves),
-            *_on_jumps(found.jumps, found.nearest_jump, equal), *_on_moves(found.curves, equal),
-            *_on_zones(found.conformal, equal), *_on_conicity(found.conicity), *on_profiles)
+        return (
+            "there is no contact in the centred position: the smallest gap lies at the end of a profile",
+            *grave,
+            *on_profiles,
+        )
+    return (
+        *grave,
+        *_on_range(found.usable, found.usable_shifts, found.flange_shift, found.curves),
+        *_on_jumps(found.jumps, found.nearest_jump, equal),
+        *_on_moves(found.curves, equal),
+        *_on_zones(found.conformal, equal),
+        *_on_conicity(found.conicity),
+        *on_profiles,
+    )
 
 
 def _named(equal):
@@ -49,8 +58,10 @@ def _mm(value, digits=2):
 def _on_range(usable, usable_shifts, flange_shift, curves):
     first, last = usable_shifts
     if not usable:
-        yield (f"the contact leaves the profiles within 1 mm of the centred position, beyond {_mm(first)} "
-               f"... {_mm(last)} mm: the pair cannot be used")
+        yield (
+            f"the contact leaves the profiles within 1 mm of the centred position, beyond {_mm(first)} "
+            f"... {_mm(last)} mm: the pair cannot be used"
+        )
     elif max(first, -last) > -RUNNING:
         yield f"the contact leaves the profiles beyond lateral shifts of {_mm(first)} ... {_mm(last)} mm"
     inside = (curves.lateral_shift >= first) & (curves.lateral_shift <= last)
@@ -67,15 +78,19 @@ def _on_jumps(jumps, nearest_jump, equal):
     if nearest_jump < CLOSE:
         nearest = min(jumps, key=lambda jump: (abs(jump.lateral_shift), jump.side == "left"))
         distance = _mm(nearest_jump, 2 if nearest_jump > 0.1e-3 else 3)
-        yield (f"contact jumps {distance} mm from the centred position, from {_mm(nearest.before, 1)} to "
-               f"{_mm(nearest.after, 1)} mm on the {nearest.side} wheel: near it, small changes decide which "
-               "place is in contact")
+        yield (
+            f"contact jumps {distance} mm from the centred position, from {_mm(nearest.before, 1)} to "
+            f"{_mm(nearest.after, 1)} mm on the {nearest.side} wheel: near it, small changes decide which "
+            "place is in contact"
+        )
     for side in _named(equal):
         count = sum(abs(jump.lateral_shift) <= RUNNING for jump in merged_jumps(jumps, side))
         if count > MANY:
-            yield (f"the {side} contact jumps {count} times within {_mm(RUNNING, 0)} mm of lateral shift: "
-                   f"the "
-                   "curvatures are rough, or the two profiles are nearly equal there")
+            yield (
+                f"the {side} contact jumps {count} times within {_mm(RUNNING, 0)} mm of lateral shift: "
+                f"the "
+                "curvatures are rough, or the two profiles are nearly equal there"
+            )
 
 
 def _on_moves(curves, equal):
@@ -85,30 +100,37 @@ def _on_moves(curves, equal):
         rate = np.where(near & np.isfinite(rate), np.abs(rate), 0.0)
         worst = int(np.argmax(rate))
         if rate[worst] > FAST:
-            yield (f"at {_mm(curves.lateral_shift[worst])} mm the {side} contact moves by {rate[worst]:.0f} "
-                   f"mm "
-                   "on its wheel per mm of lateral shift")
+            yield (
+                f"at {_mm(curves.lateral_shift[worst])} mm the {side} contact moves by {rate[worst]:.0f} "
+                f"mm "
+                "on its wheel per mm of lateral shift"
+            )
 
 
 def _on_zones(conformal, equal):
     for zone in conformal:
         if zone.side in _named(equal) and zone.start <= RUNNING and zone.stop >= -RUNNING:
-            yield (f"the {zone.side} contact is conformal from {_mm(zone.start)} to {_mm(zone.stop)} mm: "
-                   f"wheel and "
-                   f"rail are within 0.1 mm of each other over up to {_mm(zone.width, 0)} mm, and their "
-                   f"direction changes there by up to {math.degrees(zone.turn):.0f} deg")
+            yield (
+                f"the {zone.side} contact is conformal from {_mm(zone.start)} to {_mm(zone.stop)} mm: "
+                f"wheel and "
+                f"rail are within 0.1 mm of each other over up to {_mm(zone.width, 0)} mm, and their "
+                f"direction changes there by up to {math.degrees(zone.turn):.0f} deg"
+            )
 
 
 def _on_conicity(conicity):
     aside = [k for k, middle in enumerate(conicity.middle) if abs(middle) > OFF_MIDDLE]
     if aside:
         k = aside[0]
-        yield (f"a free wheelset oscillates about {_mm(conicity.middle[k])} mm, not about the middle of the "
-               f"track, at {_mm(conicity.amplitude[k], 0)} mm amplitude: the rolling radius difference "
-               "drives it away from the middle")
+        yield (
+            f"a free wheelset oscillates about {_mm(conicity.middle[k])} mm, not about the middle of the "
+            f"track, at {_mm(conicity.amplitude[k], 0)} mm amplitude: the rolling radius difference "
+            "drives it away from the middle"
+        )
     for reason in dict.fromkeys(filter(None, conicity.level_reason)):
-        at = ", ".join(_mm(value, 0) for value, why in zip(conicity.amplitude, conicity.level_reason)
-                       if why == reason)
+        at = ", ".join(
+            _mm(value, 0) for value, why in zip(conicity.amplitude, conicity.level_reason) if why == reason
+        )
         yield f"there is no equivalent conicity at {at} mm amplitude: {reason}"
 
 
@@ -133,8 +155,12 @@ def _on_profile(profile, side):
     if profile.kinks:
         y, turn = max(profile.kinks, key=lambda kink: abs(kink[1]))
         more = f", and {len(profile.kinks) - 1} more" if len(profile.kinks) > 1 else ""
-        yield (f"{name} has a kink of {abs(turn) * 1e3:.1f} mrad at y = {_mm(y, 1)} mm, where it is in "
-               f"contact{more}")
+        yield (
+            f"{name} has a kink of {abs(turn) * 1e3:.1f} mrad at y = {_mm(y, 1)} mm, where it is in "
+            f"contact{more}"
+        )
     if profile.roughness > ROUGH:
-        yield (f"the curvature of {name} scatters by {profile.roughness:.3g} 1/m within 4 mm where it is in "
-               "contact: the contact follows noise; use more smoothing")
+        yield (
+            f"the curvature of {name} scatters by {profile.roughness:.3g} 1/m within 4 mm where it is in "
+            "contact: the contact follows noise; use more smoothing"
+        )

@@ -98,12 +98,16 @@ def check(system):
         "usable_shifts": _usable_shifts(rolling, shifts, np.asarray(table.status)),
         "jumps": jumps,
         "nearest_jump": float(np.min(jump_distance(jumps, np.zeros(1)))),
-        "flange_shift": min(_flange_shift(rolling, curves, side)
-                            for side in (("right",) if system.equal_sides else SIDES)),
+        "flange_shift": min(
+            _flange_shift(rolling, curves, side) for side in (("right",) if system.equal_sides else SIDES)
+        ),
         "curves": curves,
         "conformal": conformal_zones(shifts, {side: getattr(curves, side) for side in SIDES}),
-        "conicity": conicities(*swings.values(), nominal_radius=system.centre_height,
-                               running_circle_distance=system.parameters["running_circle_distance"]),
+        "conicity": conicities(
+            *swings.values(),
+            nominal_radius=system.centre_height,
+            running_circle_distance=system.parameters["running_circle_distance"],
+        ),
         "conicity_curves": swings,
         **_profiles(rolling, curves),
     }
@@ -129,9 +133,14 @@ def _wheelset(system, contact_mode):
     zero roll."""
     chosen = {name: system.parameters[name] for name in (*GEOMETRY, *(LEFT + name for name in SIDED[2:]))}
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")             # the user has been told
-        return ContactSystem((system.left_wheel, system.wheel), (system.left_rail, system.rail), **chosen,
-                             contact_mode=contact_mode, normal_model="hertz")
+        warnings.simplefilter("ignore")  # the user has been told
+        return ContactSystem(
+            (system.left_wheel, system.wheel),
+            (system.left_rail, system.rail),
+            **chosen,
+            contact_mode=contact_mode,
+            normal_model="hertz",
+        )
 
 
 def _shifts(step):
@@ -146,8 +155,9 @@ def _run_around(shifts, fine):
     if not fine[middle]:
         return slice(0, 0)
     gaps = np.flatnonzero(~fine)
-    return slice(int(np.max(gaps[gaps < middle], initial=-1)) + 1,
-                 int(np.min(gaps[gaps > middle], initial=len(fine))))
+    return slice(
+        int(np.max(gaps[gaps < middle], initial=-1)) + 1, int(np.min(gaps[gaps > middle], initial=len(fine)))
+    )
 
 
 def _usable_shifts(system, shifts, status):
@@ -160,8 +170,9 @@ def _usable_shifts(system, shifts, status):
         return geometry(system, [shift]).status[0] <= Status.UNLOADED
 
     first = shifts[0] if run.start == 0 else _boundary(touches, shifts[run.start], shifts[run.start - 1])
-    last = shifts[-1] if run.stop == len(shifts) else _boundary(touches, shifts[run.stop - 1],
-                                                                shifts[run.stop])
+    last = (
+        shifts[-1] if run.stop == len(shifts) else _boundary(touches, shifts[run.stop - 1], shifts[run.stop])
+    )
     return float(first), float(last)
 
 
@@ -180,11 +191,24 @@ def _curves(rolling, level, shifts, table, jumps):
     near, sides = near_stretches(rolling, shifts, table), {}
     for name in SIDES:
         side = getattr(table, name)
-        sides[name] = SideCurves(side.contact.y_wheel, side.contact.y_rail, *moves[name], side.contact_angle,
-                                 side.curvature_y, side.rolling_radius, *near[name])
-    return Curves(shifts, table.roll, roll_rate, jump_distance(jumps, shifts),
-                  table.right.rolling_radius - table.left.rolling_radius, radius_difference(level, shifts),
-                  **sides)
+        sides[name] = SideCurves(
+            side.contact.y_wheel,
+            side.contact.y_rail,
+            *moves[name],
+            side.contact_angle,
+            side.curvature_y,
+            side.rolling_radius,
+            *near[name],
+        )
+    return Curves(
+        shifts,
+        table.roll,
+        roll_rate,
+        jump_distance(jumps, shifts),
+        table.right.rolling_radius - table.left.rolling_radius,
+        radius_difference(level, shifts),
+        **sides,
+    )
 
 
 def _swing_curve(system, jumps):
@@ -231,10 +255,12 @@ def _profiles(system, curves):
         inclination = system.side_parameters(side)["rail_inclination"]
         sides = SIDES if system.equal_sides else (side,)
         wheel_profile, rail_profile = (getattr(system, prefix + kind) for kind in ("wheel", "rail"))
-        found |= {prefix + "wheel": profile_quality(wheel_profile, wheel,
-                                                    _visited("y_wheel", curves, near, sides)),
-                  prefix + "rail": profile_quality(rail_profile, rail,
-                                                   _visited("y_rail", curves, near, sides), inclination)}
+        found |= {
+            prefix + "wheel": profile_quality(wheel_profile, wheel, _visited("y_wheel", curves, near, sides)),
+            prefix + "rail": profile_quality(
+                rail_profile, rail, _visited("y_rail", curves, near, sides), inclination
+            ),
+        }
         if system.equal_sides:
             return found | {LEFT + kind: quality for kind, quality in found.items()}
     return found

@@ -12,9 +12,15 @@ def check_text(report):
     NaN."""
     right, left = report.system.parameters, report.system.side_parameters("left")
     fields = {field.name: getattr(report, field.name) for field in dataclasses.fields(report)}
-    system = {"wheel": report.wheel.name, "rail": report.rail.name,
-              **{name: right[name] for name in GEOMETRY}}
+    system = {
+        "wheel": report.wheel.name,
+        "rail": report.rail.name,
+        **{name: right[name] for name in GEOMETRY},
+    }
     if not report.system.equal_sides:
-        system |= {"left_wheel": report.left_wheel.name, "left_rail": report.left_rail.name,
-                   **{LEFT + name: left[name] for name in SIDED if name in GEOMETRY}}
+        system |= {
+            "left_wheel": report.left_wheel.name,
+            "left_rail": report.left_rail.name,
+            **{LEFT + name: left[name] for name in SIDED if name in GEOMETRY},
+        }
     return json.dumps(plain({**fields, "system": system}), indent=1)

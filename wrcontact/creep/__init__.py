@@ -1,7 +1,7 @@
 """Creep forces of a single contact patch, without a wheelset.
 
-    patch = wrcontact.elliptic_patch(half_length=6e-3, half_width=4e-3, normal_force=80e3)
-    found = wrcontact.creep_forces(patch, creepage_x=-1e-3, friction=0.3)
+patch = wrcontact.elliptic_patch(half_length=6e-3, half_width=4e-3, normal_force=80e3)
+found = wrcontact.creep_forces(patch, creepage_x=-1e-3, friction=0.3)
 """
 
 from .forces import CreepForces, creep_forces

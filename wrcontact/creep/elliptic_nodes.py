@@ -61,8 +61,7 @@ def strip_forces(exact, nu):
             rubbing.creepage_x, rubbing.creepage_y, rubbing.spin = creepages[place]
             rubbing.friction = FRICTION
             roll(patch, tables, workspace)
-            found[(k, *place)] = (rubbing.creep_x, rubbing.creep_y, rubbing.creep_moment,
-                                  rubbing.stick_share)
+            found[(k, *place)] = (rubbing.creep_x, rubbing.creep_y, rubbing.creep_moment, rubbing.stick_share)
     return found / unit
 
 
@@ -75,23 +74,35 @@ def strip_coefficients(tables, work, ratio):
     totals.start, totals.stop, totals.width = -half_width, half_width, 2.0 * half_width
     totals.max_half_length, totals.area, totals.load = ratio**0.5, np.pi, 1.0
     cut.cut_patch(patch, work.contact.strips)
-    patch.half_length, patch.half_width = ratio**0.5, half_width    # also beyond the permitted ratios
+    patch.half_length, patch.half_width = ratio**0.5, half_width  # also beyond the permitted ratios
     stiffness.find_stiffnesses(tables, work.rolling, patch)
     blocks = work.rolling.blocks
-    a, h, along, across, turning = np.array([[block.half_length, block.stop - block.start, block.along,
-                                              block.across, block.turning] for block in blocks]).T
-    return np.array([np.pi * (along * a * h).sum(), np.pi * (across * a * h).sum(),
-                     0.5 * np.pi * (turning * a**2 * h).sum()])
+    a, h, along, across, turning = np.array(
+        [
+            [block.half_length, block.stop - block.start, block.along, block.across, block.turning]
+            for block in blocks
+        ]
+    ).T
+    return np.array(
+        [
+            np.pi * (along * a * h).sum(),
+            np.pi * (across * a * h).sum(),
+            0.5 * np.pi * (turning * a**2 * h).sum(),
+        ]
+    )
 
 
 def corrections(folder=EXACT):
     """The arrays of kernel/data/rolling_correction.npz by name, from exact forces in ``folder``."""
     all_exact = [exact_forces(nu, folder) for nu in CORRECTION_NODES]
-    apart = [exact["forces"] - strip_forces(exact, nu)
-             for nu, exact in zip(CORRECTION_NODES, all_exact)]
+    apart = [exact["forces"] - strip_forces(exact, nu) for nu, exact in zip(CORRECTION_NODES, all_exact)]
     numbers = np.rint(np.array(apart) / CORRECTION_UNIT)
     if np.abs(numbers).max() > np.iinfo(np.int16).max:
         raise ValueError(f"a correction is {np.abs(numbers).max() * CORRECTION_UNIT:.3g}, too large to store")
-    return {"correction": numbers.astype(np.int16), "nu": np.array(CORRECTION_NODES),
-            "creep_coefficients": np.array([exact["creep_coefficients"] for exact in all_exact]),
-            "ratio": all_exact[0]["ratio"], "rho": all_exact[0]["rho"]}
+    return {
+        "correction": numbers.astype(np.int16),
+        "nu": np.array(CORRECTION_NODES),
+        "creep_coefficients": np.array([exact["creep_coefficients"] for exact in all_exact]),
+        "ratio": all_exact[0]["ratio"],
+        "rho": all_exact[0]["rho"],
+    }

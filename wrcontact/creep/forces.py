@@ -20,16 +20,21 @@ from .results import rolling_patch
 class CreepForces:
     """What friction does to the wheel in a patch."""
 
-    x: float                        #: force on the wheel forwards [N]
-    y: float                        #: and to the field side [N]
-    moment: float                   #: moment about the normal, through the centre of load [N m]
-    stick_share: float              #: share of the patch's area that sticks [-]
-    max_shear: float                #: largest traction [Pa]
+    x: float  #: force on the wheel forwards [N]
+    y: float  #: and to the field side [N]
+    moment: float  #: moment about the normal, through the centre of load [N m]
+    stick_share: float  #: share of the patch's area that sticks [-]
+    max_shear: float  #: largest traction [Pa]
 
 
-def creep_forces(patch: CreepPatch | Patch[float], creepage_x: float = 0.0, creepage_y: float = 0.0,
-                 spin: float = 0.0, friction: float = 0.3,
-                 tangential_model: str | TangentialModel = "strips") -> CreepForces:
+def creep_forces(
+    patch: CreepPatch | Patch[float],
+    creepage_x: float = 0.0,
+    creepage_y: float = 0.0,
+    spin: float = 0.0,
+    friction: float = 0.3,
+    tangential_model: str | TangentialModel = "strips",
+) -> CreepForces:
     """Creep force and moment of a patch in steady rolling.
 
     Parameters
@@ -57,10 +62,15 @@ def creep_forces(patch: CreepPatch | Patch[float], creepage_x: float = 0.0, cree
     if isinstance(patch, Patch):
         patch = rolling_patch(patch)
     if not isinstance(patch, CreepPatch):
-        raise TypeError(f"patch is a {type(patch).__name__}; permitted is a patch of a result, or what "
-                        "elliptic_patch makes")
-    for name, value, unit, high in (("creepage_x", creepage_x, "", 1e6), ("creepage_y", creepage_y, "", 1e6),
-                                    ("spin", spin, "1/m", 1e9)):
+        raise TypeError(
+            f"patch is a {type(patch).__name__}; permitted is a patch of a result, or what "
+            "elliptic_patch makes"
+        )
+    for name, value, unit, high in (
+        ("creepage_x", creepage_x, "", 1e6),
+        ("creepage_y", creepage_y, "", 1e6),
+        ("spin", spin, "1/m", 1e9),
+    ):
         check_number(name, value, unit, -high, high)
     check_number("friction", friction, "", 0.0, 10.0)
     model = tangential_model
@@ -81,6 +91,7 @@ def creep_forces(patch: CreepPatch | Patch[float], creepage_x: float = 0.0, cree
 def roll_on_halfspace(patch, found):
     """The creep force of a patch that has been cut into strips, by the complete theory."""
     from ..halfspace.rolling_step import roll_strips  # needs scipy
+
     shear_modulus = patch.youngs_modulus / (2.0 * (1.0 + patch.poisson_ratio))
     roll_strips(found, shear_modulus=shear_modulus, poisson_ratio=patch.poisson_ratio)
 
@@ -118,9 +129,12 @@ def write_patch(patch, written, strips):
     totals.centroid = moment / fsum(width * 0.5 * (before + after))
     inner = slice(1, -1)
     written.first, written.last = 0, len(patch.station) - 3
-    for strip, station, length, load in zip(strips, patch.station[inner].tolist(),
-                                            patch.half_length[inner].tolist(),
-                                            patch.line_load[inner].tolist()):
+    for strip, station, length, load in zip(
+        strips,
+        patch.station[inner].tolist(),
+        patch.half_length[inner].tolist(),
+        patch.line_load[inner].tolist(),
+    ):
         strip.station, strip.width = station, 1.0
         strip.half_length_square, strip.line_load = length * length, load
 

@@ -23,7 +23,7 @@ def check_run(name, values, unit, count):
     """``values`` as a new array of finite numbers (n,), ``count`` of them if that is given."""
     try:
         array = np.array(values)
-        if array.dtype.kind in "Ub":        # numpy takes texts and truth values for numbers
+        if array.dtype.kind in "Ub":  # numpy takes texts and truth values for numbers
             raise TypeError
         array = array.astype(float)
     except (TypeError, ValueError):
@@ -45,18 +45,23 @@ class CreepPatch:
     Stations run to the field side; creepages hold for the centre of load.
     """
 
-    ellipse: bool                   #: whether it is Hertz's ellipse; else it has stations
-    station: np.ndarray             #: from edge to edge (n,) [m]
-    half_length: np.ndarray         #: of the patch at the stations (n,) [m]
-    line_load: np.ndarray           #: load per width at the stations (n,) [N/m]
-    normal_force: float             #: [N]
-    slant: float                    #: of the line through the strips' middles, dx/ds [-]
-    youngs_modulus: float           #: of wheel and rail [Pa]
-    poisson_ratio: float            #: [-]
+    ellipse: bool  #: whether it is Hertz's ellipse; else it has stations
+    station: np.ndarray  #: from edge to edge (n,) [m]
+    half_length: np.ndarray  #: of the patch at the stations (n,) [m]
+    line_load: np.ndarray  #: load per width at the stations (n,) [N/m]
+    normal_force: float  #: [N]
+    slant: float  #: of the line through the strips' middles, dx/ds [-]
+    youngs_modulus: float  #: of wheel and rail [Pa]
+    poisson_ratio: float  #: [-]
 
 
-def elliptic_patch(half_length: float, half_width: float, normal_force: float, youngs_modulus: float = 210e9,
-                   poisson_ratio: float = 0.28) -> CreepPatch:
+def elliptic_patch(
+    half_length: float,
+    half_width: float,
+    normal_force: float,
+    youngs_modulus: float = 210e9,
+    poisson_ratio: float = 0.28,
+) -> CreepPatch:
     """Hertz's elliptic patch.
 
     Parameters
@@ -75,14 +80,28 @@ def elliptic_patch(half_length: float, half_width: float, normal_force: float, y
     check_number("normal_force", normal_force, "N", 0.0, 1e9)
     check_elasticity(youngs_modulus, poisson_ratio)
     edges = np.array([-half_width, 0.0, half_width])
-    return CreepPatch(True, edges, np.array([0.0, half_length, 0.0]),
-                      np.array([0.0, 0.75 * normal_force / half_width, 0.0]), float(normal_force), 0.0,
-                      float(youngs_modulus), float(poisson_ratio))
+    return CreepPatch(
+        True,
+        edges,
+        np.array([0.0, half_length, 0.0]),
+        np.array([0.0, 0.75 * normal_force / half_width, 0.0]),
+        float(normal_force),
+        0.0,
+        float(youngs_modulus),
+        float(poisson_ratio),
+    )
 
 
-def outlined_patch(station: ArrayLike, half_length: ArrayLike, pressure: ArrayLike, *, slant: float = 0.0,
-                   normal_force: float | None = None, youngs_modulus: float = 210e9,
-                   poisson_ratio: float = 0.28) -> CreepPatch:
+def outlined_patch(
+    station: ArrayLike,
+    half_length: ArrayLike,
+    pressure: ArrayLike,
+    *,
+    slant: float = 0.0,
+    normal_force: float | None = None,
+    youngs_modulus: float = 210e9,
+    poisson_ratio: float = 0.28,
+) -> CreepPatch:
     """A patch that is given by its outline.
 
     Parameters
@@ -116,13 +135,23 @@ def outlined_patch(station: ArrayLike, half_length: ArrayLike, pressure: ArrayLi
     line_load[[0, -1]] = 0.0
     load = fsum(0.5 * (line_load[1:] + line_load[:-1]) * np.diff(station))
     if not load > 0.0:
-        raise ValueError("the outline carries no load; half_length and pressure must be above 0 at a station "
-                         "between the first and the last")
+        raise ValueError(
+            "the outline carries no load; half_length and pressure must be above 0 at a station "
+            "between the first and the last"
+        )
     if normal_force is not None:
         check_number("normal_force", normal_force, "N", 0.0, 1e9)
         line_load, load = line_load * (normal_force / load), float(normal_force)
-    return CreepPatch(False, station, half_length, line_load, float(load), float(slant),
-                      float(youngs_modulus), float(poisson_ratio))
+    return CreepPatch(
+        False,
+        station,
+        half_length,
+        line_load,
+        float(load),
+        float(slant),
+        float(youngs_modulus),
+        float(poisson_ratio),
+    )
 
 
 def check_elasticity(youngs_modulus, poisson_ratio):

@@ -12,9 +12,15 @@ if TYPE_CHECKING:
     from ..state import WheelsetState
 
 
-def patch_of(state: "WheelsetState", side: str, number: int = 0, *, slant: float = 0.0,
-             youngs_modulus: float = 210e9, poisson_ratio: float = 0.28
-             ) -> tuple[CreepPatch, dict[str, float]]:
+def patch_of(
+    state: "WheelsetState",
+    side: str,
+    number: int = 0,
+    *,
+    slant: float = 0.0,
+    youngs_modulus: float = 210e9,
+    poisson_ratio: float = 0.28,
+) -> tuple[CreepPatch, dict[str, float]]:
     """Patch and creepages of a result.
 
     The patch has the outline's stations, its own load and its own width.  The result does not say how the
@@ -50,19 +56,24 @@ def patch_of(state: "WheelsetState", side: str, number: int = 0, *, slant: float
     patch = wheel.patches[number]
     rolling = rolling_patch(patch, slant=slant, youngs_modulus=youngs_modulus, poisson_ratio=poisson_ratio)
     to_field = -1.0 if side == "right" else 1.0
-    return rolling, {"creepage_x": patch.creepage.x, "creepage_y": to_field * patch.creepage.y,
-                     "spin": to_field * patch.creepage.spin}
+    return rolling, {
+        "creepage_x": patch.creepage.x,
+        "creepage_y": to_field * patch.creepage.y,
+        "spin": to_field * patch.creepage.spin,
+    }
 
 
 def rolling_patch(patch: Patch, **told) -> CreepPatch:
     """The :class:`CreepPatch` of a ``patch`` of a result, with the stations of its wheel's outline."""
     values, place = patch._values, patch._offset
     if values.ndim != 1:
-        raise ValueError("patch has many poses; permitted is that of one pose, such as "
-                         "table[0].right.patches[0]")
+        raise ValueError(
+            "patch has many poses; permitted is that of one pose, such as table[0].right.patches[0]"
+        )
     outline = Side(values, max(first for first in SIDES.values() if first <= place)).outline
-    station, half_length, pressure = own_outline(patch, *(np.asarray(run) for run in (
-        outline.station, outline.half_length, outline.pressure)))
+    station, half_length, pressure = own_outline(
+        patch, *(np.asarray(run) for run in (outline.station, outline.half_length, outline.pressure))
+    )
     return outlined_patch(station, half_length, pressure, normal_force=patch.normal_force, **told)
 
 

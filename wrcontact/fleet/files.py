@@ -36,8 +36,9 @@ def named_sources(profiles, kind):
 
 def _sources(given, kind):
     """The sources that one entry stands for."""
-    if isinstance(given, Profile) or (isinstance(given, str) and standard_name(given) in NAMES[kind]
-                                      and not os.path.exists(given)):
+    if isinstance(given, Profile) or (
+        isinstance(given, str) and standard_name(given) in NAMES[kind] and not os.path.exists(given)
+    ):
         return [given]
     path = given.path if isinstance(given, ProfileFile) else given
     if not isinstance(path, (str, os.PathLike)):
@@ -49,8 +50,10 @@ def _sources(given, kind):
         paths = [Path(path)] if os.path.exists(path) else [*map(Path, glob.glob(path, recursive=True))]
     paths = sorted(filter(Path.is_file, paths))
     if not paths:
-        raise ValueError(f"{kind}s is {path!r}, where there is no file; permitted are a folder with files, a "
-                         f"pattern such as '{kind}s/*.txt', paths of files, and {', '.join(NAMES[kind])}")
+        raise ValueError(
+            f"{kind}s is {path!r}, where there is no file; permitted are a folder with files, a "
+            f"pattern such as '{kind}s/*.txt', paths of files, and {', '.join(NAMES[kind])}"
+        )
     return [replace(given, path=one) if isinstance(given, ProfileFile) else one for one in paths]
 
 
@@ -65,10 +68,16 @@ def path_of(source):
 def _names(sources):
     """A name for each source: its stem, or the whole name of its file where stems are equal, and a number
     where these are."""
-    words = [source.name if isinstance(source, Profile) else
-             Path(source.path if isinstance(source, ProfileFile) else source).name for source in sources]
-    stems = [word if isinstance(source, Profile) or not path_of(source) else Path(word).stem
-             for word, source in zip(words, sources)]
+    words = [
+        source.name
+        if isinstance(source, Profile)
+        else Path(source.path if isinstance(source, ProfileFile) else source).name
+        for source in sources
+    ]
+    stems = [
+        word if isinstance(source, Profile) or not path_of(source) else Path(word).stem
+        for word, source in zip(words, sources)
+    ]
     names, taken = [], set()
     for stem, word in zip(stems, words):
         base = stem if [slug(other) for other in stems].count(slug(stem)) == 1 else word
@@ -100,6 +109,10 @@ def read(source, kind, smoothing):
 
 def mark(*values):
     """A text that differs where one of these values or profiles does."""
-    words = [repr((value.name, value.kind, value.zones, value.reading)) if isinstance(value, Profile)
-             else repr(value) for value in values]
+    words = [
+        repr((value.name, value.kind, value.zones, value.reading))
+        if isinstance(value, Profile)
+        else repr(value)
+        for value in values
+    ]
     return hashlib.sha256("\n".join(words).encode()).hexdigest()[:32]

@@ -95,13 +95,17 @@ def summary(fleet):
     pairs = [row for row in fleet.rows if not row["error"]]
     wheels, rails = (len({row[kind] for row in pairs}) for kind in ("wheel", "rail"))
     near = sum(row["nearest_jump"] is not None and row["nearest_jump"] < 1e-3 for row in pairs)
-    words = [f"{_counted(len(pairs), 'pair')} of {_counted(wheels, 'wheel')} and {_counted(rails, 'rail')}: "
-             f"{sum(row['usable'] for row in pairs)} usable, {near} with a jump within 1 mm of the centred "
-             "position."]
+    words = [
+        f"{_counted(len(pairs), 'pair')} of {_counted(wheels, 'wheel')} and {_counted(rails, 'rail')}: "
+        f"{sum(row['usable'] for row in pairs)} usable, {near} with a jump within 1 mm of the centred "
+        "position."
+    ]
     level = sorted(row["conicity_3mm"] for row in pairs if row["conicity_3mm"] is not None)
     if level:
-        words.append(f"Equivalent conicity at 3 mm: {level[0]:.3f} to {level[-1]:.3f}, median "
-                     f"{level[len(level) // 2]:.3f}.")
+        words.append(
+            f"Equivalent conicity at 3 mm: {level[0]:.3f} to {level[-1]:.3f}, median "
+            f"{level[len(level) // 2]:.3f}."
+        )
     if fleet.broken:
         words.append(f"{_counted(len(fleet.broken), 'row')} with an error:")
     return " ".join(words)
@@ -113,35 +117,52 @@ def _counted(count, word):
 
 def _heads():
     texts = "".join(f'<th class="text"><span>{name}</span></th>' for name in ("wheel", "rail"))
-    numbers = [("remarks", "", "remarks"), ("conicity at 1 … 8 mm", f"0 … {TOP:g}", "sorted by 3 mm"),
-               *((heading, unit, NUMBERS[name][1]) for name, heading, unit, _, _ in COLUMNS)]
-    return texts + "".join(
-        f'<th data-kind="number"{" class=text" if heading == "remarks" else ""} title="{escape(meaning)}">'
-        f"<span>{escape(heading)}</span><small>{unit}</small></th>" for heading, unit, meaning in numbers) \
+    numbers = [
+        ("remarks", "", "remarks"),
+        ("conicity at 1 … 8 mm", f"0 … {TOP:g}", "sorted by 3 mm"),
+        *((heading, unit, NUMBERS[name][1]) for name, heading, unit, _, _ in COLUMNS),
+    ]
+    return (
+        texts
+        + "".join(
+            f'<th data-kind="number"{" class=text" if heading == "remarks" else ""} title="{escape(meaning)}">'
+            f"<span>{escape(heading)}</span><small>{unit}</small></th>"
+            for heading, unit, meaning in numbers
+        )
         + "<th><span>files</span></th>"
+    )
 
 
 def _row(row):
     kind = ' class="broken"' if row["error"] else "" if row["usable"] else ' class="useless"'
-    cells = [f'<td class="text" title="{escape(row[f"{name}_file"])}">{escape(row[name])}</td>'
-             for name in ("wheel", "rail")]
+    cells = [
+        f'<td class="text" title="{escape(row[f"{name}_file"])}">{escape(row[name])}</td>'
+        for name in ("wheel", "rail")
+    ]
     cells += [_remarks(row), _curve(row)]
     cells += [_number(row[name], factor, digits) for name, _, _, factor, digits in COLUMNS]
-    links = " ".join(f'<a href="{escape(row[name])}">{words}</a>'
-                     for name, words in (("json", "JSON"), ("picture", "picture")) if row[name])
+    links = " ".join(
+        f'<a href="{escape(row[name])}">{words}</a>'
+        for name, words in (("json", "JSON"), ("picture", "picture"))
+        if row[name]
+    )
     return f'<tr{kind}>{"".join(cells)}<td class="files">{links}</td></tr>'
 
 
 def _remarks(row):
     if row["error"]:
-        return ('<td class="text" data-v="999"><details><summary>error</summary>'
-                f'{escape(row["error"])}</details></td>')
+        return (
+            '<td class="text" data-v="999"><details><summary>error</summary>'
+            f"{escape(row['error'])}</details></td>"
+        )
     count = len(row["remarks"])
     if not count:
         return '<td class="text" data-v="0">none</td>'
     words = "".join(f"<li>{escape(remark)}</li>" for remark in row["remarks"])
-    return (f'<td class="text" data-v="{count}"><details><summary>{count}</summary><ul>{words}</ul></details>'
-            "</td>")
+    return (
+        f'<td class="text" data-v="{count}"><details><summary>{count}</summary><ul>{words}</ul></details>'
+        "</td>"
+    )
 
 
 def _number(value, factor, digits):

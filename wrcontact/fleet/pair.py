@@ -21,7 +21,7 @@ def examine(wheel, rail, parameters, with_text, pictures):
     pictures : one of PICTURES.
     """
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")         # what a warning says is a remark of the report
+        warnings.simplefilter("ignore")  # what a warning says is a remark of the report
         try:
             report = check(ContactSystem(wheel, rail, **parameters))
         except ValueError as wrong:

@@ -17,8 +17,17 @@ from .workers import Here, results, workers
 KINDS = ("wheel", "rail")
 
 
-def check_fleet(wheels, rails, output=None, *, pictures="remarks", processes=None, scheduler=None,
-                smoothing=None, **parameters):
+def check_fleet(
+    wheels,
+    rails,
+    output=None,
+    *,
+    pictures="remarks",
+    processes=None,
+    scheduler=None,
+    smoothing=None,
+    **parameters,
+):
     """Check every wheel on every rail, as :func:`wrcontact.check` does one pair.
 
     Each file is read and smoothed once.  A file that cannot be used is a row with its sentence.  In a folder
@@ -54,37 +63,49 @@ def check_fleet(wheels, rails, output=None, *, pictures="remarks", processes=Non
         check_count("processes", processes)
     for name in {"wheel", "rail", "left_wheel", "left_rail"} & parameters.keys():
         raise ValueError(f"{name} is {parameters[name]!r}; permitted are wheels and rails, for both sides")
-    ContactSystem(**parameters)                     # a wrong one is told before files are read
+    ContactSystem(**parameters)  # a wrong one is told before files are read
     sources = {kind: named_sources(given, kind) for kind, given in zip(KINDS, (wheels, rails))}
     folder = None if output is None else Folder(output)
     settings = parameters, folder is not None, pictures if folder else "none"
     with workers(processes, scheduler, len(sources["wheel"]) * len(sources["rail"])) as pool:
         # the files need be on this machine only
         profiles, broken = _profiles(pool if scheduler is None else (Here(), 1), sources, smoothing)
-        pairs = {(wheel, rail): mark(__version__, profiles["wheel"][wheel], profiles["rail"][rail],
-                                     parameters)
-                 for wheel in profiles["wheel"] for rail in profiles["rail"]}
+        pairs = {
+            (wheel, rail): mark(__version__, profiles["wheel"][wheel], profiles["rail"][rail], parameters)
+            for wheel in profiles["wheel"]
+            for rail in profiles["rail"]
+        }
         rows = dict(_rows(pool, folder, profiles, pairs, settings))
     for (wheel, rail), row in rows.items():
-        row |= {"wheel": wheel, "rail": rail, "wheel_file": path_of(sources["wheel"][wheel]),
-                "rail_file": path_of(sources["rail"][rail])}
+        row |= {
+            "wheel": wheel,
+            "rail": rail,
+            "wheel_file": path_of(sources["wheel"][wheel]),
+            "rail_file": path_of(sources["rail"][rail]),
+        }
     fleet = Fleet((*(rows[pair] for pair in pairs), *broken))
     return replace(fleet, report=folder.finish(pairs.values(), fleet)) if folder else fleet
 
 
 def _profiles(pool, sources, smoothing):
     """{name: profile} by kind, and a row for each file that cannot be used."""
-    tasks = {(kind, name): (source, kind, smoothing)
-             for kind in KINDS for name, source in sources[kind].items()}
+    tasks = {
+        (kind, name): (source, kind, smoothing) for kind in KINDS for name, source in sources[kind].items()
+    }
     with working("reading profiles", len(tasks)) as advance:
         found = {}
         for key, result in results(*pool, read, tasks):
             found[key] = result
             advance()
-    profiles = {kind: {name: found[kind, name] for name in sources[kind]
-                       if isinstance(found[kind, name], Profile)} for kind in KINDS}
-    broken = [empty_row(**{kind: name, f"{kind}_file": path_of(source)}, error=found[kind, name])
-              for (kind, name), (source, *_) in tasks.items() if name not in profiles[kind]]
+    profiles = {
+        kind: {name: found[kind, name] for name in sources[kind] if isinstance(found[kind, name], Profile)}
+        for kind in KINDS
+    }
+    broken = [
+        empty_row(**{kind: name, f"{kind}_file": path_of(source)}, error=found[kind, name])
+        for (kind, name), (source, *_) in tasks.items()
+        if name not in profiles[kind]
+    ]
     return profiles, broken
 
 

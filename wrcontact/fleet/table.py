@@ -23,8 +23,13 @@ NUMBERS = {
     "nearest_jump": ("m", "distance of the nearest jump from the centred position"),
     "jump_count": ("1", "jumps of a contact within 8 mm of lateral shift, of the side with more"),
     "wheel_rate": ("1", "largest rate of a contact on its wheel within 8 mm of lateral shift"),
-    **{f"conicity_{round(value * 1e3)}mm": ("1", f"equivalent conicity at {round(value * 1e3)} mm amplitude, "
-                                                 "without roll") for value in AMPLITUDES},
+    **{
+        f"conicity_{round(value * 1e3)}mm": (
+            "1",
+            f"equivalent conicity at {round(value * 1e3)} mm amplitude, without roll",
+        )
+        for value in AMPLITUDES
+    },
     "conicity_3mm_rolled": ("1", "equivalent conicity at 3 mm amplitude, with roll"),
     "nonlinearity": ("1/m", "change of the conicity from 2 to 4 mm amplitude"),
     "conformal_count": ("1", "conformal zones within 8 mm of lateral shift, of the side with more"),
@@ -41,21 +46,26 @@ def numbers_of(report):
     """The NUMBERS of a :class:`~wrcontact.conditioning.Conditioning`; None where there is no value."""
     near = np.abs(report.curves.lateral_shift) <= RUNNING
     moves = np.concatenate([getattr(report.curves, side).wheel_rate[near] for side in SIDES])
-    jumps = [sum(abs(jump.lateral_shift) <= RUNNING for jump in merged_jumps(report.jumps, side))
-             for side in SIDES]
+    jumps = [
+        sum(abs(jump.lateral_shift) <= RUNNING for jump in merged_jumps(report.jumps, side)) for side in SIDES
+    ]
     zones = [zone for zone in report.conformal if zone.start <= RUNNING and zone.stop >= -RUNNING]
     counts = [sum(zone.side == side for zone in zones) for side in SIDES]
     level = report.conicity.level
-    found = {"usable_from": report.usable_shifts[0], "usable_to": report.usable_shifts[1],
-             "flange_shift": report.flange_shift, "nearest_jump": report.nearest_jump,
-             "jump_count": max(jumps),
-             "wheel_rate": float(np.max(np.abs(moves[np.isfinite(moves)]), initial=-math.inf)),
-             **{f"conicity_{round(at * 1e3)}mm": float(value) for at, value in zip(AMPLITUDES, level)},
-             "conicity_3mm_rolled": float(report.conicity.rolled[2]),
-             "nonlinearity": report.conicity.nonlinearity,
-             "conformal_count": max(counts),
-             "conformal_width": max((zone.width for zone in zones), default=0.0),
-             "conformal_turn": max((zone.turn for zone in zones), default=0.0)}
+    found = {
+        "usable_from": report.usable_shifts[0],
+        "usable_to": report.usable_shifts[1],
+        "flange_shift": report.flange_shift,
+        "nearest_jump": report.nearest_jump,
+        "jump_count": max(jumps),
+        "wheel_rate": float(np.max(np.abs(moves[np.isfinite(moves)]), initial=-math.inf)),
+        **{f"conicity_{round(at * 1e3)}mm": float(value) for at, value in zip(AMPLITUDES, level)},
+        "conicity_3mm_rolled": float(report.conicity.rolled[2]),
+        "nonlinearity": report.conicity.nonlinearity,
+        "conformal_count": max(counts),
+        "conformal_width": max((zone.width for zone in zones), default=0.0),
+        "conformal_turn": max((zone.turn for zone in zones), default=0.0),
+    }
     for kind in ("wheel", "rail"):
         quality = getattr(report, kind)
         found[f"{kind}_noise"] = quality.reading.noise if quality.reading else math.nan
@@ -65,8 +75,19 @@ def numbers_of(report):
 
 def empty_row(wheel="", rail="", **told):
     """A row without numbers."""
-    return {"wheel": wheel, "rail": rail, "wheel_file": "", "rail_file": "", "error": "", "usable": False,
-            **dict.fromkeys(NUMBERS), "remarks": [], "json": "", "picture": "", **told}
+    return {
+        "wheel": wheel,
+        "rail": rail,
+        "wheel_file": "",
+        "rail_file": "",
+        "error": "",
+        "usable": False,
+        **dict.fromkeys(NUMBERS),
+        "remarks": [],
+        "json": "",
+        "picture": "",
+        **told,
+    }
 
 
 @dataclass(frozen=True, repr=False)
@@ -105,8 +126,10 @@ class Fleet:
 
     def __repr__(self):
         wrong = len(self.broken)
-        return (f"Fleet({len(self) - wrong} pairs, {int(self['usable'].sum())} of them usable"
-                f"{f'; rows with an error: {wrong}' if wrong else ''})")
+        return (
+            f"Fleet({len(self) - wrong} pairs, {int(self['usable'].sum())} of them usable"
+            f"{f'; rows with an error: {wrong}' if wrong else ''})"
+        )
 
     @property
     def broken(self):

@@ -56,15 +56,17 @@ def workers(processes, scheduler, pairs):
     try:
         yield pool, AHEAD * count
     except BrokenProcessPool:
-        raise RuntimeError(f"a process of {count} has ended early: there is too little memory, or the call "
-                           "does not stand below \"if __name__ == '__main__':\" in a script; pairs that are "
-                           "done are kept, and the next run continues") from None
+        raise RuntimeError(
+            f"a process of {count} has ended early: there is too little memory, or the call "
+            "does not stand below \"if __name__ == '__main__':\" in a script; pairs that are "
+            "done are kept, and the next run continues"
+        ) from None
     finally:
         pool.shutdown(cancel_futures=True)
 
 
 def _begin():
-    signal.signal(signal.SIGINT, signal.SIG_IGN)        # Ctrl-C ends the process that hands out the work
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C ends the process that hands out the work
 
 
 @contextmanager
@@ -77,9 +79,11 @@ def _client(scheduler):
     try:
         client = distributed.Client(scheduler, timeout=PATIENCE)
     except (OSError, TimeoutError, ValueError) as wrong:
-        raise ValueError(f"scheduler is {scheduler!r}, where no dask scheduler answers within {PATIENCE} s "
-                         f"({type(wrong).__name__}); permitted are addresses such as "
-                         "'tcp://host:8786'") from None
+        raise ValueError(
+            f"scheduler is {scheduler!r}, where no dask scheduler answers within {PATIENCE} s "
+            f"({type(wrong).__name__}); permitted are addresses such as "
+            "'tcp://host:8786'"
+        ) from None
     try:
         yield client
     finally:

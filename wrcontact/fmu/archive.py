@@ -13,8 +13,10 @@ from .online import PACKAGE
 from .settings import checked, keywords_of
 
 #: The folder of the files that are packed as they are: inside an installed package, beside it in a checkout.
-SOURCES = next((folder for folder in (PACKAGE / "fmu_src", PACKAGE.parent / "fmu_src") if folder.is_dir()),
-               PACKAGE / "fmu_src")
+SOURCES = next(
+    (folder for folder in (PACKAGE / "fmu_src", PACKAGE.parent / "fmu_src") if folder.is_dir()),
+    PACKAGE / "fmu_src",
+)
 #: Time of every entry in the archive, so that the time of the build does not change the bytes.
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)
 
@@ -30,20 +32,29 @@ def chosen_starts(smoothing=None, settings=None, **chosen):
     """
     settings = checked(settings or {})
     given = {parameter: name for parameter, name in _split(chosen).items() if name is not None}
-    system = ContactSystem(**{parameter.removesuffix("_profile"): name for parameter, name in given.items()},
-                           **keywords_of(settings), smoothing=smoothing)
+    system = ContactSystem(
+        **{parameter.removesuffix("_profile"): name for parameter, name in given.items()},
+        **keywords_of(settings),
+        smoothing=smoothing,
+    )
     starts = {parameter: str(name) for parameter, name in given.items()}
-    starts |= {parameter: standard_name(name) for parameter, name in starts.items()
-               if standard_name(name) and not Path(name).is_file()}
-    profiles = {f"{argument}_profile": getattr(system, argument)
-                for argument in ("wheel", "rail", "left_wheel", "left_rail")}
+    starts |= {
+        parameter: standard_name(name)
+        for parameter, name in starts.items()
+        if standard_name(name) and not Path(name).is_file()
+    }
+    profiles = {
+        f"{argument}_profile": getattr(system, argument)
+        for argument in ("wheel", "rail", "left_wheel", "left_rail")
+    }
     files = {parameter: Path(name).name for parameter, name in starts.items() if name not in BUILDERS}
     for file in files.values():
         sharing = [parameter for parameter in files if files[parameter] == file]
         if len({("wheel" in parameter, starts[parameter]) for parameter in sharing}) > 1:
             words = [parameter.removesuffix("_profile").replace("_", " ") for parameter in sharing]
-            raise ValueError(f"{' and '.join(words)} profile have the same file name, {file}; rename one of "
-                             "them")
+            raise ValueError(
+                f"{' and '.join(words)} profile have the same file name, {file}; rename one of them"
+            )
     return {**settings, **starts, **files}, {file: profiles[parameter] for parameter, file in files.items()}
 
 
@@ -61,8 +72,11 @@ def _split(chosen):
 def licence(name):
     """Licence text (bytes) of an installed distribution or of the checkout; None if there is none."""
     try:
-        files = [Path(str(file.locate())) for file in distribution(name).files or ()
-                 if file.name.startswith("LICENSE")]
+        files = [
+            Path(str(file.locate()))
+            for file in distribution(name).files or ()
+            if file.name.startswith("LICENSE")
+        ]
     except PackageNotFoundError:
         files = []
     if name == "wrcontact":
@@ -84,8 +98,11 @@ def archive(entries):
     with zipfile.ZipFile(stream, "w") as file:
         for name, content in sorted(entries.items()):
             entry = zipfile.ZipInfo(name, TIMESTAMP)
-            entry.compress_type, entry.create_system, entry.external_attr = (zipfile.ZIP_DEFLATED, 3,
-                                                                             0o100644 << 16)
+            entry.compress_type, entry.create_system, entry.external_attr = (
+                zipfile.ZIP_DEFLATED,
+                3,
+                0o100644 << 16,
+            )
             file.writestr(entry, content)
     return stream.getvalue()
 

@@ -76,8 +76,11 @@ def runtime():
 
 def runtime_platforms():
     """Names of the platforms for which PythonFMU has a library."""
-    return [name for name, place in PLATFORMS.items()
-            if RUNTIME.joinpath("resources", "binaries", place.fmi2).is_dir()]
+    return [
+        name
+        for name, place in PLATFORMS.items()
+        if RUNTIME.joinpath("resources", "binaries", place.fmi2).is_dir()
+    ]
 
 
 def package(starts):
@@ -90,9 +93,11 @@ def package(starts):
 def documentation(starts):
     """Entries of the documentation page, icon, terminals, external dependencies and licences."""
     page = documentation_page(__version__, model_description("", "", __version__, starts), about_python())
-    entries = {"documentation/index.html": page.encode(),
-               "documentation/externalDependencies.txt": DEPENDENCIES,
-               **terminals_and_icons(2, [variable.name for variable in VARIABLES])}
+    entries = {
+        "documentation/index.html": page.encode(),
+        "documentation/externalDependencies.txt": DEPENDENCIES,
+        **terminals_and_icons(2, [variable.name for variable in VARIABLES]),
+    }
     texts = {"license": licence("wrcontact"), "pythonfmu": licence("pythonfmu")}
     return entries | {f"documentation/licenses/{name}.txt": text for name, text in texts.items() if text}
 
@@ -101,11 +106,14 @@ def sealed(contents, starts):
     """All entries, renamed with a hash of the contents, with the slave module and the model description."""
     slave = (SOURCES / f"{SLAVE}.py").read_text(encoding="utf-8")
     tool = f"wrcontact {__version__} with PythonFMU {pythonfmu.__version__}"
-    seal = fingerprint({**contents, "slave": slave.encode(),
-                        "description": model_description("", tool, __version__, starts)})
+    seal = fingerprint(
+        {**contents, "slave": slave.encode(), "description": model_description("", tool, __version__, starts)}
+    )
     unique, module = f"wrcontact_{seal[:12]}", f"{SLAVE}_{seal[:12]}"
-    entries = {name.replace("resources/wrcontact/", f"resources/{unique}/"): content
-               for name, content in contents.items()}
+    entries = {
+        name.replace("resources/wrcontact/", f"resources/{unique}/"): content
+        for name, content in contents.items()
+    }
     entries[f"resources/{module}.py"] = slave.replace("from wrcontact.", f"from {unique}.").encode()
     entries["resources/slavemodule.txt"] = module.encode()
     entries["modelDescription.xml"] = model_description(f"{{{seal[:32]}}}", tool, __version__, starts)

@@ -19,14 +19,17 @@ STEPS = {"canHandleVariableCommunicationStepSize": "true", "canInterpolateInputs
 #: The native FMU has directional derivatives and model exchange, the Python FMU has neither.
 PYTHON = {"CoSimulation": {**COMMON, **STEPS, "providesDirectionalDerivative": "false"}}
 NATIVE = {
-    "ModelExchange": {**COMMON, "completedIntegratorStepNotNeeded": "false",
-                      "providesDirectionalDerivative": "true"},
+    "ModelExchange": {
+        **COMMON,
+        "completedIntegratorStepNotNeeded": "false",
+        "providesDirectionalDerivative": "true",
+    },
     "CoSimulation": {**COMMON, **STEPS, "providesDirectionalDerivative": "true"},
 }
 
 LOG_CATEGORIES = {
     "logStatusWarning": "One line for every step whose status is not 0: the variable, its value and the "
-                        "limit",
+    "limit",
     "logStatusError": "Why a call failed: a parameter, a saved state or a value that was refused",
 }
 
@@ -35,9 +38,16 @@ def model_description(guid, tool, version, starts, units=(), variant=WHEELSET):
     """The whole file as bytes; ``starts`` holds start values that differ from the table's, ``units`` the C
     files to compile of a native FMU, which has its sources with it; ``variant`` is a wheelset or one
     wheel."""
-    root = Element("fmiModelDescription", fmiVersion="2.0", modelName=variant.model, guid=guid,
-                   description=variant.description, version=version, generationTool=tool,
-                   variableNamingConvention="structured")
+    root = Element(
+        "fmiModelDescription",
+        fmiVersion="2.0",
+        modelName=variant.model,
+        guid=guid,
+        description=variant.description,
+        version=version,
+        generationTool=tool,
+        variableNamingConvention="structured",
+    )
     if units:
         root.set("numberOfEventIndicators", "0")
     for kind, abilities in (NATIVE if units else PYTHON).items():
@@ -76,10 +86,15 @@ def describe_common(root):
 def _variables(parent, starts, variant):
     """Every variable, in the order of the table."""
     for place, variable in variant.variables():
-        element = SubElement(parent, "ScalarVariable", name=variable.name,
-                             valueReference=str(REFERENCE[VARIABLES[place].name]),
-                             description=variable.description, causality=variable.causality,
-                             variability=variable.variability)
+        element = SubElement(
+            parent,
+            "ScalarVariable",
+            name=variable.name,
+            valueReference=str(REFERENCE[VARIABLES[place].name]),
+            description=variable.description,
+            causality=variable.causality,
+            variability=variable.variability,
+        )
         if variable.causality != INPUT:
             element.set("initial", "exact" if variable.causality == PARAMETER else "calculated")
         SubElement(element, variable.type, attributes_of(variable, starts))
@@ -97,8 +112,11 @@ def attributes_of(variable, starts):
         "max": variable.maximum,
         "nominal": variable.nominal,
     }
-    return {name: number_text(value) for name, value in attributes.items()
-            if value is not None and (value != "" or name == "start")}
+    return {
+        name: number_text(value)
+        for name, value in attributes.items()
+        if value is not None and (value != "" or name == "start")
+    }
 
 
 def number_text(value):
@@ -124,6 +142,10 @@ def _structure(parent, variant):
 
 def _unknown(parent, place, follows):
     """One dependency entry; FMI 2 counts variables from 1 there, in the order of the file."""
-    SubElement(parent, "Unknown", index=str(place + 1),
-               dependencies=" ".join(str(known + 1) for known in sorted(follows)),
-               dependenciesKind=" ".join("dependent" for _ in follows))
+    SubElement(
+        parent,
+        "Unknown",
+        index=str(place + 1),
+        dependencies=" ".join(str(known + 1) for known in sorted(follows)),
+        dependenciesKind=" ".join("dependent" for _ in follows),
+    )

@@ -30,9 +30,9 @@ KINDS = {
 TYPES = {REAL: "Float64", INTEGER: "Int32", BOOLEAN: "Boolean", STRING: "String"}
 RUNS = "|".join(row.name for row in (*SIDE, *WEAR) if isinstance(row, Run))
 FIRST_STATION = re.compile(rf"(.*\.(?:{RUNS}))\[1\]")
-STATIONS_REFERENCE = STORED[3]["stations"]     # by which arrays say their size
-TIME, STATIONS, RETIRED = -1, -2, -3        # places of the two that are not in the table, and of no variable
-SINGLE = -1                 # run of a variable that is no array
+STATIONS_REFERENCE = STORED[3]["stations"]  # by which arrays say their size
+TIME, STATIONS, RETIRED = -1, -2, -3  # places of the two that are not in the table, and of no variable
+SINGLE = -1  # run of a variable that is no array
 
 
 class Block(NamedTuple):
@@ -63,9 +63,16 @@ def variable_blocks(variant=WHEELSET):
 def model_description(token, tool, version, starts, units=(), variant=WHEELSET):
     """The whole file as bytes; ``starts`` holds start values that differ from the table's; ``units`` stand in
     the build description here."""
-    root = Element("fmiModelDescription", fmiVersion="3.0", modelName=variant.model, instantiationToken=token,
-                   description=variant.description, version=version, generationTool=tool,
-                   variableNamingConvention="structured")
+    root = Element(
+        "fmiModelDescription",
+        fmiVersion="3.0",
+        modelName=variant.model,
+        instantiationToken=token,
+        description=variant.description,
+        version=version,
+        generationTool=tool,
+        variableNamingConvention="structured",
+    )
     for kind, abilities in KINDS.items():
         SubElement(root, kind, {"modelIdentifier": variant.model, **abilities})
     describe_common(root)
@@ -84,8 +91,13 @@ def build_description(units, variant=WHEELSET):
     """
     root = Element("fmiBuildDescription", fmiVersion="3.0")
     configuration = SubElement(root, "BuildConfiguration", modelIdentifier=variant.model)
-    files = SubElement(configuration, "SourceFileSet", language="C11", compiler="gcc",
-                       compilerOptions="-O3 -ffp-contract=off -fno-math-errno")
+    files = SubElement(
+        configuration,
+        "SourceFileSet",
+        language="C11",
+        compiler="gcc",
+        compilerOptions="-O3 -ffp-contract=off -fno-math-errno",
+    )
     for name in units:
         SubElement(files, "SourceFile", name=name)
     SubElement(configuration, "Library", name="m", external="true", description="mathematical functions of C")
@@ -96,19 +108,40 @@ def _variable(parent, block, starts, variant):
     """One variable, or one array of them."""
     name, first, run, reference = block
     if first == TIME:
-        SubElement(parent, "Float64", name=name, valueReference=str(reference), causality="independent",
-                   variability="continuous", description="Simulation time")
+        SubElement(
+            parent,
+            "Float64",
+            name=name,
+            valueReference=str(reference),
+            causality="independent",
+            variability="continuous",
+            description="Simulation time",
+        )
         return
     if first == STATIONS:
-        SubElement(parent, "UInt64", name=name, valueReference=str(reference),
-                   causality="structuralParameter", variability="fixed",
-                   description="Number of stations of an outline, evenly spaced over the loaded width",
-                   start=str(STATION_COUNT), min=str(STATION_LEAST), max=str(STATION_LIMIT))
+        SubElement(
+            parent,
+            "UInt64",
+            name=name,
+            valueReference=str(reference),
+            causality="structuralParameter",
+            variability="fixed",
+            description="Number of stations of an outline, evenly spaced over the loaded width",
+            start=str(STATION_COUNT),
+            min=str(STATION_LEAST),
+            max=str(STATION_LIMIT),
+        )
         return
     variable = variant.variable(VARIABLES[first])
-    element = SubElement(parent, TYPES[variable.type], name=name, valueReference=str(reference),
-                         description=variable.description if run == SINGLE else _of_all(variable),
-                         causality=variable.causality, variability=variable.variability)
+    element = SubElement(
+        parent,
+        TYPES[variable.type],
+        name=name,
+        valueReference=str(reference),
+        description=variable.description if run == SINGLE else _of_all(variable),
+        causality=variable.causality,
+        variability=variable.variability,
+    )
     if variable.causality != INPUT:
         element.set("initial", "exact" if variable.causality == PARAMETER else "calculated")
     attributes = attributes_of(variable, starts)
@@ -140,6 +173,10 @@ def _structure(parent, blocks, variant):
             size = [STATIONS_REFERENCE] if extra and run != SINGLE else []
             inputs = [known[name] for name in variant.variable(VARIABLES[first]).depends_on]
             follows = sorted(inputs + extra + size)
-            SubElement(parent, section, valueReference=str(reference),
-                       dependencies=" ".join(map(str, follows)),
-                       dependenciesKind=" ".join("dependent" for _ in follows))
+            SubElement(
+                parent,
+                section,
+                valueReference=str(reference),
+                dependencies=" ".join(map(str, follows)),
+                dependenciesKind=" ".join("dependent" for _ in follows),
+            )

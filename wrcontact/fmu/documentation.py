@@ -161,8 +161,11 @@ def documentation_page(version, description, about):
 
 def tangential_models():
     """HTML on the tangential models that an FMU has."""
-    return ", ".join(f"<em>{method.name}</em> ({escape(method.words)})"
-                     for method in family_of("tangential_model").methods if not method.python_only)
+    return ", ".join(
+        f"<em>{method.name}</em> ({escape(method.words)})"
+        for method in family_of("tangential_model").methods
+        if not method.python_only
+    )
 
 
 # --- what holds for one kind of FMU ------------------------------------------------------------------
@@ -187,8 +190,10 @@ simulation; so does every step after a refused initialisation, where <code>statu
 def about_native(version, platforms, profiles):
     """HTML on a native FMU: ``version`` of FMI (2 or 3), names of its ``platforms``, and its ``profiles`` by
     name."""
-    names = {kind: ", ".join(escape(name) for name, profile in profiles.items() if profile.kind == kind)
-             for kind in ("wheel", "rail")}
+    names = {
+        kind: ", ".join(escape(name) for name, profile in profiles.items() if profile.kind == kind)
+        for kind in ("wheel", "rail")
+    }
     return f"""
 <h2>This FMU</h2>
 <p>It is compiled and needs no Python, no file and no other program. It contains libraries for {", ".join(platforms)}. For
@@ -218,20 +223,22 @@ from it gives the same bits as one that was not interrupted. Its bytes can be re
 
 OUTLINES = {
     2: "The outline of a wheel's patch is 31 scalars each of <code>station</code>, <code>half_length</code>, "
-       "<code>pressure</code>, <code>shear</code> and <code>slip</code>, and if <code>wear_outputs</code> is true "
-       "also <code>wheel_place</code>, <code>rail_place</code>, <code>power</code> and <code>patch_of</code>, "
-       "otherwise zero; the FMU of FMI 3.0 has arrays instead.",
+    "<code>pressure</code>, <code>shear</code> and <code>slip</code>, and if <code>wear_outputs</code> is true "
+    "also <code>wheel_place</code>, <code>rail_place</code>, <code>power</code> and <code>patch_of</code>, "
+    "otherwise zero; the FMU of FMI 3.0 has arrays instead.",
     3: "The outline of a wheel's patch is in the arrays <code>station</code>, <code>half_length</code>, "
-       "<code>pressure</code>, <code>shear</code> and <code>slip</code>, and if <code>wear_outputs</code> is true "
-       "also in <code>wheel_place</code>, <code>rail_place</code>, <code>power</code> and <code>patch_of</code>, "
-       "otherwise zero, evenly spaced from the first loaded place to the last. Their length is the "
-       "structural parameter <code>stations</code>, 3 &hellip; 201: set it with fmi3SetUInt64 between "
-       "fmi3EnterConfigurationMode and fmi3ExitConfigurationMode, before the initialisation; no other output "
-       "depends on it. An array has one value reference, and a call needs room for all its values. Value "
-       "references start at 1 and differ from those of the FMU of FMI 2.0.",
+    "<code>pressure</code>, <code>shear</code> and <code>slip</code>, and if <code>wear_outputs</code> is true "
+    "also in <code>wheel_place</code>, <code>rail_place</code>, <code>power</code> and <code>patch_of</code>, "
+    "otherwise zero, evenly spaced from the first loaded place to the last. Their length is the "
+    "structural parameter <code>stations</code>, 3 &hellip; 201: set it with fmi3SetUInt64 between "
+    "fmi3EnterConfigurationMode and fmi3ExitConfigurationMode, before the initialisation; no other output "
+    "depends on it. An array has one value reference, and a call needs room for all its values. Value "
+    "references start at 1 and differ from those of the FMU of FMI 2.0.",
 }
-LISTS = {2: "<code>SourceFiles</code> in the model description",
-         3: "<code>sources/buildDescription.xml</code>"}
+LISTS = {
+    2: "<code>SourceFiles</code> in the model description",
+    3: "<code>sources/buildDescription.xml</code>",
+}
 ADJOINT = {2: "", 3: ", and adjoint ones"}
 TOKENS = {2: "guid", 3: "instantiation token"}
 
@@ -244,7 +251,7 @@ TABLES = {
     "structuralParameter": "Structural parameters (sizes of arrays)",
     "parameter": "Parameters (fixed after initialisation)",
     "output": "Outputs (side: left or right, patches k = 1 &hellip; 3; outlines at stations j, 31 by "
-              "default)",
+    "default)",
     "independent": "Time",
 }
 
@@ -254,13 +261,21 @@ KINDS = {"ModelExchange": "model exchange", "CoSimulation": "co-simulation"}
 
 def _abilities(root):
     """Capabilities and log categories, as the model description declares them."""
-    rows = "".join(f"<tr><td>{words}</td><td><code>{name}</code></td><td>{value}</td></tr>\n"
-                   for kind, words in KINDS.items() for element in root.iter(kind)
-                   for name, value in element.attrib.items() if name != "modelIdentifier")
-    logs = "".join(f"<tr><td><code>{category.get('name')}</code></td><td>{escape(category.get('description'))}</td></tr>\n"
-                   for category in root.iter("Category"))
-    return (f"<h2>Capabilities</h2>\n<table>\n<tr><th>for</th><th>capability</th><th>declared</th></tr>\n{rows}</table>\n"
-            f"<h2>Log categories</h2>\n<table>\n<tr><th>category</th><th>lines</th></tr>\n{logs}</table>\n")
+    rows = "".join(
+        f"<tr><td>{words}</td><td><code>{name}</code></td><td>{value}</td></tr>\n"
+        for kind, words in KINDS.items()
+        for element in root.iter(kind)
+        for name, value in element.attrib.items()
+        if name != "modelIdentifier"
+    )
+    logs = "".join(
+        f"<tr><td><code>{category.get('name')}</code></td><td>{escape(category.get('description'))}</td></tr>\n"
+        for category in root.iter("Category")
+    )
+    return (
+        f"<h2>Capabilities</h2>\n<table>\n<tr><th>for</th><th>capability</th><th>declared</th></tr>\n{rows}</table>\n"
+        f"<h2>Log categories</h2>\n<table>\n<tr><th>category</th><th>lines</th></tr>\n{logs}</table>\n"
+    )
 
 
 def _table(title, causality, root):
@@ -274,8 +289,10 @@ def _table(title, causality, root):
         return ""
     table = [HEADINGS, *(_row(name, members, root) for name, members in groups.items())]
     kept = [k for k in range(len(HEADINGS)) if any(row[k] for row in table[1:])]
-    rows = ["".join(f"<{tag}>{row[k]}</{tag}>" for k in kept)
-            for row, tag in zip(table, ["th"] + ["td"] * (len(table) - 1))]
+    rows = [
+        "".join(f"<{tag}>{row[k]}</{tag}>" for k in kept)
+        for row, tag in zip(table, ["th"] + ["td"] * (len(table) - 1))
+    ]
     return f"<h2>{title}</h2>\n<table>\n" + "".join(f"<tr>{row}</tr>\n" for row in rows) + "</table>\n"
 
 

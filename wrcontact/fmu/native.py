@@ -22,14 +22,17 @@ from .terminals import terminals_and_icons
 from .variants import WHEELSET, single_wheel
 
 NATIVE = SOURCES / "native"
-HIDDEN = ("-DWRCONTACT_EXPORT=",)       # the kernel's own functions stay inside
-HEADERS = {2: ("fmi2Functions.h", "fmi2FunctionTypes.h", "fmi2TypesPlatform.h"),
-           3: ("fmi3Functions.h", "fmi3FunctionTypes.h", "fmi3PlatformTypes.h")}
+HIDDEN = ("-DWRCONTACT_EXPORT=",)  # the kernel's own functions stay inside
+HEADERS = {
+    2: ("fmi2Functions.h", "fmi2FunctionTypes.h", "fmi2TypesPlatform.h"),
+    3: ("fmi3Functions.h", "fmi3FunctionTypes.h", "fmi3PlatformTypes.h"),
+}
 DESCRIPTIONS = {2: description.model_description, 3: description3.model_description}
 
 
-def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cache=None, smoothing=None,
-                      settings=None, side=None):
+def build_native_fmus(
+    output="dist", wheel=None, rail=None, platforms=None, cache=None, smoothing=None, settings=None, side=None
+):
     """Pack ``WheelsetContact_native_fmi2.fmu`` and ``..._fmi3.fmu`` into the folder ``output`` and return
     their paths; those of one wheel are called ``WheelContact_...``.
 
@@ -50,16 +53,20 @@ def build_native_fmus(output="dist", wheel=None, rail=None, platforms=None, cach
         when a profile or a setting cannot be used or a compiler fails; the sentence says why.
     """
     variant = single_wheel(side) if side else WHEELSET
-    starts, profiles = packed_profiles(smoothing, variant.starts(settings), wheel_profile=wheel,
-                                       rail_profile=rail)
+    starts, profiles = packed_profiles(
+        smoothing, variant.starts(settings), wheel_profile=wheel, rail_profile=rail
+    )
     variant.check(starts)
     with tempfile.TemporaryDirectory() as folder:
         platforms, cache = platforms or [host_platform()], cache or Path(folder, "cache")
-        made = {version: native_fmu(version, starts, profiles, platforms, folder, cache, variant)
-                for version in tracked(HEADERS, "packing the native FMUs")}
+        made = {
+            version: native_fmu(version, starts, profiles, platforms, folder, cache, variant)
+            for version in tracked(HEADERS, "packing the native FMUs")
+        }
     Path(output).mkdir(parents=True, exist_ok=True)
-    targets = {Path(output, f"{variant.model}_native_fmi{version}.fmu"): data
-               for version, data in made.items()}
+    targets = {
+        Path(output, f"{variant.model}_native_fmi{version}.fmu"): data for version, data in made.items()
+    }
     for target, data in targets.items():
         write_atomically(target, data)
     return list(targets)
@@ -75,8 +82,11 @@ def native_fmu(version, starts, profiles, platforms, folder, cache, variant):
     """The archive of one version of FMI as bytes; ``folder`` is for scratch, ``cache`` for compiled
     sources."""
     entries = uncompiled(version, starts, profiles, platforms, variant)
-    contents = {name.removeprefix("sources/"): content for name, content in entries.items()
-                if name.startswith("sources/")}
+    contents = {
+        name.removeprefix("sources/"): content
+        for name, content in entries.items()
+        if name.startswith("sources/")
+    }
     made = libraries(contents, compiled_units(version), variant.model, platforms, folder, cache)
     for platform, library in made.items():
         place = PLATFORMS[platform]
@@ -95,11 +105,14 @@ def uncompiled(version, starts, profiles, platforms, variant=WHEELSET):
     token = f"{{{fingerprint(described('', version, tool, starts, profiles, variant))[:32]}}}"
     entries = described(token, version, tool, starts, profiles, variant)
     about = about_native(version, platforms, profiles)
-    entries["documentation/index.html"] = documentation_page(__version__, entries["modelDescription.xml"],
-                                                             about).encode()
-    licences = {"license": licence("wrcontact"),
-                "fmi": headers_licence(entries[f"sources/{HEADERS[version][0]}"]),
-                "mingw-w64": windows_licence(platforms)}
+    entries["documentation/index.html"] = documentation_page(
+        __version__, entries["modelDescription.xml"], about
+    ).encode()
+    licences = {
+        "license": licence("wrcontact"),
+        "fmi": headers_licence(entries[f"sources/{HEADERS[version][0]}"]),
+        "mingw-w64": windows_licence(platforms),
+    }
     entries |= {f"documentation/licenses/{name}.txt": text for name, text in licences.items() if text}
     return entries | terminals_and_icons(version, variable_names(version), variant)
 
@@ -107,8 +120,10 @@ def uncompiled(version, starts, profiles, platforms, variant=WHEELSET):
 def described(token, version, tool, starts, profiles, variant):
     """The model description and the sources."""
     units = compiled_units(version)
-    entries = {f"sources/{name}": content
-               for name, content in sources(version, token, starts, profiles, variant).items()}
+    entries = {
+        f"sources/{name}": content
+        for name, content in sources(version, token, starts, profiles, variant).items()
+    }
     if version == 3:
         entries["sources/buildDescription.xml"] = description3.build_description(units, variant)
     page = DESCRIPTIONS[version](token, tool, __version__, starts, units, variant)
@@ -119,8 +134,12 @@ def sources(version, token, starts, profiles, variant=WHEELSET):
     """Everything that the library is compiled from, by path."""
     headers = Path(fmpy.__file__).parent / "c-code"
     blocks = blocks_of(version, variant)
-    kernel = [file for folder in ("native", "generated")
-              for file in sorted((PACKAGE / "kernel" / folder).glob("*.[ch]")) if "jacobian" not in file.name]
+    kernel = [
+        file
+        for folder in ("native", "generated")
+        for file in sorted((PACKAGE / "kernel" / folder).glob("*.[ch]"))
+        if "jacobian" not in file.name
+    ]
     adapters = [file for file in sorted(NATIVE.glob("*.[ch]")) if serves(file, version)]
     return {
         **{f"kernel/{file.parent.name}/{file.name}": file.read_bytes() for file in kernel},
@@ -135,8 +154,11 @@ def blocks_of(version, variant=WHEELSET):
     """(first, run) of every value reference from 0 on, as in model.h: RETIRED where there is no variable."""
     found = {block.reference: (block.first, block.run) for block in description3.variable_blocks(variant)}
     if version == 2:
-        found = {REFERENCE[name]: (place, description3.SINGLE) for name, place in PLACE.items()
-                 if variant.name(name)}
+        found = {
+            REFERENCE[name]: (place, description3.SINGLE)
+            for name, place in PLACE.items()
+            if variant.name(name)
+        }
     nothing = description3.RETIRED, description3.SINGLE
     return [found.get(reference, nothing) for reference in range(max(found) + 1)]
 
@@ -166,8 +188,15 @@ def libraries(contents, units, name, platforms, folder, cache):
     write_sources(contents, place)
 
     def compiled(platform):
-        return compile_platform(platform, place, units, name, HIDDEN, cache,
-                                lambda made, total: tracked(made, f"compiling for {platform}", total))
+        return compile_platform(
+            platform,
+            place,
+            units,
+            name,
+            HIDDEN,
+            cache,
+            lambda made, total: tracked(made, f"compiling for {platform}", total),
+        )
 
     return {platform: compiled(platform) for platform in tracked(platforms, "platforms")}
 
@@ -184,7 +213,7 @@ def headers_licence(header):
     """The licence of the FMI headers, which stands in each of them."""
     text = header.decode()
     start = text.index("Copyright")
-    return text[start:text.index("*/", start)].encode()
+    return text[start : text.index("*/", start)].encode()
 
 
 def windows_licence(platforms):

@@ -15,8 +15,21 @@ from ..progress import tracked
 PACKAGE = Path(__file__).resolve().parent.parent
 ENTRANCE = "simulation/session.py"
 #: Doors for people, and studies: never packed, even where a function of a packed module reaches for them.
-OFFLINE = frozenset({"cli", "plots", "study", "conditioning", "fleet", "fmu", "halfspace", "progress",
-                     "sweeps", "results/convert", "results/pages"})
+OFFLINE = frozenset(
+    {
+        "cli",
+        "plots",
+        "study",
+        "conditioning",
+        "fleet",
+        "fmu",
+        "halfspace",
+        "progress",
+        "sweeps",
+        "results/convert",
+        "results/pages",
+    }
+)
 
 
 def online_files():
@@ -32,8 +45,9 @@ def kernel_libraries(platforms):
     made = {}
     try:
         if has_zig():
-            made = {library_name(name): compile_kernel(name)
-                    for name in tracked(platforms, "kernels for the FMU")}
+            made = {
+                library_name(name): compile_kernel(name) for name in tracked(platforms, "kernels for the FMU")
+            }
     except CompilerProblem as problem:
         print(f"WARNING: the FMU gets no compiled kernel for other machines: {problem}", file=sys.stderr)
     try:
@@ -41,8 +55,10 @@ def kernel_libraries(platforms):
             open_library()
             made[LIBRARY_NAME] = HERE.joinpath(LIBRARY_NAME).read_bytes()
     except LibraryUnusable as reason:
-        print(f"WARNING: the FMU gets no compiled kernel and runs the slow Python source: {reason}",
-              file=sys.stderr)
+        print(
+            f"WARNING: the FMU gets no compiled kernel and runs the slow Python source: {reason}",
+            file=sys.stderr,
+        )
     return {f"kernel/{name}": library for name, library in made.items()}
 
 
@@ -72,8 +88,9 @@ def imports_of(module):
         if isinstance(node, ast.ImportFrom) and node.level:
             yield from files_of(module.parents[node.level - 1], node)
         elif names_itself(node):
-            raise ValueError(f"{module}, line {node.lineno}: a packed module must import relatively, or it "
-                             "gets the host's")
+            raise ValueError(
+                f"{module}, line {node.lineno}: a packed module must import relatively, or it gets the host's"
+            )
 
 
 def files_of(folder, node):
@@ -83,8 +100,9 @@ def files_of(folder, node):
     for target in (folder, *(folder / alias.name for alias in node.names)):
         place = target.relative_to(PACKAGE)
         if target != PACKAGE and OFFLINE.isdisjoint(each.as_posix() for each in (place, *place.parents)):
-            yield from (file for file in (target.with_suffix(".py"), target / "__init__.py")
-                        if file.is_file())
+            yield from (
+                file for file in (target.with_suffix(".py"), target / "__init__.py") if file.is_file()
+            )
 
 
 def names_itself(node):
@@ -93,5 +111,6 @@ def names_itself(node):
         names = [alias.name for alias in node.names]
     else:
         names = [getattr(node, "module", None) or ""]
-    return (isinstance(node, (ast.Import, ast.ImportFrom))
-            and any(name.split(".")[0] == PACKAGE.name for name in names))
+    return isinstance(node, (ast.Import, ast.ImportFrom)) and any(
+        name.split(".")[0] == PACKAGE.name for name in names
+    )

@@ -43,11 +43,14 @@ def checked(settings):
     """The ``settings``, each of which is permitted by itself; ValueError in a sentence where one is not."""
     for name, value in settings.items():
         if name in ROWS and name not in SETTABLE:
-            raise ValueError(f"{name} is chosen by its own argument {ROWS[name].name}, which takes built-in "
-                             "names too")
+            raise ValueError(
+                f"{name} is chosen by its own argument {ROWS[name].name}, which takes built-in names too"
+            )
         if name not in ROWS:
-            raise ValueError(f"{name} is not a parameter of the FMU; permitted are {', '.join(SETTABLE)}"
-                             f"{did_you_mean(name, SETTABLE)}")
+            raise ValueError(
+                f"{name} is not a parameter of the FMU; permitted are {', '.join(SETTABLE)}"
+                f"{did_you_mean(name, SETTABLE)}"
+            )
         if ROWS[name].family is not None:
             check_choice(name, value, VARIABLES[PLACE[name]].choices)
     keywords_of(settings)
@@ -57,5 +60,8 @@ def checked(settings):
 def keywords_of(settings):
     """The keywords of :class:`~wrcontact.ContactSystem` for ``settings``; those of the left side with 0 are
     as on the right."""
-    return {ROWS[name].name: ROWS[name].checked(value) for name, value in settings.items()
-            if not (ROWS[name].right and value == 0)}
+    return {
+        ROWS[name].name: ROWS[name].checked(value)
+        for name, value in settings.items()
+        if not (ROWS[name].right and value == 0)
+    }

@@ -13,8 +13,13 @@ from .description import xml_file
 from .variants import WHEELSET
 
 #: Inputs by what they are called in a connection: an axle's pose has no variable "roll_input".
-POSE = {"lateral_shift": "lateral_shift", "vertical_shift": "vertical_shift_input", "roll": "roll_input",
-        "yaw": "yaw", "roll_guess": "roll_guess"}
+POSE = {
+    "lateral_shift": "lateral_shift",
+    "vertical_shift": "vertical_shift_input",
+    "roll": "roll_input",
+    "yaw": "yaw",
+    "roll_guess": "roll_guess",
+}
 RAILS = {row.name: row.name for row in (*RAIL_INPUTS, TIME_STEP, *DEFLECTIONS)}
 MOTION = {row.name: row.name for row in (*MOTION_INPUTS, *RATES)}
 FRICTION = {row.name: row.name for row in FRICTION_INPUTS}
@@ -35,39 +40,71 @@ def terminals_and_icons(version, names, variant=WHEELSET):
     SubElement(picture, "Icon", corners)
     parent = SubElement(root, "Terminals")
     for name, (kind, meaning, members) in terminals(names).items():
-        members = {variant.name(member) or member: own for member, variable in members.items()
-                   if (own := variant.name(variable))}
+        members = {
+            variant.name(member) or member: own
+            for member, variable in members.items()
+            if (own := variant.name(variable))
+        }
         if not members:
             continue
-        terminal = SubElement(parent, "Terminal", name=name, matchingRule="bus",
-                              terminalKind=f"wrcontact.{kind}", description=meaning)
+        terminal = SubElement(
+            parent,
+            "Terminal",
+            name=name,
+            matchingRule="bus",
+            terminalKind=f"wrcontact.{kind}",
+            description=meaning,
+        )
         for member, variable in members.items():
-            SubElement(terminal, "TerminalMemberVariable", variableName=variable, memberName=member,
-                       variableKind="signal")
+            SubElement(
+                terminal,
+                "TerminalMemberVariable",
+                variableName=variable,
+                memberName=member,
+                variableKind="signal",
+            )
     image = (SOURCES / "icon.png").read_bytes()
-    entries = {"terminalsAndIcons/terminalsAndIcons.xml": xml_file(root), "terminalsAndIcons/icon.png": image,
-               "terminalsAndIcons/icon.svg": (SOURCES / "icon.svg").read_bytes()}
-    return entries if version == 3 else {**entries, "model.png": image}     # where FMI 2 has its icon
+    entries = {
+        "terminalsAndIcons/terminalsAndIcons.xml": xml_file(root),
+        "terminalsAndIcons/icon.png": image,
+        "terminalsAndIcons/icon.svg": (SOURCES / "icon.svg").read_bytes(),
+    }
+    return entries if version == 3 else {**entries, "model.png": image}  # where FMI 2 has its icon
 
 
 def terminals(names):
     """(kind, meaning, variables by their name in a connection) of each terminal, by name."""
-    whole = [variable.name for variable in VARIABLES if variable.causality == OUTPUT
-             and not variable.name.startswith(SIDES)]
+    whole = [
+        variable.name
+        for variable in VARIABLES
+        if variable.causality == OUTPUT and not variable.name.startswith(SIDES)
+    ]
     inputs = {variable.name for variable in VARIABLES if variable.causality == INPUT}
     groups = {
-        "pose": ("pose", "Where the wheelset stands; compliant contact reads the height and the roll too",
-                 POSE),
+        "pose": (
+            "pose",
+            "Where the wheelset stands; compliant contact reads the height and the roll too",
+            POSE,
+        ),
         "load": ("load", "What the wheels carry; compliant contact does not read it", LOAD),
         "rails": ("rails", "How far the rails are from their nominal places", RAILS),
         "motion": ("motion", "How the wheelset and its rails move", MOTION),
         "friction": ("friction", "Friction between wheels and rails", FRICTION),
-        "wheelset": ("resultant", "Roll and height of the wheelset, and the resultant of its contact forces",
-                     {name: name for name in whole}),
+        "wheelset": (
+            "resultant",
+            "Roll and height of the wheelset, and the resultant of its contact forces",
+            {name: name for name in whole},
+        ),
     }
     for side in SIDES:
-        of_side = [name.removeprefix(f"{side}.") for name in names if name.startswith(f"{side}.")
-                   and name not in inputs]
-        groups[side] = ("contact", f"Contact of the {side} wheel",
-                        {name: f"{side}.{name}" for name in of_side})
+        of_side = [
+            name.removeprefix(f"{side}.")
+            for name in names
+            if name.startswith(f"{side}.") and name not in inputs
+        ]
+        groups[side] = (
+            "contact",
+            f"Contact of the {side} wheel",
+            {name: f"{side}.{name}" for name in of_side},
+        )
     return groups

@@ -45,8 +45,12 @@ class Variant:
         if not self.side:
             return variable
         follows = tuple(own for name in variable.depends_on if (own := self.name(name)))
-        return replace(variable, name=self.name(variable.name), depends_on=follows,
-                       place=variable.place.removeprefix(f"{self.side.capitalize()} ").capitalize())
+        return replace(
+            variable,
+            name=self.name(variable.name),
+            depends_on=follows,
+            place=variable.place.removeprefix(f"{self.side.capitalize()} ").capitalize(),
+        )
 
     def variables(self):
         """(Place in the table, variable) of each, in the order of the table."""
@@ -78,17 +82,22 @@ class _WheelTerms(Terms):
 
 
 #: The descriptions are without names of methods, of which there are more now and then.
-WHEELSET = Variant("WheelsetContact",
-                   "Wheel-rail contact of a wheelset on track: contact points and roll, contact patches with "
-                   "their pressures, creepages and creep forces, resultant forces and moments, friction "
-                   "power",
-                   layout.SIDES_BOTH)
+WHEELSET = Variant(
+    "WheelsetContact",
+    "Wheel-rail contact of a wheelset on track: contact points and roll, contact patches with "
+    "their pressures, creepages and creep forces, resultant forces and moments, friction "
+    "power",
+    layout.SIDES_BOTH,
+)
 
 
 def single_wheel(side):
     """The variant of one wheel on the rail of this ``side``, "left" or "right"."""
-    return Variant("WheelContact",
-                   f"Wheel-rail contact of one wheel on the {side} rail, with six degrees of freedom and its "
-                   "own rotation: contact point, contact patches with their pressures, creepages and creep "
-                   "forces, force and moment, friction power",
-                   {"left": layout.SIDES_LEFT, "right": layout.SIDES_RIGHT}[side], side)
+    return Variant(
+        "WheelContact",
+        f"Wheel-rail contact of one wheel on the {side} rail, with six degrees of freedom and its "
+        "own rotation: contact point, contact patches with their pressures, creepages and creep "
+        "forces, force and moment, friction power",
+        {"left": layout.SIDES_LEFT, "right": layout.SIDES_RIGHT}[side],
+        side,
+    )

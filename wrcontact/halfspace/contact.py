@@ -34,13 +34,13 @@ from .one_grid import check_load, check_number, checked_domain
 from .problem import Problem
 from .refinement import COARSE_CELLS, WINDOW_REPEATS, refine, solve_window
 
-LOOK_LUMPS = 16          # per side, of the pressures as the look sees them
-PLACE_SAMPLES = 9        # per side, around a place
+LOOK_LUMPS = 16  # per side, of the pressures as the look sees them
+PLACE_SAMPLES = 9  # per side, around a place
 PLACE_ZOOMS = 4
-MISSED_SHARE = 1e-3      # of the penetration: less overlap than this is nothing missed
+MISSED_SHARE = 1e-3  # of the penetration: less overlap than this is nothing missed
 #: Error in penetration (or force), area and peak pressure at which a grid is fine enough.
 TOLERANCE = 5e-3
-TOLERANCE_RANGE = (3e-4, 0.1)     # the edge is known to EDGE_DOUBT: less would take more than CELL_LIMIT
+TOLERANCE_RANGE = (3e-4, 0.1)  # the edge is known to EDGE_DOUBT: less would take more than CELL_LIMIT
 #: The residual is reduced to this share of the tolerance, so that it does not count in the grid's error.
 RESIDUAL_SHARE = 1e-3
 LOOK_REPEATS = 7
@@ -59,17 +59,23 @@ def missed(problem, ridge, found):
     total = np.full(len(s) + 2, math.inf)
     total[near + 1] = low[near] + far_deflection(problem, found, ridge.x[near], s[near])
     lowest = (total[1:-1] <= total[:-2]) & (total[1:-1] < total[2:])
-    places = [k for k in np.flatnonzero(lowest) if total[k + 1] < ridge.spare[k]
-              and not is_loaded(found, ridge.x[k], s[k])]
+    places = [
+        k
+        for k in np.flatnonzero(lowest)
+        if total[k + 1] < ridge.spare[k] and not is_loaded(found, ridge.x[k], s[k])
+    ]
     step = s[1] - s[0]
     boxes = []
     for k in places:
-        box = clipped((ridge.x[k] - ridge.step, ridge.x[k] + ridge.step, s[k] - 1.5 * step,
-                       s[k] + 1.5 * step), problem.domain)
+        box = clipped(
+            (ridge.x[k] - ridge.step, ridge.x[k] + ridge.step, s[k] - 1.5 * step, s[k] + 1.5 * step),
+            problem.domain,
+        )
         place, gap = _lowest_place(problem.surfaces.gap, box)
         x, station = (np.array([value]) for value in place)
-        level = (found.penetration * problem.surfaces.share(station)
-                 - far_deflection(problem, found, x, station))[0]
+        level = (
+            found.penetration * problem.surfaces.share(station) - far_deflection(problem, found, x, station)
+        )[0]
         if gap < level - MISSED_SHARE * found.penetration and not is_loaded(found, *place):
             boxes.append(_overlap(problem, place, level, step))
     return boxes
@@ -83,8 +89,10 @@ def far_deflection(problem, found, x, s):
     width, depth = (max(1, math.ceil((k.max() - k.min() + 1) / LOOK_LUMPS)) for k in (rows, columns))
     _, lump = np.unique(rows // width * found.pressure.shape[1] + columns // depth, return_inverse=True)
     weight = np.bincount(lump, forces)
-    x_lump, s_lump, angle = (np.bincount(lump, forces * k) / weight
-                             for k in (found.x[rows], found.s[columns], found.angle[columns]))
+    x_lump, s_lump, angle = (
+        np.bincount(lump, forces * k) / weight
+        for k in (found.x[rows], found.s[columns], found.angle[columns])
+    )
     dx, ds = found.x[1] - found.x[0], found.s[1] - found.s[0]
     # inside a lump of radius c the mean of 1 / r is 2 / c
     least = 0.5 * math.sqrt(width * depth * dx * ds / math.pi)
@@ -98,10 +106,11 @@ def far_deflection(problem, found, x, s):
 def is_loaded(found, x, s):
     """Whether a cell is loaded at or next to (x, s)."""
     i, j = int(np.argmin(np.abs(found.x - x))), int(np.argmin(np.abs(found.s - s)))
-    if (abs(found.x[i] - x) > 1.5 * (found.x[1] - found.x[0])
-        or abs(found.s[j] - s) > 1.5 * (found.s[1] - found.s[0])):
+    if abs(found.x[i] - x) > 1.5 * (found.x[1] - found.x[0]) or abs(found.s[j] - s) > 1.5 * (
+        found.s[1] - found.s[0]
+    ):
         return False
-    return bool(found.pressure[max(i - 1, 0):i + 2, max(j - 1, 0):j + 2].any())
+    return bool(found.pressure[max(i - 1, 0) : i + 2, max(j - 1, 0) : j + 2].any())
 
 
 def _lowest_place(gap_function, box):
@@ -119,8 +128,9 @@ def _overlap(problem, place, level, size):
     """Box around ``place`` in which the gap lies below ``level``, from one of the ``size`` [m] on."""
     half = [size, size]
     for _ in range(WINDOW_REPEATS):
-        box = clipped((place[0] - half[0], place[0] + half[0], place[1] - half[1], place[1] + half[1]),
-                      problem.domain)
+        box = clipped(
+            (place[0] - half[0], place[0] + half[0], place[1] - half[1], place[1] + half[1]), problem.domain
+        )
         x, s = centres(box, (COARSE_CELLS, COARSE_CELLS))
         below, _ = ndimage.label(problem.surfaces.gap(x, s) < level, np.ones((3, 3)))
         here = below == below[np.argmin(np.abs(x - place[0])), np.argmin(np.abs(s - place[1]))]
@@ -129,12 +139,13 @@ def _overlap(problem, place, level, size):
         touched = touched_sides(here)
         if not any(touched):
             return around(here, x, s, x[1] - x[0], s[1] - s[0], 0.5)
-        half = [size * (2 if any(touched[2 * k:2 * k + 2]) else 1) for k, size in enumerate(half)]
+        half = [size * (2 if any(touched[2 * k : 2 * k + 2]) else 1) for k, size in enumerate(half)]
     return box
 
 
-def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetration=None,
-                  tolerance=TOLERANCE):
+def solve_contact(
+    gap_function, domain, *, contact_modulus, force=None, penetration=None, tolerance=TOLERANCE
+):
     """The contact for any gap: finds the patches, fits a grid to them, and refines it
     until the answer stands.
 
@@ -167,10 +178,15 @@ def solve_contact(gap_function, domain, *, contact_modulus, force=None, penetrat
     check_number("contact_modulus", contact_modulus, "Pa", above=True)
     domain = checked_domain(domain)
     if not TOLERANCE_RANGE[0] <= tolerance <= TOLERANCE_RANGE[1]:
-        raise ValueError(f"tolerance is {tolerance!r}; permitted is {TOLERANCE_RANGE[0]:g} ... "
-                         f"{TOLERANCE_RANGE[1]:g}")
-    return solve_problem(Problem(FlatGap(gap_function), domain, contact_modulus, force, penetration,
-                                 RESIDUAL_SHARE * tolerance), tolerance)
+        raise ValueError(
+            f"tolerance is {tolerance!r}; permitted is {TOLERANCE_RANGE[0]:g} ... {TOLERANCE_RANGE[1]:g}"
+        )
+    return solve_problem(
+        Problem(
+            FlatGap(gap_function), domain, contact_modulus, force, penetration, RESIDUAL_SHARE * tolerance
+        ),
+        tolerance,
+    )
 
 
 def solve_problem(problem, tolerance=TOLERANCE):
@@ -186,8 +202,11 @@ def solve_problem(problem, tolerance=TOLERANCE):
             return found
         # what a patch that has been missed will carry is not known, but little
         patches = loaded_boxes(found) + [(box, 0.0) for box in boxes]
-        found = (refine_blocks(problem, patches, tolerance)
-                 if boxes or are_apart(merged([box for box, _ in patches]))
-                 else refine(problem, found, tolerance))
-    raise ArithmeticError(f"{len(boxes)} places are still missed after {LOOK_REPEATS} looks; permitted is "
-                          "none")
+        found = (
+            refine_blocks(problem, patches, tolerance)
+            if boxes or are_apart(merged([box for box, _ in patches]))
+            else refine(problem, found, tolerance)
+        )
+    raise ArithmeticError(
+        f"{len(boxes)} places are still missed after {LOOK_REPEATS} looks; permitted is none"
+    )

@@ -34,7 +34,8 @@ def coupling_of(wheel, rail):
     """
     (shift_w, press_w), (shift_r, press_r) = (
         ((1.0 - 2.0 * ratio) * 2.0 * (1.0 + ratio) / modulus, (1.0 - ratio) * 2.0 * (1.0 + ratio) / modulus)
-        for modulus, ratio in (wheel, rail))
+        for modulus, ratio in (wheel, rail)
+    )
     return 0.5 * (shift_w - shift_r) / (press_w + press_r)
 
 
@@ -46,8 +47,10 @@ def influence(away_x, away_s, *, contact_modulus, coupling=0.0):
     (1929), Johnson (1985) eq. (3.25).  (H3)  With a ``coupling`` the imaginary part counts where normals
     differ.  (H11)
     """
-    edges = [np.append(away - 0.5 * step, away[-1] + 0.5 * step)
-             for away, step in ((away, away[1] - away[0]) for away in (away_x, away_s))]
+    edges = [
+        np.append(away - 0.5 * step, away[-1] + 0.5 * step)
+        for away, step in ((away, away[1] - away[0]) for away in (away_x, away_s))
+    ]
     x, s = edges[0][:, None], edges[1]
     corners = corner_potential(x, s)
     if coupling:
@@ -81,19 +84,29 @@ class Deflection:
         turns = angle is not None and bool(np.ptp(angle) > 0.0)
         self.turn = np.exp(1j * np.asarray(angle))[..., None, :] if turns else None
         self._along, self._back = (fft.fft, fft.ifft) if turns else (fft.rfft, fft.irfft)
-        waves = np.hypot(*np.meshgrid(*(2.0 * math.pi * fft.fftfreq(count, step)
-                                        for count, step in zip(self.shape, (dx, ds))), indexing="ij"))
+        waves = np.hypot(
+            *np.meshgrid(
+                *(2.0 * math.pi * fft.fftfreq(count, step) for count, step in zip(self.shape, (dx, ds))),
+                indexing="ij",
+            )
+        )
         longest = math.pi / max(count * step for count, step in zip(self.shape, (dx, ds)))
-        self._stiffness = 0.5 * contact_modulus * np.maximum(waves, longest)[:, :self.shape[1] // 2 + 1]
+        self._stiffness = 0.5 * contact_modulus * np.maximum(waves, longest)[:, : self.shape[1] // 2 + 1]
         material = {"contact_modulus": contact_modulus, "coupling": coupling if turns else 0.0}
-        self.transfer = np.stack([np.stack([self._transfer(one - other, dx, ds, material)
-                                            for other in corners]) for one in corners])
+        self.transfer = np.stack(
+            [
+                np.stack([self._transfer(one - other, dx, ds, material) for other in corners])
+                for one in corners
+            ]
+        )
 
     def _transfer(self, away, dx, ds, material):
         """Transform of the influence on a grid whose first cell is ``away`` (2,) cells from the other's."""
         low = [count - size for count, size in zip(self.shape, self.padded)]
-        places = [step * (np.arange(start, count) + shift)
-                  for start, count, shift, step in zip(low, self.shape, away, (dx, ds))]
+        places = [
+            step * (np.arange(start, count) + shift)
+            for start, count, shift, step in zip(low, self.shape, away, (dx, ds))
+        ]
         kernel = np.roll(influence(*places, **material), low, (0, 1))
         return fft.fft(self._along(kernel, axis=1), axis=0)
 
@@ -108,8 +121,8 @@ class Deflection:
             spectrum = np.einsum("abij,bij->aij", self.transfer, spectrum)
         else:
             spectrum *= self.transfer[0]
-        inside = fft.ifft(spectrum, axis=1, overwrite_x=True)[:, :self.shape[0]]
-        bent = self._back(inside, columns, axis=2)[..., :self.shape[1]]
+        inside = fft.ifft(spectrum, axis=1, overwrite_x=True)[:, : self.shape[0]]
+        bent = self._back(inside, columns, axis=2)[..., : self.shape[1]]
         if self.turn is not None:
             bent = (bent * self.turn.conj()).real
         return bent.reshape(pressure.shape)

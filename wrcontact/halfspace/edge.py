@@ -6,8 +6,8 @@ import math
 import numpy as np
 from scipy import ndimage
 
-EDGE_LAYERS = 3          # cells by which a patch's p^2 is continued to find its edge
-EDGE_PAD = EDGE_LAYERS + 1    # cells by which an edge field is larger than its pressure field, on each side
+EDGE_LAYERS = 3  # cells by which a patch's p^2 is continued to find its edge
+EDGE_PAD = EDGE_LAYERS + 1  # cells by which an edge field is larger than its pressure field, on each side
 #: The edge of a grid's patch lies this far outside [cells]: Hertz's ellipses, 0.02 (1:10) ... 0.06
 #: (circle), 40 to 140 cells.
 EDGE_BIAS = 0.04

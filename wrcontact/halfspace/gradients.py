@@ -48,13 +48,16 @@ def constrained_gradients(pressure, gap, deflect, problem, *, cell, share=1.0, w
         allowed = problem.precision * float(bent.max())
         outside = ~loaded & (clearance < 0.0)
         met = math.sqrt(_inner(residual, residual) / max(np.count_nonzero(loaded), 1))
-        if (met <= allowed and not np.any(clearance[outside] < -allowed)
-                and abs(scale - 1.0) <= problem.precision):
+        if (
+            met <= allowed
+            and not np.any(clearance[outside] < -allowed)
+            and abs(scale - 1.0) <= problem.precision
+        ):
             return pressure, clearance, delta, iteration
         direction, before = _direction(residual, part if total is not None else None, loaded, deflect, before)
         change = deflect(direction)
         step = _inner(residual, direction) / _inner(change, direction)
-        if not step > 0.0:      # the direction has lost its meaning: restart
+        if not step > 0.0:  # the direction has lost its meaning: restart
             before = None
             continue
         pressure = pressure - step * direction
@@ -68,8 +71,10 @@ def constrained_gradients(pressure, gap, deflect, problem, *, cell, share=1.0, w
         bent = deflect(pressure) if moved else scale * (bent - step * change)
         if not math.isfinite(scale):
             break
-    raise ArithmeticError(f"the contact condition is met to {met:.3g} m after {ITERATION_LIMIT} iterations; "
-                          f"permitted is {allowed:.3g} m")
+    raise ArithmeticError(
+        f"the contact condition is met to {met:.3g} m after {ITERATION_LIMIT} iterations; "
+        f"permitted is {allowed:.3g} m"
+    )
 
 
 def _clearance(apart, loaded, part, share, problem):

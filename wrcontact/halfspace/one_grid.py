@@ -17,14 +17,16 @@ def check_number(name, value, unit, above=False):
     except TypeError:
         good = False
     if not good:
-        raise ValueError(f"{name} is {value!r} {unit}; permitted is {name} {'>' if above else '>='} 0 "
-                         f"{unit}, finite")
+        raise ValueError(
+            f"{name} is {value!r} {unit}; permitted is {name} {'>' if above else '>='} 0 {unit}, finite"
+        )
 
 
 def check_load(force, penetration):
     if (force is None) == (penetration is None):
-        raise ValueError(f"force is {force!r} N and penetration is {penetration!r} m; permitted is exactly "
-                         "one of them")
+        raise ValueError(
+            f"force is {force!r} N and penetration is {penetration!r} m; permitted is exactly one of them"
+        )
     if force is not None:
         check_number("force", force, "N")
     elif not (isinstance(penetration, (int, float, np.number)) and math.isfinite(penetration)):
@@ -34,13 +36,18 @@ def check_load(force, penetration):
 def checked_domain(domain):
     try:
         x_low, x_high, s_low, s_high = (float(side) for side in domain)
-        good = (x_low < x_high and s_low < s_high and math.isfinite(x_high - x_low)
-                and math.isfinite(s_high - s_low))
+        good = (
+            x_low < x_high
+            and s_low < s_high
+            and math.isfinite(x_high - x_low)
+            and math.isfinite(s_high - s_low)
+        )
     except (TypeError, ValueError):
         good = False
     if not good:
-        raise ValueError(f"domain is {domain!r} m; permitted is (x_low, x_high, s_low, s_high), finite, low "
-                         "below high")
+        raise ValueError(
+            f"domain is {domain!r} m; permitted is (x_low, x_high, s_low, s_high), finite, low below high"
+        )
     return x_low, x_high, s_low, s_high
 
 
@@ -48,16 +55,23 @@ def checked_grid(x, s, gap):
     x, s, gap = (np.asarray(array, dtype=float) for array in (x, s, gap))
     for name, centres in (("x", x), ("s", s)):
         steps = np.diff(centres) if centres.ndim == 1 else np.zeros(0)
-        if (len(steps) == 0 or not steps[0] > 0.0
-            or not np.all(np.abs(steps - steps.mean()) <= 1e-6 * steps.mean())):
-            raise ValueError(f"{name} has shape {centres.shape}; permitted are two or more rising, evenly "
-                             "spaced values in m")
+        if (
+            len(steps) == 0
+            or not steps[0] > 0.0
+            or not np.all(np.abs(steps - steps.mean()) <= 1e-6 * steps.mean())
+        ):
+            raise ValueError(
+                f"{name} has shape {centres.shape}; permitted are two or more rising, evenly "
+                "spaced values in m"
+            )
     if gap.shape != (len(x), len(s)):
-        raise ValueError(f"gap has shape {gap.shape}; permitted is {(len(x), len(s))}, one value in m per "
-                         "cell")
+        raise ValueError(
+            f"gap has shape {gap.shape}; permitted is {(len(x), len(s))}, one value in m per cell"
+        )
     if np.isnan(gap).any() or not np.isfinite(gap).any() or np.any(gap == -math.inf):
-        raise ValueError("gap holds nan or no finite value in m; permitted are finite values, and inf "
-                         "without a surface")
+        raise ValueError(
+            "gap holds nan or no finite value in m; permitted are finite values, and inf without a surface"
+        )
     return x, s, gap
 
 
@@ -90,31 +104,48 @@ def solve(x, s, gap, *, contact_modulus, force=None, penetration=None, guess=Non
     check_load(force, penetration)
     check_number("contact_modulus", contact_modulus, "Pa", above=True)
     check_number("precision", precision, "1", above=True)
-    return solve_grid(Problem(FlatGap(lambda *_: gap), None, contact_modulus, force, penetration, precision),
-                      x, s, guess)
+    return solve_grid(
+        Problem(FlatGap(lambda *_: gap), None, contact_modulus, force, penetration, precision), x, s, guess
+    )
 
 
 def solve_grid(problem, x, s, guess=None):
     """The contact of a :class:`Problem` on evenly spaced cell centres x (n,), s (m,) [m]."""
     gap, angle, share = problem.surfaces.gap(x, s), problem.surfaces.angle(s), problem.surfaces.share(s)
     if not np.isfinite(gap).any():
-        raise ArithmeticError(f"there are no surfaces between x = {x[0]:g} ... {x[-1]:g} m and s = "
-                              f"{s[0]:g} ... {s[-1]:g} m; permitted are grids with a finite gap")
+        raise ArithmeticError(
+            f"there are no surfaces between x = {x[0]:g} ... {x[-1]:g} m and s = "
+            f"{s[0]:g} ... {s[-1]:g} m; permitted are grids with a finite gap"
+        )
     force, penetration = problem.force, problem.penetration
     dx, ds = (float(centres[-1] - centres[0]) / (len(centres) - 1) for centres in (x, s))
     lowest = float((gap / share).min())
     if force == 0.0 or (force is None and penetration <= lowest):
         delta = lowest if force == 0.0 else float(penetration)
-        return HalfspaceContact(x, s, np.zeros(gap.shape), gap - delta * share, delta, 0.0, 0.0, 0.0, 0,
-                                angle=angle)
+        return HalfspaceContact(
+            x, s, np.zeros(gap.shape), gap - delta * share, delta, 0.0, 0.0, 0.0, 0, angle=angle
+        )
     deflect = problem.deflection(gap.shape, dx, ds, angle)
     if guess is None or not np.any(np.asarray(guess) > 0.0):
-        level = penetration if force is None else estimate_penetration(
-            gap / share, dx * ds, problem.contact_modulus, force)
-        guess = np.sqrt(np.maximum(level * share - gap, 0.0))      # the shape of Hertz's pressure
+        level = (
+            penetration
+            if force is None
+            else estimate_penetration(gap / share, dx * ds, problem.contact_modulus, force)
+        )
+        guess = np.sqrt(np.maximum(level * share - gap, 0.0))  # the shape of Hertz's pressure
     start = np.where(np.isfinite(gap), np.maximum(guess, 0.0), 0.0)
     pressure, clearance, delta, iterations = constrained_gradients(
-        start, gap, deflect, problem, cell=dx * ds, share=share, weight=problem.weight(angle))
-    return HalfspaceContact(x, s, pressure, clearance, delta, float(pressure.sum() * dx * ds),
-                            float(loaded_area(pressure) * dx * ds), peak_pressure(pressure), iterations,
-                            angle=angle)
+        start, gap, deflect, problem, cell=dx * ds, share=share, weight=problem.weight(angle)
+    )
+    return HalfspaceContact(
+        x,
+        s,
+        pressure,
+        clearance,
+        delta,
+        float(pressure.sum() * dx * ds),
+        float(loaded_area(pressure) * dx * ds),
+        peak_pressure(pressure),
+        iterations,
+        angle=angle,
+    )

@@ -29,9 +29,17 @@ def fill_side(side, strips, wheel, moved, stations):
     contact = wheel.contact
     lengths, low, high = extents(contact)
     line = contact.pressure.sum(axis=0)
-    fill_totals(side.totals, contact.force, contact.area, line @ contact.s / line.sum(),
-                contact.max_pressure, lengths.max(), (low, high), high - low)
-    pressures = split_patches(contact)[:layout.SOLVED_PATCH_LIMIT]
+    fill_totals(
+        side.totals,
+        contact.force,
+        contact.area,
+        line @ contact.s / line.sum(),
+        contact.max_pressure,
+        lengths.max(),
+        (low, high),
+        high - low,
+    )
+    pressures = split_patches(contact)[: layout.SOLVED_PATCH_LIMIT]
     found = [describe_patch(wheel, pressure, moved) for pressure in pressures]
     side.patch_count = len(found)
     origin = np.array([0.0, *-moved])
@@ -43,12 +51,12 @@ def fill_side(side, strips, wheel, moved, stations):
         fill_force(patch, force)
     first = 0
     for index, (patch, columns) in enumerate(sorted(found, key=lambda pair: pair[0].totals.start)):
-        columns = columns[:layout.SOLVED_STRIP_LIMIT - first]
+        columns = columns[: layout.SOLVED_STRIP_LIMIT - first]
         patch.first, patch.last = first, first + len(columns) - 1
-        np.ctypeslib.as_array(strips)[first:first + len(columns)] = columns
+        np.ctypeslib.as_array(strips)[first : first + len(columns)] = columns
         side.patches[index] = patch
         first += len(columns)
-    numbers = np.ctypeslib.as_array(side.outline.numbers)[:layout.RUN_COUNT * stations]
+    numbers = np.ctypeslib.as_array(side.outline.numbers)[: layout.RUN_COUNT * stations]
     write_outline(numbers.reshape(layout.RUN_COUNT, stations), contact, lengths, low, high)
 
 
@@ -69,9 +77,16 @@ def describe_patch(wheel, pressure, moved):
     low, high = extent(edge)
     lengths = chords(edge) * dx
     centroid = float(line @ contact.s / line.sum())
-    fill_totals(patch.totals, line.sum() * dx * ds, edge_area(edge) * dx * ds, centroid,
-                peak_pressure(pressure), lengths.max(), (_station(contact, low), _station(contact, high)),
-                (high - low) * ds)
+    fill_totals(
+        patch.totals,
+        line.sum() * dx * ds,
+        edge_area(edge) * dx * ds,
+        centroid,
+        peak_pressure(pressure),
+        lengths.max(),
+        (_station(contact, low), _station(contact, high)),
+        (high - low) * ds,
+    )
     patch.station, patch.x = centroid, pressure.sum(axis=1) @ contact.x / pressure.sum()
     patch.rail = float(surfaces.curve.at("rail_y", centroid)) - surfaces.pair.rail_y
     patch.wheel = patch.slant = math.nan
@@ -142,5 +157,6 @@ def resultant(wheel, centre, pressure=None):
     y, z = curve.at("y", contact.s) - centre[1], curve.at("z", contact.s) - centre[2]
     along, down = -np.sin(contact.angle), -np.cos(contact.angle)
     levers = levers - centre[0] * loads
-    return np.array([0.0, loads @ along, loads @ down,
-                     loads @ (y * down - z * along), -levers @ down, levers @ along])
+    return np.array(
+        [0.0, loads @ along, loads @ down, loads @ (y * down - z * along), -levers @ down, levers @ along]
+    )

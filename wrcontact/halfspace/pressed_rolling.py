@@ -58,8 +58,10 @@ class SolvedSide:
         """Abscissae of the wheel's and of the rail's profile at x, ``station`` [m]."""
         surfaces = self.wheel.surfaces
         lowered = surfaces.pair.lowered(surfaces.at)
-        return (lowered.abscissa(surfaces.place(x, station)),
-                float(surfaces.curve.at("rail_y", station)) - surfaces.pair.rail_y)
+        return (
+            lowered.abscissa(surfaces.place(x, station)),
+            float(surfaces.curve.at("rail_y", station)) - surfaces.pair.rail_y,
+        )
 
     def slips(self, motion, speed, x, station):
         """Creepages [1] and spin [1/m] (3,) at x, ``station`` [m], with the rolling ``speed`` [m/s]."""
@@ -72,7 +74,7 @@ class SolvedSide:
 def cut_patches(side, record, strips):
     """Cut the patches of a side, record SideSearch, which lie on ``strips``, record SolvedStrips, along the
     rolling direction; ``side`` is its :class:`SolvedSide`."""
-    for patch in record.patches[:record.patch_count]:
+    for patch in record.patches[: record.patch_count]:
         cut_patch(patch, strips)
         nodes = [strips[k] for k in range(patch.first, patch.last + 1)]
         station, x = np.array([(node.station, node.x) for node in nodes]).T
@@ -92,7 +94,7 @@ def place_wear(side, record, stations):
         x = float(side.wheel.surfaces.curve.at("x", station))
         for run, value in zip((0, 1, 3), (*side.profile_places(x, station), record.patches[nearest].rank)):
             record.wear.numbers[run * stations + j] = value
-    for patch, worn in zip(record.patches[:record.patch_count], record.worn):
+    for patch, worn in zip(record.patches[: record.patch_count], record.worn):
         for i, strip in enumerate(patch.strips):
             worn.wheel_place[i], worn.rail_place[i] = side.profile_places(patch.x + strip.x, strip.station)
 
@@ -148,13 +150,15 @@ def patch_fields(side, patch):
     loaded = [np.flatnonzero(pressure.any(axis=axis)) for axis in (1, 0)]
     if min(len(places) for places in loaded) < LEAST_CELLS:
         return None
-    middles = [each[places[0]:places[-1] + 1] for each, places in zip((contact.x, contact.s), loaded)]
+    middles = [each[places[0] : places[-1] + 1] for each, places in zip((contact.x, contact.s), loaded)]
     if any(np.ptp(np.diff(each)) > 1e-6 * (each[1] - each[0]) for each in middles):
         return None
     edge = edge_field(pressure[np.ix_(*(np.arange(places[0], places[-1] + 1) for places in loaded))])
     origin = patch.x, patch.totals.centroid
-    return [sampled(edge, [each - start for each, start in zip(middles, origin)], cells)
-            for cells in (COARSE_CELLS, 2 * COARSE_CELLS)]
+    return [
+        sampled(edge, [each - start for each, start in zip(middles, origin)], cells)
+        for cells in (COARSE_CELLS, 2 * COARSE_CELLS)
+    ]
 
 
 def sampled(edge, middles, cells):
@@ -169,8 +173,9 @@ def sampled(edge, middles, cells):
         found.append(one[0] + (one[1] - one[0]) * (low + size * (np.arange(cells) + 0.5)))
     square = ndimage.map_coordinates(edge, np.meshgrid(*places, indexing="ij"), order=1).T
     shares = [np.sqrt(np.maximum(square, 0.0)), (square > 0.0).astype(float)]
-    return PressureField(*found, *(each.reshape(cells, POINTS, cells, POINTS).mean(axis=(1, 3))
-                                   for each in shares))
+    return PressureField(
+        *found, *(each.reshape(cells, POINTS, cells, POINTS).mean(axis=(1, 3)) for each in shares)
+    )
 
 
 def row_slips(motion, side, patch, field):
@@ -179,11 +184,18 @@ def row_slips(motion, side, patch, field):
     are on wet rails."""
     load = field.pressure.sum(axis=1)
     x = np.divide(field.pressure @ field.x, load, out=np.zeros(len(load)), where=load > 0.0)
-    along, across, spin = np.transpose([side.slips(motion, patch.speed, patch.x + ahead,
-                                                   patch.totals.centroid + y)
-                                        for ahead, y in zip(x, field.y)])
-    strips = np.array([(side.slips(motion, patch.speed, patch.x + strip.x, strip.station)[0], strip.slip)
-                       for strip in patch.strips])
+    along, across, spin = np.transpose(
+        [
+            side.slips(motion, patch.speed, patch.x + ahead, patch.totals.centroid + y)
+            for ahead, y in zip(x, field.y)
+        ]
+    )
+    strips = np.array(
+        [
+            (side.slips(motion, patch.speed, patch.x + strip.x, strip.station)[0], strip.slip)
+            for strip in patch.strips
+        ]
+    )
     whole, reduced = np.abs(strips).sum(axis=0)
     factor = reduced / whole if whole > 0.0 else 1.0
     return factor * np.array([along, across - spin * x, spin])
@@ -198,8 +210,14 @@ def roll_fields(patch, fields, slips, **material):
             field = PressureField(-field.x[::-1], field.y, field.pressure[:, ::-1], field.cover[:, ::-1])
             slip = slip * [[-1.0], [1.0], [-1.0]]
         along, across, spin = slip
-        solution = rolling_contact(field.scaled(patch.totals.load), creepage_x=along + spin * field.y,
-                                   creepage_y=across, spin=spin, friction=patch.friction,
-                                   start=solution, **material)
+        solution = rolling_contact(
+            field.scaled(patch.totals.load),
+            creepage_x=along + spin * field.y,
+            creepage_y=across,
+            spin=spin,
+            friction=patch.friction,
+            start=solution,
+            **material,
+        )
         found.append(solution)
     return extrapolated(*found)

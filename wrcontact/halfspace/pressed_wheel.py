@@ -25,13 +25,13 @@ FIRST_TOLERANCE = 0.1
 LAID_SHARE = 0.03
 LAYINGS = 8
 TRIALS = 25
-FLATTEST = 0.05          # a slope between two trials is at least this share of the levers' difference
+FLATTEST = 0.05  # a slope between two trials is at least this share of the levers' difference
 # the right side's height less the left one's falls where the roll grows
-LONGEST = 2e-4           # [m]; longest move of a wheel from one trial to the next
-COARSE = 0.03            # tolerance of the first trials
+LONGEST = 2e-4  # [m]; longest move of a wheel from one trial to the next
+COARSE = 0.03  # tolerance of the first trials
 #: Heights that differ by this share of the penetration are equal; the grids' own error is 2e-4.
 EQUAL = 2e-4
-TOUCHINGS = 3            # steps in which a wheel is brought to its rail
+TOUCHINGS = 3  # steps in which a wheel is brought to its rail
 
 
 @dataclass(frozen=True)
@@ -60,8 +60,10 @@ class PressedWheel:
     def counted_from(self, rail_y):
         """The same with stations counted from the rail's abscissa ``rail_y`` [m] of the track frame."""
         start = self.surfaces.curve.station_of(rail_y)
-        return PressedWheel(replace(self.surfaces, curve=self.surfaces.curve.shifted(start)),
-                            replace(self.contact, s=self.contact.s - start))
+        return PressedWheel(
+            replace(self.surfaces, curve=self.surfaces.curve.shifted(start)),
+            replace(self.contact, s=self.contact.s - start),
+        )
 
 
 def press(pair, settings, *, force=None, penetration=None, estimate=None, sure=False):
@@ -84,15 +86,26 @@ def press(pair, settings, *, force=None, penetration=None, estimate=None, sure=F
     tolerance = settings.tolerance if known else max(settings.tolerance, FIRST_TOLERANCE)
     for _ in range(LAYINGS):
         surfaces = turning_gap(pair, laid)
-        found = solve_problem(Problem(surfaces, surfaces.domain, settings.contact_modulus, force, penetration,
-                                      RESIDUAL_SHARE * tolerance, settings.coupling, settings.vertical),
-                              tolerance)
+        found = solve_problem(
+            Problem(
+                surfaces,
+                surfaces.domain,
+                settings.contact_modulus,
+                force,
+                penetration,
+                RESIDUAL_SHARE * tolerance,
+                settings.coupling,
+                settings.vertical,
+            ),
+            tolerance,
+        )
         final, tolerance = tolerance == settings.tolerance, settings.tolerance
         if final and abs(found.penetration - laid) <= LAID_SHARE * abs(laid):
             return PressedWheel(surfaces.near(found.penetration), found)
         laid = found.penetration
-    raise ArithmeticError(f"the penetration still changes from {laid:g} m after {LAYINGS} curves between "
-                          "wheel and rail")
+    raise ArithmeticError(
+        f"the penetration still changes from {laid:g} m after {LAYINGS} curves between wheel and rail"
+    )
 
 
 @dataclass(frozen=True)
@@ -153,8 +166,10 @@ def find_equilibrium(stand, roll, arm, tolerance):
         roll += float(np.clip(-apart / slope, -LONGEST / arm, LONGEST / arm))
         if math.isfinite(high - low) and (slow or not low < roll < high):
             roll = 0.5 * (low + high)
-    raise ArithmeticError(f"both wheels' heights still differ by {apart:g} m after {TRIALS} rolls; permitted "
-                          f"is {EQUAL * depth:g} m")
+    raise ArithmeticError(
+        f"both wheels' heights still differ by {apart:g} m after {TRIALS} rolls; permitted "
+        f"is {EQUAL * depth:g} m"
+    )
 
 
 def stand_of(pair, index, settings, force, last=None):
@@ -187,6 +202,6 @@ def just_touching(pair):
         k = int(np.argmin(ridge.low))
         if not math.isfinite(ridge.low[k]):
             raise ArithmeticError("the wheel is not near its rail")
-        place, angle = surfaces.place(0.0, ridge.s[k])[1:], float(surfaces.angle(ridge.s[k:k + 1])[0])
+        place, angle = surfaces.place(0.0, ridge.s[k])[1:], float(surfaces.angle(ridge.s[k : k + 1])[0])
         pair = pair.lowered(ridge.low[k] / math.cos(angle))
     return pair, place, angle

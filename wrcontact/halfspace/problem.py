@@ -81,8 +81,9 @@ class Problem:
     def deflection(self, shape, dx, ds, angle, corners=None):
         """The :class:`~wrcontact.halfspace.deflection.Deflection` on grids whose normals have these
         angles."""
-        return Deflection(shape, dx, ds, self.contact_modulus, corners=corners, angle=angle,
-                          coupling=self.coupling)
+        return Deflection(
+            shape, dx, ds, self.contact_modulus, corners=corners, angle=angle, coupling=self.coupling
+        )
 
     def weight(self, angle):
         """What the pressures at places with these ``angle`` add to the force, as a share."""

@@ -10,10 +10,10 @@ from .one_grid import solve_grid
 from .problem import HalfspaceContact
 from .window import fit_window
 
-COARSE_CELLS = 24        # per side of the first window
+COARSE_CELLS = 24  # per side of the first window
 WINDOW_REPEATS = 12
-CELL_LIMIT = 2_000_000   # of a grid
-EDGE_DOUBT = 0.05        # [cells]; what is left of a patch's edge, as the error of an area
+CELL_LIMIT = 2_000_000  # of a grid
+EDGE_DOUBT = 0.05  # [cells]; what is left of a patch's edge, as the error of an area
 
 
 def solve_window(problem, window):
@@ -24,8 +24,10 @@ def solve_window(problem, window):
         if not any(touched):
             return found
         window = enlarged(window, touched, problem.domain, 0.4)
-    raise ArithmeticError(f"the patch reaches beyond x = {window[0]:g} ... {window[1]:g} m, s = "
-                          f"{window[2]:g} ... {window[3]:g} m after {WINDOW_REPEATS} enlargements")
+    raise ArithmeticError(
+        f"the patch reaches beyond x = {window[0]:g} ... {window[1]:g} m, s = "
+        f"{window[2]:g} ... {window[3]:g} m after {WINDOW_REPEATS} enlargements"
+    )
 
 
 def refine(problem, coarse, tolerance):
@@ -34,24 +36,30 @@ def refine(problem, coarse, tolerance):
     window, counts = fit_window(coarse)
     previous, found, iterations, before = coarse, coarse, coarse.iterations, None
     while True:
-        found = solve_grid(problem.near(found.penetration), *centres(window, counts),
-                           _resampled(found, window, counts))
+        found = solve_grid(
+            problem.near(found.penetration), *centres(window, counts), _resampled(found, window, counts)
+        )
         iterations += found.iterations
         touched = touched_sides(found.pressure)
         if any(touched):
             window, counts = _widened(window, counts, touched, problem.domain)
             continue
         change = changes(previous, found, problem.wanted)
-        error = change if before is None else {name: estimate_error(before[name], now)
-                                               for name, now in change.items()}
+        error = (
+            change
+            if before is None
+            else {name: estimate_error(before[name], now) for name, now in change.items()}
+        )
         error["area"] = max(error["area"], area_doubt(found))
         if before is not None and max(error.values()) <= tolerance:
             return HalfspaceContact(**{**vars(found), "iterations": iterations, "error": error})
         previous, before, counts = found, change, tuple(2 * n for n in counts)
         if counts[0] * counts[1] > CELL_LIMIT:
-            raise ArithmeticError(f"tolerance is {tolerance:g}, but the error is still "
-                                  f"{max(error.values()):.2g} on {counts[0] // 2} x {counts[1] // 2} cells; "
-                                  f"permitted are {CELL_LIMIT} cells")
+            raise ArithmeticError(
+                f"tolerance is {tolerance:g}, but the error is still "
+                f"{max(error.values()):.2g} on {counts[0] // 2} x {counts[1] // 2} cells; "
+                f"permitted are {CELL_LIMIT} cells"
+            )
 
 
 def _widened(window, counts, touched, domain):
@@ -90,18 +98,22 @@ def area_doubt(found):
     outside the loaded ones.
     """
     cell = (found.x[1] - found.x[0]) * (found.s[1] - found.s[0])
-    return max(_edge_doubt(found.pressure > 0.0),
-               found.area / (np.count_nonzero(found.pressure) * cell) - 1.0)
+    return max(
+        _edge_doubt(found.pressure > 0.0), found.area / (np.count_nonzero(found.pressure) * cell) - 1.0
+    )
 
 
 def _edge_doubt(loaded):
     """Share of the area that lies within EDGE_DOUBT of its edge."""
-    crossings = np.count_nonzero(loaded[1:] != loaded[:-1]) + np.count_nonzero(loaded[:, 1:]
-                                                                               != loaded[:, :-1])
+    crossings = np.count_nonzero(loaded[1:] != loaded[:-1]) + np.count_nonzero(
+        loaded[:, 1:] != loaded[:, :-1]
+    )
     return EDGE_DOUBT * math.pi / 4 * crossings / np.count_nonzero(loaded)
 
 
 def changes(before, found, answer):
     """Relative changes from ``before`` to ``found`` by name; ``answer`` is what was not prescribed."""
-    return {name: abs(getattr(before, name) / getattr(found, name) - 1.0)
-            for name in (answer, "area", "max_pressure")}
+    return {
+        name: abs(getattr(before, name) / getattr(found, name) - 1.0)
+        for name in (answer, "area", "max_pressure")
+    }

@@ -28,7 +28,7 @@ class Solver:
     A step that does not converge has status 3 and leaves the outputs as they are.
     """
 
-    _answer = None          # the outputs of the last step; None where they do not hold any more
+    _answer = None  # the outputs of the last step; None where they do not hold any more
 
     def _is_known(self):
         """Whether the inputs are those of the last answer, and nothing else has changed."""
@@ -38,7 +38,7 @@ class Solver:
     def _keep_answer(self):
         """Write the outputs in the workspace to those of the step, and keep them."""
         first = layout.Work.outputs.offset // 8
-        self._answer = self._workspace[first:][:len(self._outputs)].copy()
+        self._answer = self._workspace[first:][: len(self._outputs)].copy()
         self._outputs[:] = self._answer
 
     def step_many(self, count, inputs, outputs, statuses):
@@ -97,7 +97,7 @@ def rub_patches(tables, work, find):
     """
     for index, side in enumerate(work.sides):
         friction = work.inputs.right_friction if index else work.inputs.left_friction
-        for patch in side.patches[:side.patch_count]:
+        for patch in side.patches[: side.patch_count]:
             if patch.speed > STANDSTILL:
                 factor = open_rolling(tables, work.rolling, patch, friction)
                 find(index, patch)
@@ -115,6 +115,7 @@ def report_forces(tables, work):
 def roll_strips(patch, **material):
     """Creep force of a patch of the kernel that rolls, a :class:`~wrcontact.kernel.layout.Patch`, by the
     complete theory, into its record."""
+
     def solved():
         outline, creepages = outline_of_strips(patch)
         return roll_outline(outline, **creepages, friction=patch.friction, **material)
@@ -148,8 +149,9 @@ def outline_of_strips(patch):
     """
     strips = list(patch.strips)
     start, stop = (strip.y + way * 0.5 * strip.width for strip, way in ((strips[0], -1), (strips[-1], 1)))
-    y, square, load, x = np.array([(strip.y, strip.half_length**2, strip.line_load, strip.x)
-                                   for strip in strips]).T
+    y, square, load, x = np.array(
+        [(strip.y, strip.half_length**2, strip.line_load, strip.x) for strip in strips]
+    ).T
     middle, half = 0.5 * (start + stop), 0.5 * (stop - start)
     low, high = np.array([(strip.y - 0.5 * strip.width, strip.y + 0.5 * strip.width) for strip in strips]).T
 
@@ -169,8 +171,9 @@ def outline_of_strips(patch):
 
 def beside_spin(strips):
     """By name, the spin of strips and their creepages beside those of spin, (n,) each."""
-    y, x, slip, lateral, spin = np.array([(strip.y, strip.x, strip.slip, strip.lateral, strip.spin)
-                                          for strip in strips]).T
+    y, x, slip, lateral, spin = np.array(
+        [(strip.y, strip.x, strip.slip, strip.lateral, strip.spin) for strip in strips]
+    ).T
     return {"creepage_x": slip + spin * y, "creepage_y": lateral - spin * x, "spin": spin}
 
 

@@ -30,9 +30,9 @@ from .wheel_on_rail import wheel_on_rail
 
 #: How far above its rail an unloaded wheel of an elastic wheelset is counted [m].
 CLEAR = 1e-9
-CHUNK = 2                # rows that a process takes at a time
+CHUNK = 2  # rows that a process takes at a time
 
-_worker = None           # in a worker: its stepper, and the places of the outputs that are wanted
+_worker = None  # in a worker: its stepper, and the places of the outputs that are wanted
 
 
 def halfspace_solver(tolerance=None, poisson_ratio=None):
@@ -58,8 +58,11 @@ class HalfspaceSolver(Solver):
         self._inputs, self._outputs, self._geometry = inputs, outputs, np.zeros_like(outputs)
         self._kernel = default_kernel().bind(tables, state, workspace, inputs, self._geometry)
         self.compiled = self._kernel.compiled
-        self._creep = (KernelRolling(tables, workspace) if poisson_ratio is None else
-                       CompleteRolling(self._tables.shear_modulus, poisson_ratio))
+        self._creep = (
+            KernelRolling(tables, workspace)
+            if poisson_ratio is None
+            else CompleteRolling(self._tables.shear_modulus, poisson_ratio)
+        )
         self._pressed = self._status = None
 
     @property
@@ -88,8 +91,9 @@ class HalfspaceSolver(Solver):
 
     @property
     def _settings(self):
-        return Settings(self._tables.contact_modulus, 0.0, self._tables.load == layout.LOAD_VERTICAL,
-                        self.tolerance)
+        return Settings(
+            self._tables.contact_modulus, 0.0, self._tables.load == layout.LOAD_VERTICAL, self.tolerance
+        )
 
     def _solve(self, status):
         """The patches of a wheelset whose geometry the kernel has found, and all outputs, in the workspace;
@@ -99,8 +103,10 @@ class HalfspaceSolver(Solver):
         if tables.mode == layout.MODE_ELASTIC and (self._force(0) > 0.0 or self._force(1) > 0.0):
             wheels, status = self._balanced()
             status = requested_outcome(tables, work, status)
-        solved = [self._press(index, wheels[index])
-                  for index in tracked(range(2), "half-space of one pose", alone=True)]
+        solved = [
+            self._press(index, wheels[index])
+            for index in tracked(range(2), "half-space of one pose", alone=True)
+        ]
         move_wheelset(tables, work)
         move_patches(tables, work)
         if has_creep_forces(tables, work):
@@ -132,20 +138,28 @@ class HalfspaceSolver(Solver):
 
     def _pair(self, index, roll, height):
         """The wheel of a side and its rail, for this roll [rad] and vertical shift [m]."""
-        return wheel_on_rail(self._array, index, lateral_shift=self._inputs[layout.IN_LATERAL_SHIFT],
-                             yaw=self._inputs[layout.IN_YAW], roll=roll, vertical_shift=height,
-                             rail=self._moved(index))
+        return wheel_on_rail(
+            self._array,
+            index,
+            lateral_shift=self._inputs[layout.IN_LATERAL_SHIFT],
+            yaw=self._inputs[layout.IN_YAW],
+            roll=roll,
+            vertical_shift=height,
+            rail=self._moved(index),
+        )
 
     def _refuse_rolled_rails(self):
         for side, place in (("left", layout.IN_LEFT_RAIL_ROLL), ("right", layout.IN_RIGHT_RAIL_ROLL)):
             if self._inputs[place] != 0.0:
-                raise ValueError(f"{side}.rail_roll is {self._inputs[place]:g} rad; permitted with the "
-                                 "normal_model 'halfspace' is 0")
+                raise ValueError(
+                    f"{side}.rail_roll is {self._inputs[place]:g} rad; permitted with the "
+                    "normal_model 'halfspace' is 0"
+                )
 
     def _moved(self, index):
         """Displacement of a side's rail to the right and down [m]."""
         first = layout.IN_LEFT_RAIL_LATERAL if index == 0 else layout.IN_RIGHT_RAIL_LATERAL
-        return self._inputs[first:first + 2]
+        return self._inputs[first : first + 2]
 
     def _contact(self, index):
         """Place of the contact point across and down, in the frame of a right wheel on a rail that is not
@@ -171,8 +185,11 @@ class HalfspaceSolver(Solver):
         # the kernel's contact is one to its tolerance
         apart = pair.distance(point.x_track, *self._contact(index), point.contact_angle)
         prescribed = self._tables.penetration[index]
-        load = ({"penetration": prescribed / steep} if math.isfinite(prescribed)
-                else {"force": self._force(index), "estimate": depth})
+        load = (
+            {"penetration": prescribed / steep}
+            if math.isfinite(prescribed)
+            else {"force": self._force(index), "estimate": depth}
+        )
         return press(pair.lowered(apart / steep), self._settings, **load)
 
     def _balanced(self):
@@ -183,15 +200,20 @@ class HalfspaceSolver(Solver):
         heights = {0: height, 1: height}
 
         def stand(index, roll, tolerance, last):
-            found = stand_of(self._pair(index, roll, heights[index]), index, settings.at(tolerance),
-                             self._force(index), last)
+            found = stand_of(
+                self._pair(index, roll, heights[index]),
+                index,
+                settings.at(tolerance),
+                self._force(index),
+                last,
+            )
             heights[index] = found.height
             return found
 
         roll, stands = find_equilibrium(stand, roll, arm, settings.tolerance)
         height = 0.5 * (stands[0].height + stands[1].height)
         for each in stands:
-            if each.wheel is None:      # heights are equal to a tolerance only: it must not overlap its rail
+            if each.wheel is None:  # heights are equal to a tolerance only: it must not overlap its rail
                 height = each.height - CLEAR
         status = self._stand_at(roll, height)
         return [lambda wheel=each.wheel: wheel for each in stands], status
@@ -200,8 +222,13 @@ class HalfspaceSolver(Solver):
         """Let the kernel's workspace be that of a wheelset with this roll [rad] and vertical shift [m]; its
         status."""
         if self._pressed is None:
-            arrays = (self._array.copy(), np.zeros(layout.STATE_SIZE), np.zeros(layout.WORK_SIZE),
-                      np.zeros(layout.INPUT_COUNT), np.zeros_like(self._outputs))
+            arrays = (
+                self._array.copy(),
+                np.zeros(layout.STATE_SIZE),
+                np.zeros(layout.WORK_SIZE),
+                np.zeros(layout.INPUT_COUNT),
+                np.zeros_like(self._outputs),
+            )
             self._pressed = default_kernel().bind(*arrays), *arrays
         kernel, array, _, workspace, inputs, _ = self._pressed
         tables = layout.Tables.at(array)
@@ -238,15 +265,18 @@ def shared_parts(tables, solver, rows, places, processes):
         # a process that ends as it starts leaves its arguments unread, and long ones then wait for ever
         path = Path(folder, "tables.npy")
         np.save(path, tables)
-        pool = ProcessPoolExecutor(min(processes, len(parts)), multiprocessing.get_context("spawn"), _begin,
-                                   (path, solver, places))
+        pool = ProcessPoolExecutor(
+            min(processes, len(parts)), multiprocessing.get_context("spawn"), _begin, (path, solver, places)
+        )
         try:
             for part, (found, status) in zip(parts, pool.map(_evaluated, [rows[part] for part in parts])):
                 yield part, found, status
         except BrokenProcessPool:
-            raise RuntimeError(f"processes is {processes}; permitted is more than 1 in a script that makes "
-                               "this call below \"if __name__ == '__main__':\"; a process has ended "
-                               "early") from None
+            raise RuntimeError(
+                f"processes is {processes}; permitted is more than 1 in a script that makes "
+                "this call below \"if __name__ == '__main__':\"; a process has ended "
+                "early"
+            ) from None
         finally:
             pool.shutdown(cancel_futures=True)
 

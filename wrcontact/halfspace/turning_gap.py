@@ -16,18 +16,18 @@ from .boxes import hull
 from .wheel_on_rail import WheelOnRail
 from .window import WINDOW_MARGIN, Ridge
 
-RAIL_STEP = 4e-5         # [m] of the rail's abscissa between two points of the curve
+RAIL_STEP = 4e-5  # [m] of the rail's abscissa between two points of the curve
 #: Where the bodies are farther apart than FAR [m] the curve is the rail's, with the rail's normals; up to
 #: NEAR they count half each, and in between the change is gradual.
 NEAR, FAR = 0.3e-3, 1e-3
-ROUNDS = 6               # of the joint's direction, which is the mean of the normals at its ends
-LONGEST = 20             # points of the outline passed in one round
-ASIDE = 1e-6             # [m]; a joint that ends farther from its normal has found nothing
+ROUNDS = 6  # of the joint's direction, which is the mean of the normals at its ends
+LONGEST = 20  # points of the outline passed in one round
+ASIDE = 1e-6  # [m]; a joint that ends farther from its normal has found nothing
 #: Half the length of the domain along the track [m]: with 4 deg of yaw a flange is 80 mm ahead.
 REACH_X = 0.15
-BEYOND = 5e-3            # [m] by which the domain is longer than the rail at both ends
-CURVE_DOUBT = 1e-6       # [m]; the points' straight lines are off by less
-RIDGE_STEP = 1e-3        # [m]; the places x of a ridge are known better
+BEYOND = 5e-3  # [m] by which the domain is longer than the rail at both ends
+CURVE_DOUBT = 1e-6  # [m]; the points' straight lines are off by less
+RIDGE_STEP = 1e-3  # [m]; the places x of a ridge are known better
 
 
 @dataclass(frozen=True)
@@ -91,8 +91,9 @@ def _join(outline, y, z, angle):
         mean = 0.5 * (angle + facing)
         # zero where the outline's point lies on the normal
         aside = (at_y - y) * np.cos(mean) - (at_z - z) * np.sin(mean)
-        rate = ((outline.y[k + 1] - outline.y[k]) * np.cos(mean)
-                - (outline.z[k + 1] - outline.z[k]) * np.sin(mean))
+        rate = (outline.y[k + 1] - outline.y[k]) * np.cos(mean) - (outline.z[k + 1] - outline.z[k]) * np.sin(
+            mean
+        )
         with np.errstate(divide="ignore", invalid="ignore"):
             step = np.nan_to_num(aside / rate)
         place = np.clip(place - np.clip(step, -LONGEST, LONGEST), 0, len(count) - 1)
@@ -181,8 +182,12 @@ class TurningGap:
             k = np.array([np.argmin(ridge.low)])
         reach = np.sqrt(2.0 * self.pair.radius * np.maximum(overlap[k], 0.0) / np.cos(self.curve.angle[k]))
         step = self.curve.s[1] - self.curve.s[0]
-        return hull([(x - size - step, x + size + step, s - step, s + step)
-                     for x, s, size in zip(ridge.x[k], ridge.s[k], reach)])
+        return hull(
+            [
+                (x - size - step, x + size + step, s - step, s + step)
+                for x, s, size in zip(ridge.x[k], ridge.s[k], reach)
+            ]
+        )
 
     def place(self, x, s):
         """The place (3,) of x, s [m] on the curve in the track frame."""

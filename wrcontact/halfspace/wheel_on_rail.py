@@ -17,8 +17,8 @@ from ..kernel.binding.setup import profile_tables
 from ..profiles.compiled import ends, evaluate_table, places
 
 NEWTON_LIMIT = 15
-NEWTON_STEP = 1e-8       # [m]; the step after one this small is below 1e-14 m
-OUTLINE_STEP = 4e-5      # [m] of the wheel's abscissa between two points of its outline
+NEWTON_STEP = 1e-8  # [m]; the step after one this small is below 1e-14 m
+OUTLINE_STEP = 4e-5  # [m] of the wheel's abscissa between two points of its outline
 
 
 @dataclass(frozen=True)
@@ -111,17 +111,21 @@ class WheelOnRail:
         radius, ``hypot(q_x, q_z) = R_0 + z(q_y)``; q is linear in t.
         """
         back = self.attitude.T
-        qx, qy, qz = (back[k, 0] * (x - self.centre[0])
-                      + (back[k, 1] * (y - self.centre[1]) + back[k, 2] * (z - self.centre[2]))
-                      for k in range(3))
+        qx, qy, qz = (
+            back[k, 0] * (x - self.centre[0])
+            + (back[k, 1] * (y - self.centre[1]) + back[k, 2] * (z - self.centre[2]))
+            for k in range(3)
+        )
         up = [-back[k, 1] * np.sin(angle) - back[k, 2] * np.cos(angle) for k in range(3)]
 
         def inside(t):
             x_wheel, z_wheel = qx + t * up[0], qz + t * up[2]
             distance = np.hypot(x_wheel, z_wheel)
             height, slope, _ = evaluate_table(self.wheel, _within(self.wheel, qy + t * up[1] - self.arm))
-            return (self.radius + height - distance,
-                    slope * up[1] - (x_wheel * up[0] + z_wheel * up[2]) / distance)
+            return (
+                self.radius + height - distance,
+                slope * up[1] - (x_wheel * up[0] + z_wheel * up[2]) / distance,
+            )
 
         t, met = _newton(inside, np.array(guess))
         return np.where(met & _inside(self.wheel, qy + t * up[1] - self.arm), t, math.inf)
@@ -150,23 +154,30 @@ def wheel_on_rail(tables, index, *, lateral_shift, yaw, roll, vertical_shift, ra
     """
     lateral_shift -= rail[0]
     if index == 0:
-        lateral_shift, yaw, roll = (sign * value
-                                    for sign, value in zip(MIRROR, (lateral_shift, yaw, roll)))
+        lateral_shift, yaw, roll = (sign * value for sign, value in zip(MIRROR, (lateral_shift, yaw, roll)))
     head = layout.Tables.at(tables)
     height = head.height + rail[1]
     wheel, table, rail_y = profile_tables(tables, index)
     return WheelOnRail(
-        wheel=wheel, rail=table, radius=head.pairs[index].radius, height=height, arm=head.arm,
-        rail_y=rail_y, centre=np.array([0.0, lateral_shift, vertical_shift - height]),
-        attitude=_attitude(yaw, roll))
+        wheel=wheel,
+        rail=table,
+        radius=head.pairs[index].radius,
+        height=height,
+        arm=head.arm,
+        rail_y=rail_y,
+        centre=np.array([0.0, lateral_shift, vertical_shift - height]),
+        attitude=_attitude(yaw, roll),
+    )
 
 
 def _attitude(yaw, roll):
     """R = Rz(yaw) Rx(roll) (3, 3); wrcontact/conventions.py."""
-    about_z = np.array([[math.cos(yaw), -math.sin(yaw), 0.0], [math.sin(yaw), math.cos(yaw), 0.0],
-                        [0.0, 0.0, 1.0]])
-    about_x = np.array([[1.0, 0.0, 0.0], [0.0, math.cos(roll), -math.sin(roll)],
-                        [0.0, math.sin(roll), math.cos(roll)]])
+    about_z = np.array(
+        [[math.cos(yaw), -math.sin(yaw), 0.0], [math.sin(yaw), math.cos(yaw), 0.0], [0.0, 0.0, 1.0]]
+    )
+    about_x = np.array(
+        [[1.0, 0.0, 0.0], [0.0, math.cos(roll), -math.sin(roll)], [0.0, math.sin(roll), math.cos(roll)]]
+    )
     return about_z @ about_x
 
 

@@ -11,15 +11,15 @@ from .gradients import estimate_penetration
 
 # samples along and across the domain of the look for places that a solution has missed
 LOOK = 25, 800
-LOOK_SLACK = 0.25        # what a parabola along x finds below its samples is known to this share
-SAMPLES = 48             # per side, of a box in which the patch is sought
+LOOK_SLACK = 0.25  # what a parabola along x finds below its samples is known to this share
+SAMPLES = 48  # per side, of a box in which the patch is sought
 ZOOM_LIMIT = 40
-ZOOM_ENOUGH = 0.5        # a box that shrinks less than this in both directions is the window
-WINDOW_MARGIN = 1.3      # on the estimated penetration that the window is made for
-PATCH_CELLS = 20         # over the narrowest patch on the first grid that is fitted to it
+ZOOM_ENOUGH = 0.5  # a box that shrinks less than this in both directions is the window
+WINDOW_MARGIN = 1.3  # on the estimated penetration that the window is made for
+PATCH_CELLS = 20  # over the narrowest patch on the first grid that is fitted to it
 #: A patch that carries less than this share of the load has no say in the cells' size.
 MINOR_PATCH = 0.02
-MARGIN_CELLS = 2         # free cells around the patch
+MARGIN_CELLS = 2  # free cells around the patch
 
 
 @dataclass(frozen=True)
@@ -55,8 +55,10 @@ def find_window(gap_function, problem):
         dx, ds = x[1] - x[0], s[1] - s[0]
         gap = np.asarray(gap_function(x, s), dtype=float)
         if not np.isfinite(gap).any():
-            raise ArithmeticError(f"there is no surface between x = {box[0]:g} ... {box[1]:g} m and s = "
-                                  f"{box[2]:g} ... {box[3]:g} m; permitted are domains with a finite gap")
+            raise ArithmeticError(
+                f"there is no surface between x = {box[0]:g} ... {box[1]:g} m and s = "
+                f"{box[2]:g} ... {box[3]:g} m; permitted are domains with a finite gap"
+            )
         level = problem.penetration
         if force is not None:
             lowest = float(gap.min())
@@ -86,16 +88,18 @@ def fit_window(contact):
     patch has exactly PATCH_CELLS."""
     loaded = contact.pressure > 0.0
     labels, _ = ndimage.label(loaded, np.ones((3, 3)))
-    sizes = [(rows.stop - rows.start, columns.stop - columns.start)
-             for number, (rows, columns) in enumerate(ndimage.find_objects(labels), 1)
-             if contact.pressure[labels == number].sum() >= MINOR_PATCH * contact.pressure.sum()]
+    sizes = [
+        (rows.stop - rows.start, columns.stop - columns.start)
+        for number, (rows, columns) in enumerate(ndimage.find_objects(labels), 1)
+        if contact.pressure[labels == number].sum() >= MINOR_PATCH * contact.pressure.sum()
+    ]
     bounds, cells = (), ()
     for axis, centre in enumerate((contact.x, contact.s)):
         marked = np.flatnonzero(loaded.any(axis=1 - axis))
         spacing = centre[1] - centre[0]
         low, high = centre[marked[0]] - 0.5 * spacing, centre[marked[-1]] + 0.5 * spacing
         span, narrowest = int(marked[-1] - marked[0]) + 1, min(size[axis] for size in sizes)
-        count = min(-(-PATCH_CELLS * span // narrowest), 8 * PATCH_CELLS)        # rounded up
+        count = min(-(-PATCH_CELLS * span // narrowest), 8 * PATCH_CELLS)  # rounded up
         margin = MARGIN_CELLS * (high - low) / count
         bounds += (low - margin, high + margin)
         cells += (count + 2 * MARGIN_CELLS,)

@@ -1,5 +1,6 @@
 """How a call gives inputs and parameters: values and signatures from the rows of the table."""
 
+import re
 from inspect import Parameter, Signature, signature
 from numbers import Integral
 
@@ -32,11 +33,14 @@ def input_values(arguments, keywords):
         place = PLACES[name]
         values[place] = value if type(value) in NUMBERS else checked_input(place, value)
     if len(arguments) > len(NAMED):
-        raise TypeError(f"{len(arguments)} inputs have no name; permitted are {', '.join(NAMED)}, "
-                        "and others by name")
-    if arguments and (twice := keywords.keys() & set(NAMED[:len(arguments)])):
-        raise TypeError(f"the input {min(twice)} is given twice, by its place and by its name; permitted is "
-                        "one of the two")
+        raise TypeError(
+            f"{len(arguments)} inputs have no name; permitted are {', '.join(NAMED)}, and others by name"
+        )
+    if arguments and (twice := keywords.keys() & set(NAMED[: len(arguments)])):
+        raise TypeError(
+            f"the input {min(twice)} is given twice, by its place and by its name; permitted is "
+            "one of the two"
+        )
     return values
 
 
@@ -53,7 +57,7 @@ def unknown_parameter(name):
     hint = did_you_mean(name, [*PARAMETERS, *GROUPS])
     if name in PLACES:
         hint = f"; {name} is an input of evaluate"
-    own = name.removesuffix("_profile")         # wheel_profile, left_rail_profile, ... of FMUs
+    own = name.removesuffix("_profile")  # wheel_profile, left_rail_profile, ... of FMUs
     if own != name and own.removeprefix(LEFT) in ("wheel", "rail"):
         hint = f"; in Python it is {own}"
     return TypeError(f"ContactSystem has no parameter {name!r}{hint}")
@@ -65,7 +69,7 @@ def checked_input(place, value):
     row = INPUTS[place]
     try:
         array = np.asarray(value)
-    except ValueError:          # rows of different lengths
+    except ValueError:  # rows of different lengths
         raise ValueError(f"{row.keyword} is {value!r}; permitted are numbers{_behind(row)}") from None
     kind = array.dtype.kind
     if kind in "fiu" or kind == "b" and row.switch:
@@ -106,10 +110,13 @@ def wrong_input(values, array):
         except (TypeError, ValueError):
             return ValueError(f"{row.keyword} is {value!r}; permitted is {kind}{_behind(row)}")
         if numbers.ndim > array:
-            return ValueError(f"{row.keyword} has the shape {numbers.shape}; permitted is {kind}"
-                              f"{'' if array else '; evaluate_many takes arrays'}")
-    shapes = ", ".join(f"{row.keyword} {np.shape(value)}" for row, value in zip(INPUTS, values)
-                       if np.ndim(value))
+            return ValueError(
+                f"{row.keyword} has the shape {numbers.shape}; permitted is {kind}"
+                f"{'' if array else '; evaluate_many takes arrays'}"
+            )
+    shapes = ", ".join(
+        f"{row.keyword} {np.shape(value)}" for row, value in zip(INPUTS, values) if np.ndim(value)
+    )
     return ValueError(f"the inputs have the shapes {shapes}; permitted are arrays of one length")
 
 
@@ -122,12 +129,15 @@ def check_count(name, count):
 def describe_inputs(function):
     """Give ``evaluate`` or ``evaluate_many`` its signature, and the words of the inputs."""
     found = signature(function).parameters
-    rows = [_parameter(row.keyword, row.start, row.positional)
-            for row in sorted(INPUTS, key=lambda row: not row.positional)]
-    others = [found[name] for name in ("penetration", "side", "outputs", "processes", "threads")
-              if name in found]
+    rows = [
+        _parameter(row.keyword, row.start, row.positional)
+        for row in sorted(INPUTS, key=lambda row: not row.positional)
+    ]
+    others = [
+        found[name] for name in ("penetration", "side", "outputs", "processes", "threads") if name in found
+    ]
     function.__signature__ = Signature([found["self"], *rows, *others])
-    _fill(function, "{inputs}", [f"        {row.keyword} : {row.words} [{row.unit}]." for row in INPUTS])
+    _fill(function, "{inputs}", [f"{row.keyword} : {row.words} [{row.unit}]." for row in INPUTS])
 
 
 def describe_wheel_inputs(function, rows):
@@ -135,8 +145,7 @@ def describe_wheel_inputs(function, rows):
     found = signature(function).parameters
     named = [_parameter(name, row.start, False) for name, row in rows.items()]
     function.__signature__ = Signature([found["self"], *named, found["outputs"]])
-    _fill(function, "{inputs}", [f"        {name} : {row.meaning} [{row.unit}]."
-                                 for name, row in rows.items()])
+    _fill(function, "{inputs}", [f"{name} : {row.meaning} [{row.unit}]." for name, row in rows.items()])
 
 
 def describe_parameters(system):
@@ -157,20 +166,25 @@ def _parameter(name, default, positional):
 def _lines(row):
     """What a docstring says about one parameter."""
     if row.right:
-        yield f"    {row.name} : {row.right} on the left side; None, the default, is that on the right."
+        yield f"{row.name} : {row.right} on the left side; None, the default, is that on the right."
         return
     if row.family is None:
         known = row.number
         if known.switch:
-            yield f"    {row.name} : {row.meaning}."
+            yield f"{row.name} : {row.meaning}."
             return
-        yield f"    {row.name} : {row.meaning}, {known.low:g} ... {known.high:g}{unit_behind(known.unit)}."
+        yield f"{row.name} : {row.meaning}, {known.low:g} ... {known.high:g}{unit_behind(known.unit)}."
         return
-    yield f"    {row.name} : {row.family.decides}:"
+    yield f"{row.name} : {row.family.decides}:"
     for method in row.family.methods:
-        yield f"        {method.name!r}, :class:`~wrcontact.{method.__name__}` : {method.words}"
+        yield f"    {method.name!r}, :class:`~wrcontact.{method.__name__}` : {method.words}"
 
 
 def _fill(described, place, lines):
-    """Write ``lines`` at ``place`` of a docstring, which ``python -OO`` drops."""
-    described.__doc__ = (described.__doc__ or "").replace(place, "\n".join(lines))
+    """Write ``lines`` at ``place`` of a docstring, as far indented as it is; ``python -OO`` drops docstrings."""
+    described.__doc__ = re.sub(
+        rf"^( *){re.escape(place)}$",
+        lambda found: "\n".join(found[1] + line for line in lines),
+        described.__doc__ or "",
+        flags=re.MULTILINE,
+    )

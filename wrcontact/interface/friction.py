@@ -8,10 +8,19 @@ from .rows import Input
 FRICTION_LIMIT = 2.0
 
 FRICTION = tuple(
-    Input(f"{side}.friction", "1", 0.3, "coefficient of friction; read where the tangential_model is not "
-          "none", 0.0, FRICTION_LIMIT, start=0.3, field=f"{side}_friction",
-          place=f"{side.capitalize()} wheel")
-    for side in ("left", "right"))
+    Input(
+        f"{side}.friction",
+        "1",
+        0.3,
+        "coefficient of friction; read where the tangential_model is not none",
+        0.0,
+        FRICTION_LIMIT,
+        start=0.3,
+        field=f"{side}_friction",
+        place=f"{side.capitalize()} wheel",
+    )
+    for side in ("left", "right")
+)
 
 
 @frozen
@@ -26,21 +35,47 @@ class Friction(Checked):
     """
 
     flange_friction_ratio: float = number(
-        1.0, 0.0, 10.0, "1", "Friction on a lubricated flange over that on the tread; 1: the same everywhere")
+        1.0, 0.0, 10.0, "1", "Friction on a lubricated flange over that on the tread; 1: the same everywhere"
+    )
     flange_friction_angle: float = number(
-        0.6, 0.2, 1.2, "rad", "Contact angle half-way between the friction of the tread and that of the "
-        "flange; it changes over 0.2 rad to either side")
+        0.6,
+        0.2,
+        1.2,
+        "rad",
+        "Contact angle half-way between the friction of the tread and that of the "
+        "flange; it changes over 0.2 rad to either side",
+    )
     friction_fall: float = number(
-        1.0, 0.0, 1.0, "1", "Friction at infinite sliding velocity over that without sliding; 1: no fall "
-        "(A of Polach 2005)")
+        1.0,
+        0.0,
+        1.0,
+        "1",
+        "Friction at infinite sliding velocity over that without sliding; 1: no fall (A of Polach 2005)",
+    )
     friction_fall_rate: float = number(
-        0.0, 0.0, 100.0, "s/m", "How fast friction falls with the sliding velocity (B of Polach 2005)",
-        nominal=1.0)
+        0.0,
+        0.0,
+        100.0,
+        "s/m",
+        "How fast friction falls with the sliding velocity (B of Polach 2005)",
+        nominal=1.0,
+    )
     slope_reduction: float = number(
-        1.0, 0.01, 1.0, "1", "Initial slope of the creep force over that of clean rails; 1: clean (k0 of "
-        "Spiryagin, Polach, Cole 2013)")
+        1.0,
+        0.01,
+        1.0,
+        "1",
+        "Initial slope of the creep force over that of clean rails; 1: clean (k0 of "
+        "Spiryagin, Polach, Cole 2013)",
+    )
     slope_reduction_floor: float = number(
-        0.02, 0.0, 1.0, "1", "Share of the slope that is left at large creepage where slope_reduction_rate "
-        "is above 0 (alpha)", nominal=0.1)
+        0.02,
+        0.0,
+        1.0,
+        "1",
+        "Share of the slope that is left at large creepage where slope_reduction_rate is above 0 (alpha)",
+        nominal=0.1,
+    )
     slope_reduction_rate: float = number(
-        0.0, 0.0, 10.0, "1", "How fast the slope falls with creepage; 0: it does not (beta)", nominal=1.0)
+        0.0, 0.0, 10.0, "1", "How fast the slope falls with creepage; 0: it does not (beta)", nominal=1.0
+    )

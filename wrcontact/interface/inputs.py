@@ -23,79 +23,248 @@ HEIGHT_LIMIT = 0.05
 
 def _rail(side, part, unit, nominal, meaning, limit, **more):
     """An input of the rail of one side."""
-    return Input(f"{side}.rail_{part}", unit, nominal, meaning, -limit, limit, field=f"{side}_rail_{part}",
-                 place=f"{side.capitalize()} rail", **more)
+    return Input(
+        f"{side}.rail_{part}",
+        unit,
+        nominal,
+        meaning,
+        -limit,
+        limit,
+        field=f"{side}_rail_{part}",
+        place=f"{side.capitalize()} rail",
+        **more,
+    )
 
 
-RAILS = tuple(row for side in ("left", "right") for row in (
-    _rail(side, "lateral", "m", 1e-3, "displacement from its nominal place, to the right", RAIL_LIMIT),
-    _rail(side, "vertical", "m", 1e-3, "displacement from its nominal place, down", RAIL_LIMIT),
-    _rail(side, "roll", "rad", 1e-2, "rotation about its highest point in its nominal place, positive with "
-          "the right side down", RAIL_ROLL_LIMIT)))
+RAILS = tuple(
+    row
+    for side in ("left", "right")
+    for row in (
+        _rail(side, "lateral", "m", 1e-3, "displacement from its nominal place, to the right", RAIL_LIMIT),
+        _rail(side, "vertical", "m", 1e-3, "displacement from its nominal place, down", RAIL_LIMIT),
+        _rail(
+            side,
+            "roll",
+            "rad",
+            1e-2,
+            "rotation about its highest point in its nominal place, positive with the right side down",
+            RAIL_ROLL_LIMIT,
+        ),
+    )
+)
 
 MOTION = (
-    Input("speed", "m/s", 10.0, "Speed along the track; creepages need speed or wheel_rate",
-          -SPEED_LIMIT, SPEED_LIMIT, limited=True),
-    Input("lateral_velocity", "m/s", 0.01, "How fast the lateral shift grows",
-          -VELOCITY_LIMIT, VELOCITY_LIMIT, limited=True),
-    Input("vertical_velocity", "m/s", 0.01, "How fast the vertical shift grows in the contact_mode "
-          f"compliant; {DERIVED}", -VELOCITY_LIMIT, VELOCITY_LIMIT, limited=True),
-    Input("yaw_rate", "rad/s", 0.1, "How fast the yaw grows, excluding the rotation of the track in a curve",
-          -RATE_LIMIT, RATE_LIMIT, limited=True),
-    Input("roll_rate", "rad/s", 0.01, f"How fast the roll grows in the contact_mode compliant; {DERIVED}",
-          -RATE_LIMIT, RATE_LIMIT, limited=True),
-    Input("wheel_rate", "rad/s", 20.0, "Rotation of the wheelset about its axle, positive when it rolls "
-          "forward; 0 with free_rolling means speed / nominal_radius",
-          -WHEEL_LIMIT, WHEEL_LIMIT, limited=True),
-    Input("free_rolling", "1", 1.0, "Whether a wheel_rate of 0 means speed / nominal_radius; otherwise it "
-          "means wheels that do not turn", 0.0, 1.0, start=1.0, switch=True),
-    Input("track_curvature", "1/m", 1e-3, "Curvature of the track, 1 / radius, positive in a curve to the "
-          "right", -CURVATURE_LIMIT, CURVATURE_LIMIT, limited=True),
-    *(row for side in ("left", "right") for row in (
-        _rail(side, "lateral_velocity", "m/s", 0.01, "velocity to the right", VELOCITY_LIMIT, limited=True),
-        _rail(side, "vertical_velocity", "m/s", 0.01, "velocity down", VELOCITY_LIMIT, limited=True),
-        _rail(side, "roll_velocity", "rad/s", 0.1, "rotation about its highest point, right side down",
-              RATE_LIMIT, limited=True))),
+    Input(
+        "speed",
+        "m/s",
+        10.0,
+        "Speed along the track; creepages need speed or wheel_rate",
+        -SPEED_LIMIT,
+        SPEED_LIMIT,
+        limited=True,
+    ),
+    Input(
+        "lateral_velocity",
+        "m/s",
+        0.01,
+        "How fast the lateral shift grows",
+        -VELOCITY_LIMIT,
+        VELOCITY_LIMIT,
+        limited=True,
+    ),
+    Input(
+        "vertical_velocity",
+        "m/s",
+        0.01,
+        f"How fast the vertical shift grows in the contact_mode compliant; {DERIVED}",
+        -VELOCITY_LIMIT,
+        VELOCITY_LIMIT,
+        limited=True,
+    ),
+    Input(
+        "yaw_rate",
+        "rad/s",
+        0.1,
+        "How fast the yaw grows, excluding the rotation of the track in a curve",
+        -RATE_LIMIT,
+        RATE_LIMIT,
+        limited=True,
+    ),
+    Input(
+        "roll_rate",
+        "rad/s",
+        0.01,
+        f"How fast the roll grows in the contact_mode compliant; {DERIVED}",
+        -RATE_LIMIT,
+        RATE_LIMIT,
+        limited=True,
+    ),
+    Input(
+        "wheel_rate",
+        "rad/s",
+        20.0,
+        "Rotation of the wheelset about its axle, positive when it rolls "
+        "forward; 0 with free_rolling means speed / nominal_radius",
+        -WHEEL_LIMIT,
+        WHEEL_LIMIT,
+        limited=True,
+    ),
+    Input(
+        "free_rolling",
+        "1",
+        1.0,
+        "Whether a wheel_rate of 0 means speed / nominal_radius; otherwise it means wheels that do not turn",
+        0.0,
+        1.0,
+        start=1.0,
+        switch=True,
+    ),
+    Input(
+        "track_curvature",
+        "1/m",
+        1e-3,
+        "Curvature of the track, 1 / radius, positive in a curve to the right",
+        -CURVATURE_LIMIT,
+        CURVATURE_LIMIT,
+        limited=True,
+    ),
+    *(
+        row
+        for side in ("left", "right")
+        for row in (
+            _rail(
+                side, "lateral_velocity", "m/s", 0.01, "velocity to the right", VELOCITY_LIMIT, limited=True
+            ),
+            _rail(side, "vertical_velocity", "m/s", 0.01, "velocity down", VELOCITY_LIMIT, limited=True),
+            _rail(
+                side,
+                "roll_velocity",
+                "rad/s",
+                0.1,
+                "rotation about its highest point, right side down",
+                RATE_LIMIT,
+                limited=True,
+            ),
+        )
+    ),
 )
 
 #: Read where the parameter independent_wheels is true.
 RATES = tuple(
-    Input(f"{side}.wheel_rate", "rad/s", 20.0, "rotation about the axle, positive when it rolls forward, "
-          "read instead of wheel_rate if independent_wheels is true; 0 with free_rolling means speed / its "
-          "nominal_radius", -WHEEL_LIMIT, WHEEL_LIMIT, field=f"{side}_wheel_rate",
-          place=f"{side.capitalize()} wheel", limited=True)
-    for side in ("left", "right"))
+    Input(
+        f"{side}.wheel_rate",
+        "rad/s",
+        20.0,
+        "rotation about the axle, positive when it rolls forward, "
+        "read instead of wheel_rate if independent_wheels is true; 0 with free_rolling means speed / its "
+        "nominal_radius",
+        -WHEEL_LIMIT,
+        WHEEL_LIMIT,
+        field=f"{side}_wheel_rate",
+        place=f"{side.capitalize()} wheel",
+        limited=True,
+    )
+    for side in ("left", "right")
+)
 
 #: Read where rails stand on springs.
-TIME_STEP = Input("rail_time_step", "s", 1e-3, "Time in which rails on springs have come from the "
-                  "deflections before; 0: they are at rest, and dampers carry nothing", 0.0, TIME_LIMIT)
-DEFLECTIONS = tuple(_rail(side, f"deflection_{part}_before", "m", 1e-3, f"its rail_deflection_{part} one "
-                          "rail_time_step ago", RAIL_LIMIT)
-                    for side in ("left", "right") for part in ("lateral", "vertical"))
+TIME_STEP = Input(
+    "rail_time_step",
+    "s",
+    1e-3,
+    "Time in which rails on springs have come from the "
+    "deflections before; 0: they are at rest, and dampers carry nothing",
+    0.0,
+    TIME_LIMIT,
+)
+DEFLECTIONS = tuple(
+    _rail(
+        side,
+        f"deflection_{part}_before",
+        "m",
+        1e-3,
+        f"its rail_deflection_{part} one rail_time_step ago",
+        RAIL_LIMIT,
+    )
+    for side in ("left", "right")
+    for part in ("lateral", "vertical")
+)
 
 #: Usual loads of a wheel that is not lifted [N]: those of a hand trolley, and of an axle of 200 t. One in kN
 #: that is taken for N lies below, and one in N that is taken for kN above.
 USUAL_LOAD = (500.0, 1e6)
 
 INPUTS = (
-    Input("lateral_shift", "m", 1e-3,
-          "Lateral shift of the wheelset against the track centre, positive to the right", -LATERAL_LIMIT,
-          LATERAL_LIMIT, positional=True),
-    Input("yaw", "rad", 1e-2, "Yaw of the wheelset, positive clockwise seen from above",
-          -YAW_LIMIT, YAW_LIMIT, positional=True),
-    Input("roll_guess", "rad", 1e-3, "Where the search for the roll angle starts; changes the cost of a "
-          "step, never its answer", -0.5, 0.5, hint=True),
-    Input("normal_force", "N", 1e5, "Load per wheel before load transfer: normal force, total over its "
-          "patches, or its vertical component (parameter load); in compliant mode used only for the "
-          "equilibrium outputs", 0.0, 1e7, start=78500.0, positional=True, usual=USUAL_LOAD),
-    Input("load_transfer", "1", 0.1, "Share L of the load N moved from left to right: N (1 + L) on the right "
-          "wheel, N (1 - L) on the left; in compliant mode used only for the equilibrium outputs",
-          -1.0, 1.0, positional=True),
-    Input("vertical_shift_input", "m", 1e-3, "Vertical shift of the wheelset in the contact_mode compliant, "
-          "positive down; other modes do not read it",
-          -HEIGHT_LIMIT, HEIGHT_LIMIT, field="vertical_shift"),
-    Input("roll_input", "rad", 1e-3, "Roll of the wheelset in the contact_mode compliant, positive with the "
-          "right wheel down; other modes do not read it", -ROLL_LIMIT, ROLL_LIMIT, field="roll"),
+    Input(
+        "lateral_shift",
+        "m",
+        1e-3,
+        "Lateral shift of the wheelset against the track centre, positive to the right",
+        -LATERAL_LIMIT,
+        LATERAL_LIMIT,
+        positional=True,
+    ),
+    Input(
+        "yaw",
+        "rad",
+        1e-2,
+        "Yaw of the wheelset, positive clockwise seen from above",
+        -YAW_LIMIT,
+        YAW_LIMIT,
+        positional=True,
+    ),
+    Input(
+        "roll_guess",
+        "rad",
+        1e-3,
+        "Where the search for the roll angle starts; changes the cost of a step, never its answer",
+        -0.5,
+        0.5,
+        hint=True,
+    ),
+    Input(
+        "normal_force",
+        "N",
+        1e5,
+        "Load per wheel before load transfer: normal force, total over its "
+        "patches, or its vertical component (parameter load); in compliant mode used only for the "
+        "equilibrium outputs",
+        0.0,
+        1e7,
+        start=78500.0,
+        positional=True,
+        usual=USUAL_LOAD,
+    ),
+    Input(
+        "load_transfer",
+        "1",
+        0.1,
+        "Share L of the load N moved from left to right: N (1 + L) on the right "
+        "wheel, N (1 - L) on the left; in compliant mode used only for the equilibrium outputs",
+        -1.0,
+        1.0,
+        positional=True,
+    ),
+    Input(
+        "vertical_shift_input",
+        "m",
+        1e-3,
+        "Vertical shift of the wheelset in the contact_mode compliant, "
+        "positive down; other modes do not read it",
+        -HEIGHT_LIMIT,
+        HEIGHT_LIMIT,
+        field="vertical_shift",
+    ),
+    Input(
+        "roll_input",
+        "rad",
+        1e-3,
+        "Roll of the wheelset in the contact_mode compliant, positive with the "
+        "right wheel down; other modes do not read it",
+        -ROLL_LIMIT,
+        ROLL_LIMIT,
+        field="roll",
+    ),
     *RAILS,
     *MOTION,
     *FRICTION,

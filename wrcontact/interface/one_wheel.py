@@ -9,8 +9,13 @@ from .parameters import LEFT, PARAMETERS
 
 #: Inputs and parameters of a wheelset that have no meaning for one wheel, and why.
 LOADED = "its load follows from its height"
-WITHOUT = {"normal_force": LOADED, "load_transfer": LOADED, "load": LOADED,
-           "roll_guess": "its roll is given", "independent_wheels": "it turns by its own wheel_rate"}
+WITHOUT = {
+    "normal_force": LOADED,
+    "load_transfer": LOADED,
+    "load": LOADED,
+    "roll_guess": "its roll is given",
+    "independent_wheels": "it turns by its own wheel_rate",
+}
 #: Inputs that one wheel has under the name of a wheelset's.
 SHARED = ("wheel_rate",)
 #: The only contact mode of one wheel.
@@ -61,6 +66,8 @@ def checked_wheel(given):
             raise ValueError(f"{name} is {value!r}; permitted with one wheel is one value")
     mode = given.get("contact_mode", MODE)
     if getattr(mode, "name", mode) != MODE:
-        raise ValueError(f"contact_mode is {mode!r}; permitted with one wheel is {MODE!r}: in other modes a "
-                         "wheelset stands on both rails")
+        raise ValueError(
+            f"contact_mode is {mode!r}; permitted with one wheel is {MODE!r}: in other modes a "
+            "wheelset stands on both rails"
+        )
     return {**given, "contact_mode": mode}

@@ -19,30 +19,46 @@ class Track(Checked):
     """Rails: ``gauge`` [m], measured ``gauge_depth`` [m] below the highest point of the inclined head;
     ``rail_inclination`` [1]."""
 
-    rail_inclination: float = number(1 / 40, 0.0, 0.1, "1", "Inclination of the rail to the track centre as "
-                                     "a slope; 0.025 is 1:40", ratio=True)
-    gauge: float = number(1.435, 0.5, 2.0, "m", "Track gauge between the gauge faces of the rails",
-                          nominal=1.0)
-    gauge_depth: float = number(0.014, 0.005, 0.035, "m", "Depth below the highest point of the inclined "
-                                "rail head at which the gauge is measured", nominal=0.01)
+    rail_inclination: float = number(
+        1 / 40,
+        0.0,
+        0.1,
+        "1",
+        "Inclination of the rail to the track centre as a slope; 0.025 is 1:40",
+        ratio=True,
+    )
+    gauge: float = number(
+        1.435, 0.5, 2.0, "m", "Track gauge between the gauge faces of the rails", nominal=1.0
+    )
+    gauge_depth: float = number(
+        0.014,
+        0.005,
+        0.035,
+        "m",
+        "Depth below the highest point of the inclined rail head at which the gauge is measured",
+        nominal=0.01,
+    )
 
 
 @frozen
 class Wheelset(Checked):
     """Wheels: ``running_circle_distance`` [m] of the two running circles, ``nominal_radius`` [m] there."""
 
-    running_circle_distance: float = number(1.5, 0.5, 2.5, "m", "Distance between the running circles of the "
-                                            "two wheels", nominal=1.0)
-    nominal_radius: float = number(0.46, 0.1, 1.0, "m", "Wheel radius at the running circle", nominal=0.5,
-                                   usual=(0.125, 0.7))
+    running_circle_distance: float = number(
+        1.5, 0.5, 2.5, "m", "Distance between the running circles of the two wheels", nominal=1.0
+    )
+    nominal_radius: float = number(
+        0.46, 0.1, 1.0, "m", "Wheel radius at the running circle", nominal=0.5, usual=(0.125, 0.7)
+    )
 
 
 @frozen
 class Material(Checked):
     """Wheel and rail, which are of one material: ``youngs_modulus`` [Pa], ``poisson_ratio`` [1]."""
 
-    youngs_modulus: float = number(210e9, 1e6, 1e13, "Pa", "Young's modulus of wheel and rail", nominal=1e11,
-                                   usual=(1e9, 1e12))
+    youngs_modulus: float = number(
+        210e9, 1e6, 1e13, "Pa", "Young's modulus of wheel and rail", nominal=1e11, usual=(1e9, 1e12)
+    )
     poisson_ratio: float = number(0.28, 0.0, 0.499, "1", "Poisson's ratio of wheel and rail", nominal=0.3)
 
 
@@ -56,13 +72,20 @@ GEOMETRY = (*Track.keywords(), *Wheelset.keywords())
 #: says so; without a value it is as on the right.
 LEFT = "left_"
 #: Springs below a rail, and the dampers beside them.
-RAIL_SPRINGS = ("rail_lateral_stiffness", "rail_vertical_stiffness", "rail_lateral_damping",
-                "rail_vertical_damping")
+RAIL_SPRINGS = (
+    "rail_lateral_stiffness",
+    "rail_vertical_stiffness",
+    "rail_lateral_damping",
+    "rail_vertical_damping",
+)
 #: What stands for none of them on both sides.
 RIGID_RAILS = {side + name: 0.0 for side in ("", LEFT) for name in RAIL_SPRINGS}
 #: Methods beside which rails may stand on springs.
-WITH_SPRINGS = {"contact_mode": ("compliant",), "normal_model": ("hertz", "analyn", "analyn_strip"),
-                "tangential_model": ("none", "strips", "fastsim", "fastrip", "polach")}
+WITH_SPRINGS = {
+    "contact_mode": ("compliant",),
+    "normal_model": ("hertz", "analyn", "analyn_strip"),
+    "tangential_model": ("none", "strips", "fastsim", "fastrip", "polach"),
+}
 SIDED = ("wheel", "rail", "nominal_radius", "rail_inclination", *RAIL_SPRINGS)
 
 
@@ -73,33 +96,83 @@ def _spring(words):
 
 def _damper(direction):
     """The row of a damper beside a spring."""
-    return Number(0.0, 0.0, 1e9, "N.s/m", f"Damping beside the {direction} spring of each rail, over the "
-                  "input rail_time_step", nominal=1e4)
+    return Number(
+        0.0,
+        0.0,
+        1e9,
+        "N.s/m",
+        f"Damping beside the {direction} spring of each rail, over the input rail_time_step",
+        nominal=1e4,
+    )
 
 
 #: Numbers that belong to none of the records.
 OTHERS = {
-    "contact_damping": Number(0.0, 0.0, 100.0, "s/m", "Contact damping in the contact_mode compliant: forces "
-                              "are multiplied by 1 + damping times the speed of the approach, and are never "
-                              "below zero", nominal=0.1),
+    "contact_damping": Number(
+        0.0,
+        0.0,
+        100.0,
+        "s/m",
+        "Contact damping in the contact_mode compliant: forces "
+        "are multiplied by 1 + damping times the speed of the approach, and are never "
+        "below zero",
+        nominal=0.1,
+    ),
     "rail_lateral_stiffness": _spring("Stiffness of the spring that holds each rail laterally"),
     "rail_vertical_stiffness": _spring("Stiffness of the spring that holds each rail vertically"),
     "rail_lateral_damping": _damper("lateral"),
     "rail_vertical_damping": _damper("vertical"),
-    "independent_wheels": Number(False, 0, 1, "1", "Whether each wheel turns by itself, with left.wheel_rate "
-                                 "and right.wheel_rate instead of wheel_rate", switch=True),
-    "wear_outputs": Number(False, 0, 1, "1", "Whether the outputs of wear are computed: wheel_place, "
-                           "rail_place, power and patch_of at the stations of an outline, and in Python the "
-                           "strips of each patch", switch=True),
-    "fatigue_outputs": Number(False, 0, 1, "1", "Whether the outputs of fatigue are computed: wear_number, "
-                              "fatigue_damage, shakedown_ratio and surface_fatigue_index of each patch",
-                              switch=True),
-    "yield_shear": Number(300e6, 1e7, 1e10, "Pa", "Yield stress in cyclic shear of wheel or rail, read with "
-                          "fatigue_outputs; give that of your steel"),
-    "stations": Number(STATION_COUNT, STATION_LEAST, STATION_LIMIT, "1", "Stations of a patch's outline",
-                       whole=True, python_only=True),
-    "smoothing": Number(None, 0.0, 0.5e-3, "m", "Permitted RMS distance between the curve and the points of "
-                        "a profile file", python_only=True),
+    "independent_wheels": Number(
+        False,
+        0,
+        1,
+        "1",
+        "Whether each wheel turns by itself, with left.wheel_rate and right.wheel_rate instead of wheel_rate",
+        switch=True,
+    ),
+    "wear_outputs": Number(
+        False,
+        0,
+        1,
+        "1",
+        "Whether the outputs of wear are computed: wheel_place, "
+        "rail_place, power and patch_of at the stations of an outline, and in Python the "
+        "strips of each patch",
+        switch=True,
+    ),
+    "fatigue_outputs": Number(
+        False,
+        0,
+        1,
+        "1",
+        "Whether the outputs of fatigue are computed: wear_number, "
+        "fatigue_damage, shakedown_ratio and surface_fatigue_index of each patch",
+        switch=True,
+    ),
+    "yield_shear": Number(
+        300e6,
+        1e7,
+        1e10,
+        "Pa",
+        "Yield stress in cyclic shear of wheel or rail, read with fatigue_outputs; give that of your steel",
+    ),
+    "stations": Number(
+        STATION_COUNT,
+        STATION_LEAST,
+        STATION_LIMIT,
+        "1",
+        "Stations of a patch's outline",
+        whole=True,
+        python_only=True,
+    ),
+    "smoothing": Number(
+        None,
+        0.0,
+        0.5e-3,
+        "m",
+        "Permitted RMS distance between the curve and the points of a profile file",
+        python_only=True,
+    ),
 }
 
 
@@ -146,8 +219,12 @@ class Parameter:
 
 
 def _profile(kind, default):
-    return Parameter(kind, f"{kind.capitalize()} profile: a built-in name, or the name of a file that is "
-                     "packed in the FMU", default, fmu_name=f"{kind}_profile")
+    return Parameter(
+        kind,
+        f"{kind.capitalize()} profile: a built-in name, or the name of a file that is packed in the FMU",
+        default,
+        fmu_name=f"{kind}_profile",
+    )
 
 
 def _numeric(name, known):
@@ -166,10 +243,16 @@ def _left(row):
 
 
 def _method(family):
-    words = ", ".join(f"{method.name} = {method.words}" for method in family.methods
-                      if not method.python_only)
-    return Parameter(family.parameter, f"Method, {family.decides}: {words}", family.default, family=family,
-                     fmu_name=family.parameter)
+    words = ", ".join(
+        f"{method.name} = {method.words}" for method in family.methods if not method.python_only
+    )
+    return Parameter(
+        family.parameter,
+        f"Method, {family.decides}: {words}",
+        family.default,
+        family=family,
+        fmu_name=family.parameter,
+    )
 
 
 def _numbers_of(family):
@@ -182,8 +265,9 @@ def _numbers_of(family):
             known = found.setdefault(keyword, own)
             found[keyword] = replace(known, low=min(known.low, own.low), high=max(known.high, own.high))
             if replace(own, low=0, high=0) != replace(known, low=0, high=0):
-                raise TypeError(f"{keyword} of the {family.parameter} {method.name!r} differs from that of "
-                                "another one")
+                raise TypeError(
+                    f"{keyword} of the {family.parameter} {method.name!r} differs from that of another one"
+                )
     return found
 
 
@@ -209,8 +293,11 @@ PARAMETERS |= {LEFT + name: _left(PARAMETERS[name]) for name in PARAMETERS if na
 
 #: Names of those that always have a number or a method, and so have a place in the kernel's record
 #: Parameters.
-KERNEL_PARAMETERS = tuple(row.name for row in PARAMETERS.values() if not row.right and (
-    row.family or (row.number is not None and row.start is not None)))
+KERNEL_PARAMETERS = tuple(
+    row.name
+    for row in PARAMETERS.values()
+    if not row.right and (row.family or (row.number is not None and row.start is not None))
+)
 
 
 def checked_parameters(given, groups):
@@ -236,8 +323,11 @@ def checked_parameters(given, groups):
     for name, group in groups.items():
         if group is not None:
             if not isinstance(group, GROUPS[name]):
-                hint = ("; its coefficient is left_friction and right_friction of evaluate"
-                        if name == "friction" else "")
+                hint = (
+                    "; its coefficient is left_friction and right_friction of evaluate"
+                    if name == "friction"
+                    else ""
+                )
                 raise ValueError(f"{name} is {group!r}; permitted is a {GROUPS[name].__name__}{hint}")
             _take(group, given, name)
     for family in FAMILIES:
@@ -257,9 +347,11 @@ def _check_springs(parameters):
             shown = f"{name} is {parameters[name]!r}{unit_behind(PARAMETERS[name].number.unit)}"
             for method, permitted in WITH_SPRINGS.items():
                 if parameters[method] not in permitted:
-                    raise ValueError(f"{shown}; permitted with the {method} {parameters[method]!r} is 0: "
-                                     f"rails stand on springs with the {method} "
-                                     f"{' or '.join(map(repr, permitted))}")
+                    raise ValueError(
+                        f"{shown}; permitted with the {method} {parameters[method]!r} is 0: "
+                        f"rails stand on springs with the {method} "
+                        f"{' or '.join(map(repr, permitted))}"
+                    )
             stiffness = name.replace("damping", "stiffness")
             own = on_the_left(parameters) if name.startswith(LEFT) else parameters
             if not own[stiffness.removeprefix(LEFT)]:
@@ -275,8 +367,10 @@ def _split(given):
             if len(value) != 2:
                 raise ValueError(f"{name} is {value!r}; permitted is one value, or (left, right)")
             if found.get(LEFT + name) is not None:
-                raise ValueError(f"{LEFT}{name} is {found[LEFT + name]!r}, but {name} is {value!r}; "
-                                 "permitted is one of the two")
+                raise ValueError(
+                    f"{LEFT}{name} is {found[LEFT + name]!r}, but {name} is {value!r}; "
+                    "permitted is one of the two"
+                )
             found[LEFT + name], found[name] = value
     return found
 
@@ -302,8 +396,10 @@ def _take(record, given, argument):
         own, other = getattr(record, name), given.get(keyword)
         if other is not None and PARAMETERS[keyword].checked(other) != own:
             unit = unit_behind(PARAMETERS[keyword].number.unit)
-            raise ValueError(f"{keyword} is {other!r}{unit}, but {own!r}{unit} in {argument}={record!r}; "
-                             "permitted is one value")
+            raise ValueError(
+                f"{keyword} is {other!r}{unit}, but {own!r}{unit} in {argument}={record!r}; "
+                "permitted is one value"
+            )
         given[keyword] = own
 
 
@@ -314,7 +410,9 @@ def _method_of(family, parameters):
         value = parameters[keyword]
         if value is not None and PARAMETERS[keyword].default is None and keyword not in method.keywords():
             users = " or ".join(repr(name) for name in family.with_keyword(keyword))
-            raise ValueError(f"{keyword} is {value!r}; permitted with the {family.parameter} {method.name!r} "
-                             f"is None, only {users} has {keyword}")
+            raise ValueError(
+                f"{keyword} is {value!r}; permitted with the {family.parameter} {method.name!r} "
+                f"is None, only {users} has {keyword}"
+            )
     method().check_beside(parameters)
     return method(**{name: parameters[keyword] for keyword, name in method.keywords().items()})

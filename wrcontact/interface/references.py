@@ -19,8 +19,10 @@ def _stored():
     """The number of every name of the list, by version."""
     with LIST.open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    return {version: {row["name"]: int(row[f"fmi{version}"]) for row in rows if row[f"fmi{version}"]}
-            for version in FIRST}
+    return {
+        version: {row["name"]: int(row[f"fmi{version}"]) for row in rows if row[f"fmi{version}"]}
+        for version in FIRST
+    }
 
 
 STORED = _stored()

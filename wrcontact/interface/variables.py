@@ -66,8 +66,17 @@ def _inputs():
         if row.switch:
             yield Variable(row.name, INPUT, row.meaning, BOOLEAN, start=bool(row.start))
             continue
-        yield Variable(row.name, INPUT, row.meaning, unit=row.unit, start=row.start, minimum=row.minimum,
-                       maximum=row.maximum, nominal=row.nominal, place=row.place)
+        yield Variable(
+            row.name,
+            INPUT,
+            row.meaning,
+            unit=row.unit,
+            start=row.start,
+            minimum=row.minimum,
+            maximum=row.maximum,
+            nominal=row.nominal,
+            place=row.place,
+        )
 
 
 def _parameters():
@@ -80,12 +89,22 @@ def _parameter(row):
     start, known = STARTS.get(row.fmu_name, row.start), row.number
     if known is None:
         choices = row.family.names(python=False) if row.family else ()
-        return Variable(row.fmu_name, PARAMETER, row.meaning, STRING, start=start, keyword=row.name,
-                        choices=choices)
+        return Variable(
+            row.fmu_name, PARAMETER, row.meaning, STRING, start=start, keyword=row.name, choices=choices
+        )
     if known.switch:
         return Variable(row.fmu_name, PARAMETER, row.meaning, BOOLEAN, start=start, keyword=row.name)
-    return Variable(row.fmu_name, PARAMETER, row.meaning, unit=known.unit, start=start, minimum=known.low,
-                    maximum=known.high, nominal=known.nominal or row.start, keyword=row.name)
+    return Variable(
+        row.fmu_name,
+        PARAMETER,
+        row.meaning,
+        unit=known.unit,
+        start=start,
+        minimum=known.low,
+        maximum=known.high,
+        nominal=known.nominal or row.start,
+        keyword=row.name,
+    )
 
 
 def _expanded(rows, prefix="", place=""):
@@ -110,10 +129,20 @@ def _output(row, name, meaning, place):
     """One output; angles are bounded by a right angle."""
     low, high = (-math.pi / 2, math.pi / 2) if row.unit == "rad" else (row.minimum, row.maximum)
     if row.whole:
-        return Variable(name, OUTPUT, meaning, INTEGER, minimum=low, maximum=high, depends_on=ANSWERED,
-                        place=place)
-    return Variable(name, OUTPUT, meaning, unit=row.unit, minimum=low, maximum=high, nominal=row.nominal,
-                    depends_on=ANSWERED, place=place)
+        return Variable(
+            name, OUTPUT, meaning, INTEGER, minimum=low, maximum=high, depends_on=ANSWERED, place=place
+        )
+    return Variable(
+        name,
+        OUTPUT,
+        meaning,
+        unit=row.unit,
+        minimum=low,
+        maximum=high,
+        nominal=row.nominal,
+        depends_on=ANSWERED,
+        place=place,
+    )
 
 
 def _outputs():
@@ -133,18 +162,35 @@ def _indexed(variables):
 def _equilibrium():
     """Where a compliant wheelset carries its load: computed apart from a step, and only when it is read."""
     follows = tuple(name for name in ANSWERED if name not in ("vertical_shift_input", "roll_input"))
-    words = ("{} of the wheelset at which both wheels carry the load that the inputs give; from here a "
-             "wheelset in the contact_mode compliant starts at rest (in other modes {} itself)")
+    words = (
+        "{} of the wheelset at which both wheels carry the load that the inputs give; from here a "
+        "wheelset in the contact_mode compliant starts at rest (in other modes {} itself)"
+    )
     for name, unit, quantity in (("vertical_shift", "m", "Vertical shift"), ("roll", "rad", "Roll")):
         low, high = (-math.pi / 2, math.pi / 2) if unit == "rad" else (None, None)
-        yield Variable(f"equilibrium.{name}", OUTPUT, words.format(quantity, name), unit=unit, minimum=low,
-                       maximum=high, nominal=1e-3, depends_on=follows)
+        yield Variable(
+            f"equilibrium.{name}",
+            OUTPUT,
+            words.format(quantity, name),
+            unit=unit,
+            minimum=low,
+            maximum=high,
+            nominal=1e-3,
+            depends_on=follows,
+        )
 
 
 #: What became of a step; it is no part of the kernel's outputs.
-_STATUS = Variable("status", OUTPUT, "Outcome of the step: 0 valid, 1 a wheel is unloaded, 2 off the "
-                   "profile, 3 not converged, 4 invalid input (2 to 4 keep the last valid values)", INTEGER,
-                   minimum=0, maximum=4, depends_on=ANSWERED)
+_STATUS = Variable(
+    "status",
+    OUTPUT,
+    "Outcome of the step: 0 valid, 1 a wheel is unloaded, 2 off the "
+    "profile, 3 not converged, 4 invalid input (2 to 4 keep the last valid values)",
+    INTEGER,
+    minimum=0,
+    maximum=4,
+    depends_on=ANSWERED,
+)
 
 VARIABLES = (*_indexed(_inputs()), *_parameters(), *_equilibrium(), *_indexed(_outputs()), _STATUS)
 #: Place of every variable in the table, and its value reference in FMI 2.0.
@@ -162,8 +208,11 @@ STATUS = PLACE["status"]
 
 def select(causality=None, type=None):
     """The variables of one causality and type, in table order."""
-    return [variable for variable in VARIABLES
-            if causality in (None, variable.causality) and type in (None, variable.type)]
+    return [
+        variable
+        for variable in VARIABLES
+        if causality in (None, variable.causality) and type in (None, variable.type)
+    ]
 
 
 def documented():

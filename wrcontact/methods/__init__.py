@@ -15,15 +15,26 @@ from .normal import NormalModel, Resolution  # noqa: F401
 from .tangential import *  # noqa: F403
 from .tangential import TangentialModel
 
-FAMILIES = tuple(base.family for base in (ContactMode, Load, NormalModel, Separation, LongitudinalCurvature,
-                                          LateralCurvature, TangentialModel))
+FAMILIES = tuple(
+    base.family
+    for base in (
+        ContactMode,
+        Load,
+        NormalModel,
+        Separation,
+        LongitudinalCurvature,
+        LateralCurvature,
+        TangentialModel,
+    )
+)
 
 #: Names that an FMU and the command line offer, by parameter; the first one is the default.
 CHOICES = {family.parameter: family.names(python=False) for family in FAMILIES}
 
 #: The kernel's number of every method, by parameter and name.
-NUMBERS = {family.parameter: {method.name: method.kernel_number for method in family.methods}
-           for family in FAMILIES}
+NUMBERS = {
+    family.parameter: {method.name: method.kernel_number for method in family.methods} for family in FAMILIES
+}
 
 #: The classes of all methods, which are names of wrcontact too.
 __all__ = [method.__name__ for family in FAMILIES for method in family.methods]

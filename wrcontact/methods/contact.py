@@ -165,8 +165,15 @@ class Smooth(LateralCurvature):
     kernel_number = 1
     words = "of circles fitted to the profiles"
 
-    reach: float = number(3e-3, 0.1e-3, 10e-3, "m", "Half the width over which the smooth lateral curvature "
-                          "fits circles to the profiles", nominal=1e-3, keyword="curvature_reach")
+    reach: float = number(
+        3e-3,
+        0.1e-3,
+        10e-3,
+        "m",
+        "Half the width over which the smooth lateral curvature fits circles to the profiles",
+        nominal=1e-3,
+        keyword="curvature_reach",
+    )
 
 
 @frozen
@@ -177,5 +184,12 @@ class Rough(LateralCurvature):
     kernel_number = 2
     words = "change of the profiles' angles between neighbouring nodes"
 
-    step: float = number(0.2e-3, 0.02e-3, 5e-3, "m", "Arc length from node to node of the rough lateral "
-                         "curvature", nominal=1e-3, keyword="curvature_step")
+    step: float = number(
+        0.2e-3,
+        0.02e-3,
+        5e-3,
+        "m",
+        "Arc length from node to node of the rough lateral curvature",
+        nominal=1e-3,
+        keyword="curvature_step",
+    )

@@ -25,8 +25,10 @@ class Family:
             raise TypeError(f"{method.__name__} has no {' and no '.join(missing)}; a method has both")
         numbers = {one.kernel_number for one in self.methods}
         if method.name in self.names() or not method.python_only and method.kernel_number in numbers:
-            raise TypeError(f"two methods of {self.parameter} have the name {method.name!r} "
-                            f"or the number {method.kernel_number}")
+            raise TypeError(
+                f"two methods of {self.parameter} have the name {method.name!r} "
+                f"or the number {method.kernel_number}"
+            )
         self.methods += (method,)
 
     @property
@@ -96,5 +98,7 @@ class Method(Checked):
         for reason, needed in self.needs.items():
             for parameter, name in needed.items():
                 if chosen[parameter] != name:
-                    raise ValueError(f"{parameter} is {chosen[parameter]!r}; permitted with the "
-                                     f"{self.parameter} {self.name!r}, which {reason}, is {name!r}")
+                    raise ValueError(
+                        f"{parameter} is {chosen[parameter]!r}; permitted with the "
+                        f"{self.parameter} {self.name!r}, which {reason}, is {name!r}"
+                    )

@@ -38,14 +38,27 @@ ANALYN_LADDER = {
 
 def tolerance_from(finest):
     """The field ``tolerance`` of a model that keeps tolerances down to ``finest`` [1]."""
-    return number(None, finest, COARSEST, "1", "Relative error of the numerics in penetration, area and peak "
-                  "pressure; nodes and strips are as fine as it needs", nominal=0.01, start=DEFAULT)
+    return number(
+        None,
+        finest,
+        COARSEST,
+        "1",
+        "Relative error of the numerics in penetration, area and peak "
+        "pressure; nodes and strips are as fine as it needs",
+        nominal=0.01,
+        start=DEFAULT,
+    )
 
 
 def node_count():
     """The field ``nodes``."""
-    return whole(None, 4, 38, "Nodes per half-width of the interpenetration, instead of those that the "
-                 "tolerance needs", python_only=True)
+    return whole(
+        None,
+        4,
+        38,
+        "Nodes per half-width of the interpenetration, instead of those that the tolerance needs",
+        python_only=True,
+    )
 
 
 class NormalModel(Method):
@@ -128,10 +141,12 @@ class Strip(NormalModel):
 
     tolerance: float | None = tolerance_from(min(STRIP_LADDER))
     nodes: int | None = node_count()
-    strips: int | None = whole(None, 6, 16, "Strips of the strip model, instead of those that the tolerance "
-                               "needs", python_only=True)
-    sweeps: int | None = whole(None, 1, 20, "Sweeps of the strip model, instead of those that the tolerance "
-                               "needs", python_only=True)
+    strips: int | None = whole(
+        None, 6, 16, "Strips of the strip model, instead of those that the tolerance needs", python_only=True
+    )
+    sweeps: int | None = whole(
+        None, 1, 20, "Sweeps of the strip model, instead of those that the tolerance needs", python_only=True
+    )
 
 
 @frozen
@@ -159,12 +174,17 @@ class Halfspace(NormalModel):
     """
 
     name = "halfspace"
-    kernel_number = Hertz.kernel_number     # the cheapest; of the kernel it needs the rigid geometry alone
+    kernel_number = Hertz.kernel_number  # the cheapest; of the kernel it needs the rigid geometry alone
     words = "complete half-space theory on the true gap"
     python_only = True
-    needs = {"knows the whole surface": {"longitudinal_curvature": "effective", "separation": "normal",
-                                         "lateral_curvature": "adaptive"},
-             "has no damping": {"contact_damping": 0.0}}
+    needs = {
+        "knows the whole surface": {
+            "longitudinal_curvature": "effective",
+            "separation": "normal",
+            "lateral_curvature": "adaptive",
+        },
+        "has no damping": {"contact_damping": 0.0},
+    }
 
     tolerance: float | None = tolerance_from(3e-4)
 
@@ -173,5 +193,7 @@ class Halfspace(NormalModel):
         the normal one."""
         super().check_beside(chosen)
         if chosen["tangential_model"] != "none" and chosen["load"] != "normal":
-            raise ValueError(f"load is {chosen['load']!r}; permitted with the normal_model 'halfspace' and "
-                             f"the tangential_model {chosen['tangential_model']!r} is 'normal'")
+            raise ValueError(
+                f"load is {chosen['load']!r}; permitted with the normal_model 'halfspace' and "
+                f"the tangential_model {chosen['tangential_model']!r} is 'normal'"
+            )

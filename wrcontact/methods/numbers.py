@@ -33,8 +33,10 @@ class UnusualValueWarning(UserWarning):
 
     def __str__(self):
         low, high = self.usual
-        return (f"{self.name} is {self.value:g}{unit_behind(self.unit)}; usual is {low:g} ... {high:g}"
-                f"{unit_behind(self.unit)}. It is used as it is.")
+        return (
+            f"{self.name} is {self.value:g}{unit_behind(self.unit)}; usual is {low:g} ... {high:g}"
+            f"{unit_behind(self.unit)}. It is used as it is."
+        )
 
 
 def warn_unusual(name, value, unit, usual):
@@ -144,8 +146,11 @@ class Checked:
             object.__setattr__(self, name, known.checked(name, getattr(self, name), self.context))
 
     def __repr__(self):
-        changed = [f"{one.name}={getattr(self, one.name)!r}" for one in fields(self)
-                   if getattr(self, one.name) != one.default]
+        changed = [
+            f"{one.name}={getattr(self, one.name)!r}"
+            for one in fields(self)
+            if getattr(self, one.name) != one.default
+        ]
         return f"{type(self).__name__}({', '.join(changed)})"
 
     @classmethod

@@ -29,9 +29,15 @@ class TangentialModel(Method):
 
 def published_spin():
     """The field ``published_spin``."""
-    return whole(0, 0, 1, "1: the longitudinal part of spin has the flexibility of spin, as FASTSIM and "
-                 "FaStrip were published; 0: that of longitudinal creepage, which is closer to the complete "
-                 "theory", nominal=1.0)
+    return whole(
+        0,
+        0,
+        1,
+        "1: the longitudinal part of spin has the flexibility of spin, as FASTSIM and "
+        "FaStrip were published; 0: that of longitudinal creepage, which is closer to the complete "
+        "theory",
+        nominal=1.0,
+    )
 
 
 @frozen
@@ -93,7 +99,7 @@ class HalfspaceRolling(TangentialModel):
     """
 
     name = "halfspace"
-    kernel_number = 5       # for which the kernel finds no creep force
+    kernel_number = 5  # for which the kernel finds no creep force
     words = "complete theory of steady rolling on the half-space"
     python_only = True
     needs = {"is computed once for each load": {"load": "normal"}}

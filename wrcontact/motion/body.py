@@ -10,8 +10,15 @@ from ..interface.parameters import PARAMETERS
 UNIT = 1e-6
 
 
-def motion_of(position: ArrayLike, rotation: ArrayLike, velocity: ArrayLike, angular_velocity: ArrayLike,
-              lateral: float = 0.0, *, nominal_radius: float | None = None) -> dict[str, float]:
+def motion_of(
+    position: ArrayLike,
+    rotation: ArrayLike,
+    velocity: ArrayLike,
+    angular_velocity: ArrayLike,
+    lateral: float = 0.0,
+    *,
+    nominal_radius: float | None = None,
+) -> dict[str, float]:
     """The inputs of a wheelset that is a spinning body: yaw, roll, their rates, the rotation of its wheels.
 
     The axle has the direction ``e = R e_2``, the second column of the rotation matrix, and moves as
@@ -62,12 +69,21 @@ def motion_of(position: ArrayLike, rotation: ArrayLike, velocity: ArrayLike, ang
     d_x, d_y, d_z = turn_y * e_z - turn_z * e_y, turn_z * e_x - turn_x * e_z, turn_x * e_y - turn_y * e_x
     flat = e_x * e_x + e_y * e_y
     yaw_rate = (e_x * d_y - e_y * d_x) / flat
-    return {"lateral_shift": y, "yaw": math.atan2(-e_x, e_y) + 0.0, "vertical_shift_input": z + radius,
-            "roll_input": math.atan2(e_z, math.sqrt(flat)), "speed": speed,
-            "lateral_velocity": lateral_velocity, "vertical_velocity": vertical_velocity,
-            "yaw_rate": yaw_rate, "roll_rate": d_z / math.sqrt(flat),
-            "wheel_rate": yaw_rate * e_z - (turn_x * e_x + turn_y * e_y + turn_z * e_z),
-            "free_rolling": False, "left_rail_lateral": lateral, "right_rail_lateral": lateral}
+    return {
+        "lateral_shift": y,
+        "yaw": math.atan2(-e_x, e_y) + 0.0,
+        "vertical_shift_input": z + radius,
+        "roll_input": math.atan2(e_z, math.sqrt(flat)),
+        "speed": speed,
+        "lateral_velocity": lateral_velocity,
+        "vertical_velocity": vertical_velocity,
+        "yaw_rate": yaw_rate,
+        "roll_rate": d_z / math.sqrt(flat),
+        "wheel_rate": yaw_rate * e_z - (turn_x * e_x + turn_y * e_y + turn_z * e_z),
+        "free_rolling": False,
+        "left_rail_lateral": lateral,
+        "right_rail_lateral": lateral,
+    }
 
 
 def _three(name, values):
@@ -85,12 +101,16 @@ def _axle(rotation):
         (_, x, _), (_, y, _), (_, z, _) = rotation
         x, y, z = float(x), float(y), float(z)
     except (TypeError, ValueError):
-        raise ValueError(f"rotation is {rotation!r}; permitted is a matrix of 3 x 3 numbers, whose columns "
-                         "are the body's axes") from None
+        raise ValueError(
+            f"rotation is {rotation!r}; permitted is a matrix of 3 x 3 numbers, whose columns "
+            "are the body's axes"
+        ) from None
     if not abs(x * x + y * y + z * z - 1.0) < UNIT:
-        raise ValueError(f"the second column of rotation, the axle, has the length "
-                         f"{math.sqrt(x * x + y * y + z * z):g}; permitted is a rotation matrix, whose "
-                         "columns have the length 1")
+        raise ValueError(
+            f"the second column of rotation, the axle, has the length "
+            f"{math.sqrt(x * x + y * y + z * z):g}; permitted is a rotation matrix, whose "
+            "columns have the length 1"
+        )
     if x * x + y * y < UNIT:
         raise ValueError("the second column of rotation, the axle, is vertical; it points to the right")
     return x, y, z

@@ -58,9 +58,10 @@ def differentiated_outputs(of, width):
 
 def is_computed(least, wanted):
     """Whether a stepper of which (side, depth) are ``wanted`` computes what ``least`` says."""
-    depths = list(DEPTH_SIZES)          # the deepest is first
-    return (least is None or wanted[0] in ("both", least[0])
-            and depths.index(wanted[1]) <= depths.index(least[1]))
+    depths = list(DEPTH_SIZES)  # the deepest is first
+    return (
+        least is None or wanted[0] in ("both", least[0]) and depths.index(wanted[1]) <= depths.index(least[1])
+    )
 
 
 def listed(argument, names):

@@ -17,6 +17,7 @@ LIFTS, DROPS, HALVINGS = 60, 400, 100
 def stand_at(system, roll, inputs):
     """An :class:`~wrcontact.state.Equilibrium` at the ``roll`` [rad]: the height at which both wheels of a
     compliant ``system`` together carry the loads among the keyword ``inputs``."""
+
     def at(height):
         return system.evaluate(**inputs, vertical_shift_input=height, roll_input=roll, outputs="patches")
 

@@ -40,13 +40,23 @@ def check_figure(report, ax=None, side="right"):
         figure = new_figure(10, 12.2)
         grid = figure.add_gridspec(4, 2, height_ratios=(3.6, 2.6, 2.3, 2.3))
         figure.suptitle(in_lines(_headline(report), 10), x=0.01, ha="left")
-        ax = [figure.add_subplot(grid[0, :]), *(figure.add_subplot(grid[row, column])
-                                                for row in (1, 2, 3) for column in (0, 1))]
+        ax = [
+            figure.add_subplot(grid[0, :]),
+            *(figure.add_subplot(grid[row, column]) for row in (1, 2, 3) for column in (0, 1)),
+        ]
     figure, panels = given_axes(ax, (7,))
     draw_places(panels[0], report, side)
-    for panel, draw in zip(panels[1:],
-                           (draw_radii, draw_conicity, partial(draw_moves, of=side), draw_roll_rate,
-                            draw_distance, partial(draw_near, of=side))):
+    for panel, draw in zip(
+        panels[1:],
+        (
+            draw_radii,
+            draw_conicity,
+            partial(draw_moves, of=side),
+            draw_roll_rate,
+            draw_distance,
+            partial(draw_near, of=side),
+        ),
+    ):
         draw(panel, report)
     return figure
 
@@ -54,9 +64,11 @@ def check_figure(report, ax=None, side="right"):
 def _headline(report):
     chosen = report.system.parameters
     lean = chosen["rail_inclination"]
-    return (f"{report.system.title}, "
-            f"{f'inclination 1:{1 / lean:.3g}' if lean else 'upright'}, gauge {chosen['gauge'] / MM:.6g} mm, "
-            f"nominal radius {chosen['nominal_radius'] / MM:.6g} mm{differing_left(report.system)}")
+    return (
+        f"{report.system.title}, "
+        f"{f'inclination 1:{1 / lean:.3g}' if lean else 'upright'}, gauge {chosen['gauge'] / MM:.6g} mm, "
+        f"nominal radius {chosen['nominal_radius'] / MM:.6g} mm{differing_left(report.system)}"
+    )
 
 
 def _head(panel, label, title):
@@ -74,8 +86,14 @@ def draw_places(panel, report, of="right"):
     at = np.unique([np.argmin(np.abs(report.curves.lateral_shift - shift)) for shift in SHIFTS])
     at = at[np.isfinite(side.y_wheel[at])]
     if len(at):
-        draw_lines(panel, report.system, of, report.curves.lateral_shift[at],
-                   (side.y_wheel[at], side.y_rail[at]), report.jumps)
+        draw_lines(
+            panel,
+            report.system,
+            of,
+            report.curves.lateral_shift[at],
+            (side.y_wheel[at], side.y_rail[at]),
+            report.jumps,
+        )
 
 
 def _shown_jumps(report, side):
@@ -91,8 +109,14 @@ def draw_radii(panel, report):
     for name, colour, words in SWINGS:
         if report.conicity_curves[name] is not None:
             shift, difference = report.conicity_curves[name]
-            panel.plot(shift / MM, difference / MM, color=colour, label=words,
-                       zorder=2 if name == "rolled" else 3, linewidth=1.6 if name == "rolled" else 1.1)
+            panel.plot(
+                shift / MM,
+                difference / MM,
+                color=colour,
+                label=words,
+                zorder=2 if name == "rolled" else 3,
+                linewidth=1.6 if name == "rolled" else 1.1,
+            )
     panel.axhline(0, color=QUIET, linewidth=0.6)
     _shift_axis(panel, "mm")
     _legend(panel)
@@ -157,8 +181,16 @@ def draw_distance(panel, report):
     _mark_jumps(panel, report, SIDE_COLOUR)
     if np.isfinite(report.nearest_jump):
         panel.plot([0], [report.nearest_jump / MM], "o", color=INK, markersize=4)
-        panel.annotate(f"centred: {number(report.nearest_jump / MM, 2)} mm", (0, report.nearest_jump / MM),
-                       (7, 0), textcoords="offset points", ha="left", va="center", fontsize=8, bbox=BAND)
+        panel.annotate(
+            f"centred: {number(report.nearest_jump / MM, 2)} mm",
+            (0, report.nearest_jump / MM),
+            (7, 0),
+            textcoords="offset points",
+            ha="left",
+            va="center",
+            fontsize=8,
+            bbox=BAND,
+        )
     else:
         panel.text(0.5, 0.5, "no jumps", transform=panel.transAxes, ha="center", color=QUIET)
     _shift_axis(panel, "mm")
@@ -171,16 +203,30 @@ def draw_near(panel, report, of="right"):
     shift, side = report.curves.lateral_shift / MM, getattr(report.curves, of)
     for zone in report.conformal:
         if zone.side == of:
-            panel.axvspan(zone.start / MM, zone.stop / MM, color="#F0E442", alpha=0.45, linewidth=0,
-                          gid="conformal")
+            panel.axvspan(
+                zone.start / MM, zone.stop / MM, color="#F0E442", alpha=0.45, linewidth=0, gid="conformal"
+            )
     panel.plot(*_broken(report, shift, side.near_width / MM, of), color=INK)
     panel.axhline(WIDE / MM, color=QUIET, linestyle="--", linewidth=0.8)
-    panel.text(0.01, WIDE / MM, f"shaded: longer, or bends by\nmore than {TURN / DEGREE:.0f}° (conformal)",
-               ha="left", va="bottom", fontsize=7.5, color=QUIET, transform=panel.get_yaxis_transform())
+    panel.text(
+        0.01,
+        WIDE / MM,
+        f"shaded: longer, or bends by\nmore than {TURN / DEGREE:.0f}° (conformal)",
+        ha="left",
+        va="bottom",
+        fontsize=7.5,
+        color=QUIET,
+        transform=panel.get_yaxis_transform(),
+    )
     _shift_axis(panel, "mm")
-    panel.set_ylim(0, 1.25 * max(WIDE / MM, np.nanmax(np.where(np.abs(shift) <= SHOWN / MM,
-                                                               side.near_width / MM, 0.0),
-                                                         initial=0.0)))
+    panel.set_ylim(
+        0,
+        1.25
+        * max(
+            WIDE / MM,
+            np.nanmax(np.where(np.abs(shift) <= SHOWN / MM, side.near_width / MM, 0.0), initial=0.0),
+        ),
+    )
 
 
 def _broken(report, shift, values, side):
@@ -194,8 +240,13 @@ def _mark_jumps(panel, report, sides):
     """Dotted lines at the jumps of ``sides``, in their colours."""
     for side in sides:
         for jump in _shown_jumps(report, side):
-            panel.axvline(jump.lateral_shift / MM, color=SIDE_COLOUR[side], linewidth=0.8, linestyle=":",
-                          gid=f"{side} jump")
+            panel.axvline(
+                jump.lateral_shift / MM,
+                color=SIDE_COLOUR[side],
+                linewidth=0.8,
+                linestyle=":",
+                gid=f"{side} jump",
+            )
 
 
 def _shift_axis(panel, unit, rates=False):
@@ -206,9 +257,13 @@ def _shift_axis(panel, unit, rates=False):
 def _scale_to_shown(panel, rates):
     """Fit the vertical range of ``panel`` to its curves within the shown shifts; ``rates`` have a logarithmic
     axis that is linear near zero, so that a curve may come to zero inside the panel."""
-    shown = [np.asarray(line.get_ydata(),
-                        dtype=float)[np.abs(np.asarray(line.get_xdata(), dtype=float)) <= SHOWN / MM]
-             for line in panel.lines if len(line.get_xdata()) > 2]
+    shown = [
+        np.asarray(line.get_ydata(), dtype=float)[
+            np.abs(np.asarray(line.get_xdata(), dtype=float)) <= SHOWN / MM
+        ]
+        for line in panel.lines
+        if len(line.get_xdata()) > 2
+    ]
     values = np.concatenate([*shown, [np.nan]])
     values = values[np.isfinite(values)]
     if not len(values) or np.ptp(values) == 0.0:

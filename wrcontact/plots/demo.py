@@ -33,12 +33,15 @@ def demo_figure(system, run, stored):
     """
     figure = new_figure(10, 10.6)
     rows = figure.subfigures(3, 1, height_ratios=(3.4, 3.4, 3.9), hspace=0.02)
-    title = (f"Where {system.wheel.name} touches {system.rail.name} without yaw: three jumps lead from the "
-             "tread to the flange")
+    title = (
+        f"Where {system.wheel.name} touches {system.rail.name} without yaw: three jumps lead from the "
+        "tread to the flange"
+    )
     draw_sweep(_titled(rows[0], title).subplots(1, 3), sweep(system))
-    draw_patches(_titled(rows[1],
-                         "The patch of the right wheel from tread to flange at 78.5 kN, with a common scale"),
-                 system)
+    draw_patches(
+        _titled(rows[1], "The patch of the right wheel from tread to flange at 78.5 kN, with a common scale"),
+        system,
+    )
     title = "The FMU steps through growing hunting: lines are its outputs, circles the stored reference"
     draw_run(_titled(rows[2], title).subplots(2, 3, sharex=True), run, stored)
     return figure
@@ -67,8 +70,10 @@ def draw_patches(row, system):
 
 def _describe(shift, side):
     """Zone and shift, then area and largest pressure, in two lines."""
-    return (f"{wheel_zone(side.contact.y_wheel)}, {shift / MM:g} mm\n"
-            f"{side.area / MM**2:.0f} mm², {side.max_pressure / MEGAPASCAL:.0f} MPa")
+    return (
+        f"{wheel_zone(side.contact.y_wheel)}, {shift / MM:g} mm\n"
+        f"{side.area / MM**2:.0f} mm², {side.max_pressure / MEGAPASCAL:.0f} MPa"
+    )
 
 
 def draw_run(panels, run, stored):
@@ -95,5 +100,12 @@ def _compare(panel, run, stored, name, unit):
     for side in SIDES:
         look = {"color": SIDE_COLOUR[side], "linewidth": 1}
         panel.plot(time, run[f"{side}.{name}"] / unit, label=side, **look)
-        panel.plot(time, stored[f"{side}.{name}"] / unit, "o", markersize=2.4, fillstyle="none",
-                   markeredgewidth=0.5, **look)
+        panel.plot(
+            time,
+            stored[f"{side}.{name}"] / unit,
+            "o",
+            markersize=2.4,
+            fillstyle="none",
+            markeredgewidth=0.5,
+            **look,
+        )

@@ -10,8 +10,11 @@ from ..profiles.placement import place_rail, readable_wheel
 
 #: Parts of the wheel S1002 by their lateral position [m]; the limits are joints of its defining zones (B/C
 #: and D/E).
-WHEEL_ZONES = {"flange": (-70e-3, -38.426669071e-3), "flange root": (-38.426669071e-3, -26e-3),
-               "tread": (-26e-3, 60e-3)}
+WHEEL_ZONES = {
+    "flange": (-70e-3, -38.426669071e-3),
+    "flange root": (-38.426669071e-3, -26e-3),
+    "tread": (-26e-3, 60e-3),
+}
 
 POINTS = 1200  # of a drawn outline
 
@@ -35,10 +38,19 @@ def wheel_locus(system, state, side):
     sign = mirrored(side)
     place = Place.at(np.zeros(PLACE_SIZE))
     chosen = system.side_parameters(side)
-    place_wheelset(place, *(sign * pose), chosen["nominal_radius"], system.centre_height,
-                   chosen["running_circle_distance"] / 2)
-    points = np.array([(_along(place, *point), *outline_point(place, *point)[:2])
-                       for point in zip(y.tolist(), z.tolist(), slope.tolist())])
+    place_wheelset(
+        place,
+        *(sign * pose),
+        chosen["nominal_radius"],
+        system.centre_height,
+        chosen["running_circle_distance"] / 2,
+    )
+    points = np.array(
+        [
+            (_along(place, *point), *outline_point(place, *point)[:2])
+            for point in zip(y.tolist(), z.tolist(), slope.tolist())
+        ]
+    )
     return points[:, 0], sign * points[:, 1], points[:, 2] + state.vertical_shift
 
 
@@ -81,8 +93,9 @@ def rail_outline(system, side, state=None):
     """The inclined rail head with its sides on the track: track coordinates y, z (down) [m], two arrays
     (n,); of a rail that is moved as the inputs of ``state`` say."""
     chosen, rail = system.side_parameters(side), system.rail if side == "right" else system.left_rail
-    placed = place_rail(rail, inclination=chosen["rail_inclination"], gauge=chosen["gauge"],
-                        gauge_depth=chosen["gauge_depth"])
+    placed = place_rail(
+        rail, inclination=chosen["rail_inclination"], gauge=chosen["gauge"], gauge_depth=chosen["gauge_depth"]
+    )
     angle = -np.arctan(chosen["rail_inclination"])
     coarse = np.linspace(rail.start, rail.stop, POINTS)
     top = np.argmin(_turned(rail, coarse, angle)[1])
@@ -92,8 +105,10 @@ def rail_outline(system, side, state=None):
     y *= mirrored(side)
     top = placed.y_track if side == "right" else -placed.y_track
     lateral, vertical, roll = (0.0, 0.0, 0.0) if state is None else _moved(state, side)
-    return (top + lateral + np.cos(roll) * y - np.sin(roll) * z,
-            vertical + np.sin(roll) * y + np.cos(roll) * z)
+    return (
+        top + lateral + np.cos(roll) * y - np.sin(roll) * z,
+        vertical + np.sin(roll) * y + np.cos(roll) * z,
+    )
 
 
 def _moved(state, side):

@@ -83,8 +83,18 @@ def draw_patch(panel, outline, scale, along=0.0):
     y, x = np.broadcast_arrays(station / MM, (across * half_length + along) / MM)
     pressure = middle * np.sqrt(np.maximum(1 - across**2, 0.0)) / MEGAPASCAL
     parts = sorted(loaded(half_length), key=lambda part: -np.max(middle[part]))
-    mesh = [panel.pcolormesh(y[:, part], x[:, part], pressure[:, part], shading="gouraud",
-                             cmap=PRESSURE_COLOURS, norm=scale, rasterized=True) for part in parts][0]
+    mesh = [
+        panel.pcolormesh(
+            y[:, part],
+            x[:, part],
+            pressure[:, part],
+            shading="gouraud",
+            cmap=PRESSURE_COLOURS,
+            norm=scale,
+            rasterized=True,
+        )
+        for part in parts
+    ][0]
     edge = np.where(_between_patches(half_length), np.nan, half_length)
     for side in (edge, -edge):
         panel.plot(station / MM, (side + along) / MM, color=INK, linewidth=0.9)
@@ -114,8 +124,10 @@ def window_size(outlines, places=()):
     """Half width and half length [m] of a window that fits each of several patches, so that they share one
     scale; ``places`` are what :func:`patch_places` gives."""
     across = max(float(np.ptp(outline.station)) for outline in outlines) / 2
-    along = max((np.ptp(patch_ends(*one)) / 2 for one in zip(outlines, places)),
-                default=max(float(np.max(outline.half_length)) for outline in outlines))
+    along = max(
+        (np.ptp(patch_ends(*one)) / 2 for one in zip(outlines, places)),
+        default=max(float(np.max(outline.half_length)) for outline in outlines),
+    )
     return across + MARGIN, float(along) + MARGIN
 
 
@@ -159,14 +171,15 @@ def of_one_pose(alone=False):
         @wraps(draw)
         def drawing(*given, **options):
             named = [options.pop(name) for name in ("system", "state") if name in options]
-            first, more = [*named, *given[:2 - len(named)]], given[2 - len(named):]
+            first, more = [*named, *given[: 2 - len(named)]], given[2 - len(named) :]
             state = next((one for one in first if isinstance(one, WheelsetState)), None)
             system = next((one for one in first if not isinstance(one, WheelsetState)), None)
             if state is None:
                 raise TypeError("state is None; permitted is what system.evaluate returns")
             if state.values.ndim > 1:
-                raise TypeError(f"state is a table of {len(state)} poses; permitted is one of them, such as "
-                                "table[0]")
+                raise TypeError(
+                    f"state is a table of {len(state)} poses; permitted is one of them, such as table[0]"
+                )
             if system is None and not alone:
                 raise TypeError(f"system is None; permitted is {draw.__name__}(system, state)")
             return draw(system, state, *more, **options)
@@ -227,11 +240,16 @@ def _draw_below(upper, lower, outline, colour, scale):
     """The pressure of one wheel below its patch, with the shear stress of creep forces."""
     line = draw_pressure(lower, outline, colour)
     if np.nanmax(outline.shear) > 0.0:
-        shear, = lower.plot(outline.station / MM, outline.shear / MEGAPASCAL, color=INK, linewidth=1.2,
-                            linestyle=(0, (4, 2)))
+        (shear,) = lower.plot(
+            outline.station / MM, outline.shear / MEGAPASCAL, color=INK, linewidth=1.2, linestyle=(0, (4, 2))
+        )
         lower.legend([line, shear], ["pressure", "mean shear stress"], loc="upper right")
-    lower.set(xlim=upper.get_xlim(), ylim=(0, 1.05 * scale.vmax), ylabel="pressure [MPa]",
-              xlabel="lateral in the contact plane, field side + [mm]")
+    lower.set(
+        xlim=upper.get_xlim(),
+        ylim=(0, 1.05 * scale.vmax),
+        ylabel="pressure [MPa]",
+        xlabel="lateral in the contact plane, field side + [mm]",
+    )
 
 
 def headline(name, side):
@@ -240,8 +258,10 @@ def headline(name, side):
         reason = "no load" if side.patch_count == 0 else "not computed"
         return f"{name.capitalize()} wheel: {reason},\nno patch"
     regions = {1: "one patch"}.get(side.patch_count, f"{side.patch_count} patches")
-    return (f"{name.capitalize()} wheel: {regions}, {side.area / MM**2:.0f} mm²,\n"
-            f"pressure up to {side.max_pressure / MEGAPASCAL:.0f} MPa{_creep(side)}")
+    return (
+        f"{name.capitalize()} wheel: {regions}, {side.area / MM**2:.0f} mm²,\n"
+        f"pressure up to {side.max_pressure / MEGAPASCAL:.0f} MPa{_creep(side)}"
+    )
 
 
 def _creep(side):

@@ -64,8 +64,9 @@ def draw_contacts(panels, system, state, sides=SIDES):
     for panel, side in zip(panels, sides):
         draw_contact(panel, system, state, side)
     middle_of_rail = (OUTSIDE if sides[0] == "left" else INSIDE) / (INSIDE + OUTSIDE)
-    panels[0].legend(loc="lower center", bbox_to_anchor=(middle_of_rail, -0.03), handlelength=1.8,
-                     labelspacing=0.3)
+    panels[0].legend(
+        loc="lower center", bbox_to_anchor=(middle_of_rail, -0.03), handlelength=1.8, labelspacing=0.3
+    )
 
 
 def draw_contact(panel, system, state, side):
@@ -92,8 +93,14 @@ def draw_plane(panel, contact, side):
     y, z = contact.contact.y_track, contact.contact.z_track
     rise = np.tan(contact.contact_angle) * (1 if side == "right" else -1)
     ends = np.array([-0.5, 0.5]) * PLANE * np.cos(contact.contact_angle)
-    panel.plot((y + ends) / MM, (-z + rise * ends) / MM, color=CONTACT_COLOUR, linewidth=1.2,
-               linestyle=(0, (4, 2)), label="contact plane")
+    panel.plot(
+        (y + ends) / MM,
+        (-z + rise * ends) / MM,
+        color=CONTACT_COLOUR,
+        linewidth=1.2,
+        linestyle=(0, (4, 2)),
+        label="contact plane",
+    )
     panel.plot([y / MM], [-z / MM], "o", color=CONTACT_COLOUR, markersize=5, label="contact point")
 
 
@@ -101,21 +108,30 @@ def _frame(panel, top, side):
     """Show the flange on the inner side and the tread on the outer one; ``top`` is the rail's highest point
     [m]."""
     low, high = (-INSIDE, OUTSIDE) if side == "right" else (-OUTSIDE, INSIDE)
-    panel.set(xlim=((top + low) / MM, (top + high) / MM), ylim=(-BELOW / MM, ABOVE / MM), aspect="equal",
-              xlabel="across the track, right + [mm]", ylabel="above top of rail [mm]",
-              yticks=(-30, -20, -10, 0, 10))
+    panel.set(
+        xlim=((top + low) / MM, (top + high) / MM),
+        ylim=(-BELOW / MM, ABOVE / MM),
+        aspect="equal",
+        xlabel="across the track, right + [mm]",
+        ylabel="above top of rail [mm]",
+        yticks=(-30, -20, -10, 0, 10),
+    )
 
 
 def _describe(contact, side):
-    return (f"{side.capitalize()} wheel touches at y = {number(contact.contact.y_wheel / MM, 1)} mm\n"
-            f"of its profile, contact angle {number(contact.contact_angle / DEGREE, 1)}°")
+    return (
+        f"{side.capitalize()} wheel touches at y = {number(contact.contact.y_wheel / MM, 1)} mm\n"
+        f"of its profile, contact angle {number(contact.contact_angle / DEGREE, 1)}°"
+    )
 
 
 def _headline(system, state):
     """Pose, load and roll in one line."""
     shift, yaw = state.inputs.lateral_shift, state.inputs.yaw
-    return (f"Lateral shift {number(shift / MM, 2)} mm, yaw {number(yaw / DEGREE, 2)}°, "
-            f"{_load(system, state)}: roll {number(state.roll / DEGREE, 3)}°")
+    return (
+        f"Lateral shift {number(shift / MM, 2)} mm, yaw {number(yaw / DEGREE, 2)}°, "
+        f"{_load(system, state)}: roll {number(state.roll / DEGREE, 3)}°"
+    )
 
 
 def _load(system, state):
@@ -123,5 +139,6 @@ def _load(system, state):
     if system.parameters["contact_mode"] == "compliant":
         return f"{number(state.vertical_shift / MM, 3)} mm down"
     force, transfer = state.inputs.normal_force, state.inputs.load_transfer
-    return f"{number(force / KILONEWTON, 1)} kN per wheel" + (f", load transfer {number(transfer, 2)}"
-                                                              if transfer else "")
+    return f"{number(force / KILONEWTON, 1)} kN per wheel" + (
+        f", load transfer {number(transfer, 2)}" if transfer else ""
+    )

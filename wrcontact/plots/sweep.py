@@ -42,8 +42,9 @@ def check_contact(table):
     """Refuse a table of states of which none has a contact, with the reason of the middle one."""
     if not np.any(np.asarray(table.status) <= Status.UNLOADED):
         middle = table[len(table) // 2]
-        raise ValueError(f"none of the {len(table)} lateral shifts has a contact: "
-                         f"{explain(middle.status, middle.inputs)}")
+        raise ValueError(
+            f"none of the {len(table)} lateral shifts has a contact: {explain(middle.status, middle.inputs)}"
+        )
 
 
 @styled
@@ -70,9 +71,12 @@ def draw_position(panel, swept, side):
     panel.plot(*broken_curve(swept, side), color=SIDE_COLOUR[side], gid="position")
     for jump in told_jumps(swept, side):
         draw_jump(panel, jump, SIDE_COLOUR[side])
-    panel.set(xlim=(swept.lateral_shift[0] / MM, swept.lateral_shift[-1] / MM),
-              ylim=(SHOWN[0] / MM, SHOWN[1] / MM), xlabel="lateral shift, right + [mm]",
-              ylabel="field side + [mm]")
+    panel.set(
+        xlim=(swept.lateral_shift[0] / MM, swept.lateral_shift[-1] / MM),
+        ylim=(SHOWN[0] / MM, SHOWN[1] / MM),
+        xlabel="lateral shift, right + [mm]",
+        ylabel="field side + [mm]",
+    )
     panel.xaxis.set_major_locator(MultipleLocator(TICKS))
     panel.set_title(f"Contact on the {side} wheel's profile")
 
@@ -83,18 +87,25 @@ def draw_zones(panel, edge):
     for name, (low, high) in WHEEL_ZONES.items():
         low, high = max(low, SHOWN[0]) / MM, min(high, SHOWN[1]) / MM
         panel.axhspan(low, high, color=ZONE_COLOUR[name], linewidth=0, zorder=0)
-        panel.text(edge, low + 0.8 if name == "tread" else (low + high) / 2, name, color=QUIET,
-                   style="italic", ha="right" if 0.5 < edge < 1 else "left", va="bottom" if name == "tread"
-                   else "center",
-                   transform=panel.get_yaxis_transform())
+        panel.text(
+            edge,
+            low + 0.8 if name == "tread" else (low + high) / 2,
+            name,
+            color=QUIET,
+            style="italic",
+            ha="right" if 0.5 < edge < 1 else "left",
+            va="bottom" if name == "tread" else "center",
+            transform=panel.get_yaxis_transform(),
+        )
 
 
 def broken_curve(swept, side):
     """Lateral shift and contact position [mm], two arrays, interrupted at every jump."""
     jumps = [jump for jump in swept.jumps if jump.side == side]
     shift = np.concatenate([swept.lateral_shift, *([jump.lateral_shift] * 3 for jump in jumps)])
-    place = np.concatenate([getattr(swept.state, side).contact.y_wheel,
-                            *([jump.before, np.nan, jump.after] for jump in jumps)])
+    place = np.concatenate(
+        [getattr(swept.state, side).contact.y_wheel, *([jump.before, np.nan, jump.after] for jump in jumps)]
+    )
     order = np.argsort(shift, kind="stable")
     return shift[order] / MM, place[order] / MM
 
@@ -110,9 +121,17 @@ def draw_jump(panel, jump, colour):
     shift, before, after = (length / MM for length in jump)
     panel.plot([shift, shift], [before, after], color=colour, linewidth=1, linestyle=":", gid="jump")
     inward = -1 if shift > 0 else 1
-    panel.annotate(f"jump at {number(shift, 2)} mm", (shift, (before + after) / 2), (6 * inward, 0),
-                   textcoords="offset points", ha="right" if inward < 0 else "left", va="center", fontsize=8,
-                   color=INK, bbox=BAND)
+    panel.annotate(
+        f"jump at {number(shift, 2)} mm",
+        (shift, (before + after) / 2),
+        (6 * inward, 0),
+        textcoords="offset points",
+        ha="right" if inward < 0 else "left",
+        va="center",
+        fontsize=8,
+        color=INK,
+        bbox=BAND,
+    )
 
 
 def draw_roll(panel, swept):
@@ -120,7 +139,10 @@ def draw_roll(panel, swept):
     panel.set_label("roll")
     panel.axhline(0, color=QUIET, linewidth=0.6)
     panel.plot(swept.lateral_shift / MM, swept.state.roll / DEGREE, color=INK)
-    panel.set(xlim=(swept.lateral_shift[0] / MM, swept.lateral_shift[-1] / MM),
-              xlabel="lateral shift, right + [mm]", ylabel="right wheel down + [deg]")
+    panel.set(
+        xlim=(swept.lateral_shift[0] / MM, swept.lateral_shift[-1] / MM),
+        xlabel="lateral shift, right + [mm]",
+        ylabel="right wheel down + [deg]",
+    )
     panel.xaxis.set_major_locator(MultipleLocator(TICKS))
     panel.set_title("Roll of the wheelset")

@@ -27,11 +27,35 @@ def s1002():
         Arc(-49.662510381, -39.764473993, 20.0, -58.558326413, 8.834924130, +1),
         Polynomial(-39.764473993, -38.426669071, (-93.576667419, -2.747477419)),
         Arc(-38.426669071, -35.0, 13.0, -26.210665, 16.446, -1),
-        Polynomial(-35.0, -26.0,
-                   (-4.320221063e3, -1.038384026e3, -1.065501873e2, -6.051367875, -2.054332446e-1,
-                    -4.169739389e-3, -4.687195829e-5, -2.252755540e-7)),
-        Polynomial(-26.0, 32.15796, (0.0, -3.358537058e-2, 1.565681624e-3, -2.810427944e-5, 5.844240864e-8,
-                                     -1.562379023e-8, 5.309217349e-15, -5.957839843e-12, 2.646656573e-13)),
+        Polynomial(
+            -35.0,
+            -26.0,
+            (
+                -4.320221063e3,
+                -1.038384026e3,
+                -1.065501873e2,
+                -6.051367875,
+                -2.054332446e-1,
+                -4.169739389e-3,
+                -4.687195829e-5,
+                -2.252755540e-7,
+            ),
+        ),
+        Polynomial(
+            -26.0,
+            32.15796,
+            (
+                0.0,
+                -3.358537058e-2,
+                1.565681624e-3,
+                -2.810427944e-5,
+                5.844240864e-8,
+                -1.562379023e-8,
+                5.309217349e-15,
+                -5.957839843e-12,
+                2.646656573e-13,
+            ),
+        ),
         Polynomial(32.15796, 60.0, (1.364323640, -0.066666667)),
     )
     return Profile("S1002", "wheel", zones)
@@ -66,20 +90,29 @@ def _tangent_arc(previous, radius, start, stop):
     ``start``."""
     share = 1.0 - radius / previous.radius
     z_start = float(previous(start)[0])
-    return Arc(start, stop, radius, previous.y_centre + share * (start - previous.y_centre),
-               previous.z_centre + share * (z_start - previous.z_centre), -1)
+    return Arc(
+        start,
+        stop,
+        radius,
+        previous.y_centre + share * (start - previous.y_centre),
+        previous.z_centre + share * (z_start - previous.z_centre),
+        -1,
+    )
 
 
 BUILDERS = {
     "S1002": s1002,
     "cone20": lambda: cone("cone20", 20.0),
     "cone40": lambda: cone("cone40", 40.0),
-    "UIC60": lambda: rail_head("UIC60", crown_half_width=10.5, shoulder_half_width=25.988023,
-                               corner_half_width=36.0),
-    "60E1": lambda: rail_head("60E1", crown_half_width=10.228, shoulder_half_width=26.0265,
-                              corner_half_width=36.0),
-    "54E1": lambda: rail_head("54E1", crown_half_width=10.012, shoulder_half_width=24.864,
-                              corner_half_width=35.0),
+    "UIC60": lambda: rail_head(
+        "UIC60", crown_half_width=10.5, shoulder_half_width=25.988023, corner_half_width=36.0
+    ),
+    "60E1": lambda: rail_head(
+        "60E1", crown_half_width=10.228, shoulder_half_width=26.0265, corner_half_width=36.0
+    ),
+    "54E1": lambda: rail_head(
+        "54E1", crown_half_width=10.012, shoulder_half_width=24.864, corner_half_width=35.0
+    ),
 }
 WHEELS = ("S1002", "cone20", "cone40")
 RAILS = ("UIC60", "60E1", "54E1")
@@ -115,8 +148,9 @@ def find_profile(source, kind, smoothing=None, argument=None):
     if isinstance(source, (str, os.PathLike)) and os.path.isfile(source):
         return Profile.from_file(source, kind, smoothing)
     missing = ", and there is no such file" if _looks_like_a_path(source) else ""
-    return named_profile(source, kind, argument or kind, ", the path of a profile file, or a Profile",
-                         missing)
+    return named_profile(
+        source, kind, argument or kind, ", the path of a profile file, or a Profile", missing
+    )
 
 
 def find_profiles(parameters):
@@ -124,9 +158,12 @@ def find_profiles(parameters):
     system."""
     smoothing = parameters["smoothing"]
     right = [find_profile(parameters[kind], kind, smoothing) for kind in ("wheel", "rail")]
-    left = [profile if parameters[f"left_{kind}"] is None
-            else find_profile(parameters[f"left_{kind}"], kind, smoothing, f"left_{kind}")
-            for kind, profile in zip(("wheel", "rail"), right)]
+    left = [
+        profile
+        if parameters[f"left_{kind}"] is None
+        else find_profile(parameters[f"left_{kind}"], kind, smoothing, f"left_{kind}")
+        for kind, profile in zip(("wheel", "rail"), right)
+    ]
     return *right, *left
 
 
@@ -139,11 +176,16 @@ def named_profile(source, kind, argument, others, missing=""):
         return standard_profile(standard)
     other = " (a profile of the other kind)" if standard else ""
     meant = "" if missing or other else did_you_mean(source, NAMES[kind])
-    raise ValueError(f"{argument} is {str(source)!r}{other}{missing}; permitted are "
-                     f"{', '.join(NAMES[kind])}{others}{meant}")
+    raise ValueError(
+        f"{argument} is {str(source)!r}{other}{missing}; permitted are "
+        f"{', '.join(NAMES[kind])}{others}{meant}"
+    )
 
 
 def _looks_like_a_path(source):
     """Whether a name that is no profile's is rather that of a file: it has an ending or a folder."""
-    return isinstance(source, (ProfileFile, os.PathLike)) or isinstance(source, str) and (
-        bool(os.path.splitext(source)[1]) or os.path.basename(source) != source)
+    return (
+        isinstance(source, (ProfileFile, os.PathLike))
+        or isinstance(source, str)
+        and (bool(os.path.splitext(source)[1]) or os.path.basename(source) != source)
+    )

@@ -10,7 +10,7 @@ def table_pieces(table):
     """Pieces (n + 1, 7) in a compiled profile's ``table``: start [m] and coefficients; the
     last row is after the end."""
     profile = Profile.at(table)
-    return table[offset(profile.pieces, profile):].reshape(-1, PIECE_SIZE)
+    return table[offset(profile.pieces, profile) :].reshape(-1, PIECE_SIZE)
 
 
 def evaluate_table(table, y):
@@ -24,7 +24,7 @@ def evaluate_table(table, y):
     index = np.clip(np.searchsorted(pieces[:-1, 0], y, side="right") - 1, 0, len(pieces) - 2)
     u = y - pieces[index, 0]
     c0, c1, c2, c3, c4, c5 = np.moveaxis(pieces[index, 1:], -1, 0)
-    p4 = c4 + u * c5            # the same bits as profile_table.height_slope_bend
+    p4 = c4 + u * c5  # the same bits as profile_table.height_slope_bend
     p3 = c3 + u * p4
     p2 = c2 + u * p3
     p1 = c1 + u * p2

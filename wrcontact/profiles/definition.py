@@ -21,7 +21,7 @@ def definition(profile):
         else:
             row[layout.ZONE_FAMILY], row[layout.ZONE_ORIGIN] = layout.FAMILY_POLYNOMIAL, zone.origin
             row[layout.ZONE_TERMS] = len(zone.coefficients)
-            row[layout.ZONE_COEFFICIENTS:][:len(zone.coefficients)] = zone.coefficients
+            row[layout.ZONE_COEFFICIENTS :][: len(zone.coefficients)] = zone.coefficients
     head = np.zeros(layout.DEFINITION_ZONES)
     head[layout.DEFINITION_COUNT], head[layout.DEFINITION_ROW] = rows.shape
     return np.concatenate([head, rows.ravel()])
@@ -31,16 +31,22 @@ def zones_of(zones, angle=0.0):
     """The zones (a tuple) in a definition, of which some may have been turned by ``angle`` [rad]."""
     count, size = int(zones[layout.DEFINITION_COUNT]), int(zones[layout.DEFINITION_ROW])
     starts = range(layout.DEFINITION_ZONES, layout.DEFINITION_ZONES + count * size, size)
-    return tuple(_zone(zones[start:start + size], angle) for start in starts)
+    return tuple(_zone(zones[start : start + size], angle) for start in starts)
 
 
 def _zone(row, angle):
     """The zone in one row of a definition."""
     start, stop = row[layout.ZONE_START], row[layout.ZONE_STOP]
     if row[layout.ZONE_FAMILY] == layout.FAMILY_ARC:
-        return Arc(start, stop, row[layout.ZONE_RADIUS], row[layout.ZONE_ORIGIN], row[layout.ZONE_Z_CENTRE],
-                   int(row[layout.ZONE_SIDE]))
-    coefficients = tuple(row[layout.ZONE_COEFFICIENTS:][:int(row[layout.ZONE_TERMS])])
+        return Arc(
+            start,
+            stop,
+            row[layout.ZONE_RADIUS],
+            row[layout.ZONE_ORIGIN],
+            row[layout.ZONE_Z_CENTRE],
+            int(row[layout.ZONE_SIDE]),
+        )
+    coefficients = tuple(row[layout.ZONE_COEFFICIENTS :][: int(row[layout.ZONE_TERMS])])
     if not row[layout.ZONE_TURNED]:
         return Polynomial(start, stop, coefficients, row[layout.ZONE_ORIGIN])
     upright = Polynomial(row[layout.ZONE_FIRST], row[layout.ZONE_LAST], coefficients, row[layout.ZONE_ORIGIN])

@@ -70,11 +70,14 @@ def _check_options(file, kind, *, prepared):
     """Refuse options that this file does not use."""
     if prepared and file.given:
         name = file.given[0]
-        raise Refusal(f"is a prepared profile, which is not changed; {name} is {getattr(file, name)!r}; "
-                      "permitted is that for files of points")
+        raise Refusal(
+            f"is a prepared profile, which is not changed; {name} is {getattr(file, name)!r}; "
+            "permitted is that for files of points"
+        )
     if kind == "wheel" and file.file_inclination is not None:
-        raise Refusal(f"is that of a wheel; file_inclination is {file.file_inclination:g}; permitted is that "
-                      "for rails")
+        raise Refusal(
+            f"is that of a wheel; file_inclination is {file.file_inclination:g}; permitted is that for rails"
+        )
 
 
 def _text(path):
@@ -86,8 +89,10 @@ def _text(path):
         after = os.fstat(file.fileno())
     if len(content) > LARGEST_FILE:
         raise Refusal(f"has more than {LARGEST_FILE / 1e6:g} MB; permitted are files of at most that")
-    if (len(content) != after.st_size
-        or (before.st_size, before.st_mtime_ns) != (after.st_size, after.st_mtime_ns)):
+    if len(content) != after.st_size or (before.st_size, before.st_mtime_ns) != (
+        after.st_size,
+        after.st_mtime_ns,
+    ):
         raise Refusal("changed while it was read; permitted are files that are not being written")
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
         return content.decode("utf-16", errors="replace")
@@ -101,8 +106,9 @@ def _smooth_profile(found, name, kind, tolerance, remarks, make):
     """The profile for the ``found`` points, smoothed to ``tolerance`` [mm], or to
     their noise if that is None."""
     if found.noise > SMOOTHING.high / MM:
-        raise Refusal(f"has noise of {1e3 * found.noise:.3g} um; permitted is at most "
-                      f"{1e6 * SMOOTHING.high:g} um")
+        raise Refusal(
+            f"has noise of {1e3 * found.noise:.3g} um; permitted is at most {1e6 * SMOOTHING.high:g} um"
+        )
     asked = tolerance is not None
     tolerance = tolerance if asked else found.noise if found.noise > LEAST_NOISE else 0.0
     try:
@@ -117,8 +123,14 @@ def _smooth_profile(found, name, kind, tolerance, remarks, make):
 def _reading(found, tolerance, remarks):
     """The :class:`Reading` of ``found`` points that were smoothed to ``tolerance`` [mm]."""
     chords = np.hypot(np.diff(found.y), np.diff(found.z)) * MM
-    return Reading(len(found.y), float(np.median(chords)), float(np.max(chords)), found.noise * MM,
-                   tolerance * MM, tuple(by_weight(remarks)))
+    return Reading(
+        len(found.y),
+        float(np.median(chords)),
+        float(np.max(chords)),
+        found.noise * MM,
+        tolerance * MM,
+        tuple(by_weight(remarks)),
+    )
 
 
 def _zones_along(found, name, kind, tolerance, asked, remarks):
@@ -127,14 +139,19 @@ def _zones_along(found, name, kind, tolerance, asked, remarks):
         return zones_through(found.y, found.z, name, kind), True
     curve = Curve(found.y, found.z, found.weight, tolerance)
     if tolerance > 0.0:
-        done = (f"smoothed to {1e3 * tolerance:.3g} um" if asked
-                else f"noise of {1e3 * tolerance:.3g} um smoothed")
+        done = (
+            f"smoothed to {1e3 * tolerance:.3g} um"
+            if asked
+            else f"noise of {1e3 * tolerance:.3g} um smoothed"
+        )
         remarks.append(f"{done}, points moved by up to {1e3 * curve.moved:.3g} um")
     top = curve.highest() if kind == "rail" else curve.nearest(0.0)
     zones, smooth = pieces_of(curve, top, walls=kind == "rail")
     if zones[-1].stop - zones[0].start < WIDTHS[0]:
-        raise Refusal(f"folds back or is vertical at y = {zones[0].start:.4g} and {zones[-1].stop:.4g} mm; "
-                      f"permitted is a distance of {WIDTHS[0]:g} mm or more between")
+        raise Refusal(
+            f"folds back or is vertical at y = {zones[0].start:.4g} and {zones[-1].stop:.4g} mm; "
+            f"permitted is a distance of {WIDTHS[0]:g} mm or more between"
+        )
     return zones, smooth
 
 
@@ -152,18 +169,24 @@ def zones_through(y, z, name, kind):
         y, z = y[::-1], z[::-1]
     if not np.all(np.diff(y) > 0):
         where = int(np.argmax(np.diff(y) <= 0)) + 1
-        raise ValueError(f"{kind} profile {name}: y does not rise from point {where} to {where + 1}; "
-                         "permitted are points in the order of y")
+        raise ValueError(
+            f"{kind} profile {name}: y does not rise from point {where} to {where + 1}; "
+            "permitted are points in the order of y"
+        )
     if not WIDTHS[0] <= y[-1] - y[0] <= WIDTHS[1]:
-        raise ValueError(f"{kind} profile {name} is {y[-1] - y[0]:g} mm wide; permitted are {WIDTHS[0]:g} "
-                         f"... {WIDTHS[1]:g} mm")
+        raise ValueError(
+            f"{kind} profile {name} is {y[-1] - y[0]:g} mm wide; permitted are {WIDTHS[0]:g} "
+            f"... {WIDTHS[1]:g} mm"
+        )
     spline = CubicSpline(y, z)
     if kind == "rail":
         top = _top(spline)
         y, z = y - top, z - spline(top)
         spline = CubicSpline(y, z)
-    return tuple(Polynomial(float(low), float(high), tuple(map(float, piece[::-1])), float(low))
-                 for low, high, piece in zip(y[:-1], y[1:], spline.c.T))
+    return tuple(
+        Polynomial(float(low), float(high), tuple(map(float, piece[::-1])), float(low))
+        for low, high, piece in zip(y[:-1], y[1:], spline.c.T)
+    )
 
 
 def _top(spline):
@@ -179,8 +202,9 @@ def _top(spline):
 def prepared_text(profile):
     """The text of a prepared file, from which :func:`read_profile` restores ``profile`` bit by bit."""
     zones = [{"family": type(zone).__name__.lower(), **vars(zone)} for zone in profile.zones]
-    return json.dumps({"name": profile.name, "kind": profile.kind, "smooth": profile.smooth, "zones": zones},
-                      indent=1)
+    return json.dumps(
+        {"name": profile.name, "kind": profile.kind, "smooth": profile.smooth, "zones": zones}, indent=1
+    )
 
 
 def prepared_profile(text, kind, make):
@@ -197,15 +221,17 @@ def prepared_profile(text, kind, make):
 def of_kind(profile, kind):
     """``profile``; ValueError where it is not of this ``kind``, "wheel" or "rail"."""
     if profile.kind != kind:
-        raise ValueError(f"{kind} is a {profile.kind} profile ({profile.name}); permitted are {kind} "
-                         "profiles")
+        raise ValueError(
+            f"{kind} is a {profile.kind} profile ({profile.name}); permitted are {kind} profiles"
+        )
     return profile
 
 
 def _zone(entry):
     family = {"arc": Arc, "polynomial": Polynomial}[entry.pop("family")]
-    numbers = [value for value in entry.values()
-               if not isinstance(value, list)] + entry.get("coefficients", [])
+    numbers = [value for value in entry.values() if not isinstance(value, list)] + entry.get(
+        "coefficients", []
+    )
     if not all(isinstance(number, (int, float)) and math.isfinite(number) for number in numbers):
         raise ValueError("a zone has values that are not finite numbers")
     if "coefficients" in entry:

@@ -80,8 +80,10 @@ def without_outliers(found, remarks, *, keep=False):
         gone = np.unique(np.concatenate([np.arange(i, i + n) for i, n in zip(index, length)]))
         taken += found.y[gone].tolist()
         if len(taken) > MOST_OUTLIERS * count and not keep:
-            raise Refusal(f"has {len(taken)} outliers or more among its {count} points; permitted are at "
-                          f"most {MOST_OUTLIERS:.0%}")
+            raise Refusal(
+                f"has {len(taken)} outliers or more among its {count} points; permitted are at "
+                f"most {MOST_OUTLIERS:.0%}"
+            )
         found = found.only(np.delete(np.arange(len(found.y)), gone))
     if taken:
         done = "kept, since smoothing is 0" if keep else "left out"
@@ -119,7 +121,7 @@ def predicted(y, z, index, length):
     """
     start, stop = max(index - SEEN - 2, 0), min(index + length + SEEN + 2, len(y))
     curvature = _curvatures(y[start:stop], z[start:stop])
-    own = slice(max(index - start - 2, 0), index - start + length)      # circle k: points k ... k + 2
+    own = slice(max(index - start - 2, 0), index - start + length)  # circle k: points k ... k + 2
     straight = [0.0] if own.start < 1 or own.stop >= len(curvature) else []
     beside = np.append(np.delete(curvature, own), straight)
     low, high = np.clip([beside.min(), beside.max()], -SHARPEST, SHARPEST)
@@ -153,8 +155,9 @@ def _run_errors(y, z, length):
     for _ in range(TRIMMED + 1):
         solved = pseudo_inverse(powers[:, :near] * heard)
         misses = across - np.einsum("ijk,ikl,il->ij", powers, solved, across[:, :near] * heard[:, :, 0])
-        quarrel = np.sqrt(np.sum((misses[:, :near] * heard[:, :, 0]) ** 2, axis=1)
-                          / (heard.sum(axis=(1, 2)) - 4))
+        quarrel = np.sqrt(
+            np.sum((misses[:, :near] * heard[:, :, 0]) ** 2, axis=1) / (heard.sum(axis=(1, 2)) - 4)
+        )
         heard[np.arange(len(start)), np.argmax(np.abs(misses[:, :near]) * heard[:, :, 0], axis=1)] = 0.0
     lever = np.sum(np.einsum("ijk,ikl->ijl", powers[:, near:], solved) ** 2, axis=2)
     return np.min(np.abs(misses[:, near:]) / np.sqrt(1.0 + lever), axis=1), quarrel
@@ -172,9 +175,11 @@ def check_gaps(found, remarks):
     wide = step if np.mean(usual) >= MOST_EVEN else chord
     for i in np.flatnonzero((chord > GAP) & (wide > SPACINGS * np.median(wide))):
         if chord[i] > WIDEST_GAP and not straight_over(y, z, i):
-            raise Refusal(f"has no points between y = {y[i]:.4g} and {y[i + 1]:.4g} mm, a gap of "
-                          f"{chord[i]:.3g} mm; permitted are {WIDEST_GAP:g} mm or a straight stretch")
-        remarks.append(f"gap of {chord[i]:.3g} mm bridged ({stretch(y[i:i + 2])})")
+            raise Refusal(
+                f"has no points between y = {y[i]:.4g} and {y[i + 1]:.4g} mm, a gap of "
+                f"{chord[i]:.3g} mm; permitted are {WIDEST_GAP:g} mm or a straight stretch"
+            )
+        remarks.append(f"gap of {chord[i]:.3g} mm bridged ({stretch(y[i : i + 2])})")
 
 
 def straight_over(y, z, i):
@@ -196,8 +201,10 @@ def rounded(found, remarks, *, keep=False):
     turned = np.abs((heading + np.pi) % (2 * np.pi) - np.pi)
     if turned.max() > SPIKE and not keep:
         worst = int(np.argmax(turned))
-        raise Refusal(f"turns by {math.degrees(turned[worst]):.3g} deg at y = {y[worst + 1]:.4g} mm, a spike "
-                      f"or a fold; permitted are at most {math.degrees(SPIKE):.3g} deg")
+        raise Refusal(
+            f"turns by {math.degrees(turned[worst]):.3g} deg at y = {y[worst + 1]:.4g} mm, a spike "
+            f"or a fold; permitted are at most {math.degrees(SPIKE):.3g} deg"
+        )
     places = _kinks(y, z)
     if not places:
         return found
@@ -207,14 +214,20 @@ def rounded(found, remarks, *, keep=False):
         remarks.append(f"{kinks} kept, since smoothing is 0 ({stretch([y[index] for index, *_ in places])})")
         return found
     if len(places) > MOST_KINKS:
-        raise Refusal(f"has {len(places)} kinks of {math.degrees(KINK):.3g} deg or more; permitted are at "
-                      f"most {MOST_KINKS}")
+        raise Refusal(
+            f"has {len(places)} kinks of {math.degrees(KINK):.3g} deg or more; permitted are at "
+            f"most {MOST_KINKS}"
+        )
     spots = np.array([_corner(y, z, index, width) for index, width, _ in places])
     points, deepest = list(zip(y, z)), 0.0
     for (index, width, _), spot in zip(places, spots):
         others = np.hypot(*(spots - spot).T)
-        reach = min(ROUNDED, 0.45 * min(others[others > 0.0], default=math.inf),
-                    0.9 * math.dist(spot, (y[0], z[0])), 0.9 * math.dist(spot, (y[-1], z[-1])))
+        reach = min(
+            ROUNDED,
+            0.45 * min(others[others > 0.0], default=math.inf),
+            0.9 * math.dist(spot, (y[0], z[0])),
+            0.9 * math.dist(spot, (y[-1], z[-1])),
+        )
         beyond = max(index - 2, 0), min(index + width + 1, len(y) - 1)
         arms = [_towards(spot, np.array([y[k], z[k]]), reach) for k in beyond]
         share = np.linspace(0.0, 1.0, 9)[:, None]
@@ -222,7 +235,7 @@ def rounded(found, remarks, *, keep=False):
         deepest = max(deepest, float(np.hypot(*(bow[4] - spot))))
         near = [k for k, point in enumerate(points) if math.dist(point, spot) <= 1.05 * reach]
         first = near[0] if near else points.index((y[index], z[index])) + 1
-        points[first:near[-1] + 1 if near else first] = map(tuple, bow)
+        points[first : near[-1] + 1 if near else first] = map(tuple, bow)
     remarks.append(f"{kinks} rounded over {ROUNDED:g} mm ({stretch(spots[:, 0])}), by up to {deepest:.2g} mm")
     table = np.array(points)
     return Mended(table[:, 0], table[:, 1], np.ones(len(table)), found.noise)
@@ -237,13 +250,20 @@ def _kinks(y, z):
     sizes = [np.pad(size, 3) for size in (np.abs(turn), np.abs(turn) / length)]
     count, found = len(turn), []
     for width in (1, 2):
-        total, reach = (np.convolve(part, np.ones(width))[width - 1:count] for part in (turn, length))
-        beside = [np.max([size[k:k + len(total)] for k in (1, 2, 3 + width, 4 + width)], axis=0)
-                  for size in sizes]
-        sudden = np.flatnonzero((np.abs(total) > KINK) & (np.abs(total) > TIMES * width * beside[0])
-                                & (np.abs(total) > TIMES * reach * beside[1]))
-        found += [(int(i) + 1, width, float(total[i])) for i in sudden
-                  if not any(i < k + more and k < i + 1 + width for k, more, _ in found)]
+        total, reach = (np.convolve(part, np.ones(width))[width - 1 : count] for part in (turn, length))
+        beside = [
+            np.max([size[k : k + len(total)] for k in (1, 2, 3 + width, 4 + width)], axis=0) for size in sizes
+        ]
+        sudden = np.flatnonzero(
+            (np.abs(total) > KINK)
+            & (np.abs(total) > TIMES * width * beside[0])
+            & (np.abs(total) > TIMES * reach * beside[1])
+        )
+        found += [
+            (int(i) + 1, width, float(total[i]))
+            for i in sudden
+            if not any(i < k + more and k < i + 1 + width for k, more, _ in found)
+        ]
     return sorted(found)
 
 
@@ -252,8 +272,9 @@ def _corner(y, z, index, width):
     and after two points."""
     if width == 1:
         return np.array([y[index], z[index]])
-    ahead, back = (np.array([y[b] - y[a], z[b] - z[a]])
-                   for a, b in ((index - 1, index), (index + 2, index + 1)))
+    ahead, back = (
+        np.array([y[b] - y[a], z[b] - z[a]]) for a, b in ((index - 1, index), (index + 2, index + 1))
+    )
     start, stop = np.array([y[index], z[index]]), np.array([y[index + 1], z[index + 1]])
     cross = ahead[0] * back[1] - ahead[1] * back[0]
     return start + ahead * (((stop - start)[0] * back[1] - (stop - start)[1] * back[0]) / cross)

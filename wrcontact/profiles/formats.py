@@ -20,16 +20,45 @@ NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eEdD][+-]?\d{1,3})?")
 #: Longest field that is read as a number [characters].
 LONGEST_NUMBER = 60
 #: What instruments and programs write for a missing value.
-ABSENT = frozenset({"nan", "-nan", "+nan", "na", "n/a", "inf", "-inf", "+inf", "infinity", "-infinity",
-                    "null", "none", "-", "--", "nan(ind)", "-nan(ind)", "1.#qnan", "-1.#ind", "1.#inf"})
+ABSENT = frozenset(
+    {
+        "nan",
+        "-nan",
+        "+nan",
+        "na",
+        "n/a",
+        "inf",
+        "-inf",
+        "+inf",
+        "infinity",
+        "-infinity",
+        "null",
+        "none",
+        "-",
+        "--",
+        "nan(ind)",
+        "-nan(ind)",
+        "1.#qnan",
+        "-1.#ind",
+        "1.#inf",
+    }
+)
 COMMENTS = re.compile(r"[#!%].*|//.*")
 #: A line that is either two numbers with decimal commas or four whole numbers.
 AMBIGUOUS = re.compile(r"^[ \t]*[+-]?\d+,\d+,[+-]?\d+,\d+[ \t]*\r?$", re.MULTILINE)
 #: Endings of GENSYS's files: columns y and z in mm, y positive towards the track centre, z down (manual of
 #: its program KPF).
 GAUGE_AT_LARGER_Y = (".wheel", ".rail")
-UNITS_IN_MM = {"m": 1e3, "dm": 100.0, "cm": 10.0, "mm": 1.0, "um": 1e-3, "in": 25.4, "inch": 25.4,
-               "ft": 304.8}
+UNITS_IN_MM = {
+    "m": 1e3,
+    "dm": 100.0,
+    "cm": 10.0,
+    "mm": 1.0,
+    "um": 1e-3,
+    "in": 25.4,
+    "inch": 25.4,
+    "ft": 304.8,
+}
 
 
 @dataclass
@@ -61,16 +90,24 @@ def plain_points(text):
     """
     rows = [(number, fields) for number, fields in fields_of(text) if len(fields) >= 2]
     if 2 * len(AMBIGUOUS.findall(text)) > len(rows) > 0:
-        raise Refusal("has commas that may be decimal signs or separators; permitted are points as decimal "
-                      "signs, or semicolons, tabs or blanks between the columns")
-    counts = [len(fields) for _, fields in rows if number_of(fields[0]) is not None
-              and number_of(fields[1]) is not None]
+        raise Refusal(
+            "has commas that may be decimal signs or separators; permitted are points as decimal "
+            "signs, or semicolons, tabs or blanks between the columns"
+        )
+    counts = [
+        len(fields)
+        for _, fields in rows
+        if number_of(fields[0]) is not None and number_of(fields[1]) is not None
+    ]
     if not counts:
         raise Refusal("contains no lines of two numbers; permitted are text files with y and z in mm")
     usual = max(set(counts), key=counts.count)
     first, second = _named_columns([fields for _, fields in rows], usual)
-    values = [(number, number_of(fields[first]), number_of(fields[second])) for number, fields in rows
-              if len(fields) == usual]
+    values = [
+        (number, number_of(fields[first]), number_of(fields[second]))
+        for number, fields in rows
+        if len(fields) == usual
+    ]
     values = [row for row in values if None not in row[1:]]
     if not values:
         raise Refusal("contains no lines of two numbers; permitted are text files with y and z in mm")
@@ -86,8 +123,9 @@ def fields_of(text):
     """Line number and fields of every line that is not empty."""
     lines = text.splitlines()
     if len(lines) > 5 * MOST_POINTS:
-        raise Refusal(f"has {len(lines)} lines; permitted are at most {5 * MOST_POINTS}, and {MOST_POINTS} "
-                      "points")
+        raise Refusal(
+            f"has {len(lines)} lines; permitted are at most {5 * MOST_POINTS}, and {MOST_POINTS} points"
+        )
     for number, line in enumerate(lines, start=1):
         line = COMMENTS.sub("", line).strip()
         if line:
@@ -160,8 +198,10 @@ def simpack_points(text, kind):
         line = line.split("!")[0].strip()
         word = line.lower()
         if word.endswith((".begin", ".end")):
-            inside, section = (word == "point.begin", word.removesuffix(".begin") if word.endswith(".begin")
-                               else "")
+            inside, section = (
+                word == "point.begin",
+                word.removesuffix(".begin") if word.endswith(".begin") else "",
+            )
         elif inside and line:
             values = [number_of(part) for part in line.replace(",", " ").split()[:3]]
             if len(values) < 2 or None in values:
@@ -172,21 +212,26 @@ def simpack_points(text, kind):
             key, _, value = line.partition("=")
             keys[f"{section}:{key.strip().lower()}"] = value.strip().strip("'\"")
     if not rows:
-        raise Refusal("contains no points between point.begin and point.end; permitted are Simpack profiles "
-                      "with y and z there")
+        raise Refusal(
+            "contains no points between point.begin and point.end; permitted are Simpack profiles "
+            "with y and z there"
+        )
     points = points_of(rows)
     if bad:
         points.remarks.append(left_out("line", bad, "without two numbers"))
     asked = {"0": "rail", "1": "wheel"}.get(keys.get("header:type", "").strip())
     if asked and asked != kind:
-        raise Refusal(f"says header type {keys['header:type']}, which is a {asked} profile; permitted are "
-                      f"{kind} profiles")
-    with np.errstate(all="ignore"):     # what becomes infinite is left out as such
+        raise Refusal(
+            f"says header type {keys['header:type']}, which is a {asked} profile; permitted are "
+            f"{kind} profiles"
+        )
+    with np.errstate(all="ignore"):  # what becomes infinite is left out as such
         return _processed(points, keys)
 
 
 def _processed(points, keys):
     """``points`` after the operations that the keys of a Simpack file define."""
+
     def value(key, default):
         given = number_of(keys.get(f"spline:{key}", ""))
         return default if given is None or not math.isfinite(given) else given
@@ -206,11 +251,12 @@ def _processed(points, keys):
             keep &= ~((part < low) | (part > high))
     y = -y if value("mirror.y", 0.0) == 1.0 else y
     z = -z if value("mirror.z", 0.0) == 1.0 else z
-    order = np.flatnonzero(keep)[::-1 if value("inversion", 0.0) == 1.0 else 1]
+    order = np.flatnonzero(keep)[:: -1 if value("inversion", 0.0) == 1.0 else 1]
     factor = value("units.len.f", 0.0)
     scale = 1e3 / factor if factor > 0.0 else UNITS_IN_MM.get(keys.get("spline:units.len", "").lower(), 1.0)
-    return replace(points, y=scale * y[order], z=scale * z[order], weight=points.weight[order],
-                   lines=points.lines[order])
+    return replace(
+        points, y=scale * y[order], z=scale * z[order], weight=points.weight[order], lines=points.lines[order]
+    )
 
 
 def _apart(y, z, nearest):

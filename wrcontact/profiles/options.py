@@ -16,18 +16,28 @@ WORDS = {
     "rotate": "Rotate the points in the file about x, from y to z, in deg",
     "shift": "Shift the points in the file by y and z, such as 1.5,-0.2, in mm",
     "file_inclination": "Inclination that the rail in the file already has, as a ratio, 1:40, or a slope, "
-                        "0.025; it is turned upright before --rail-inclination applies; 0 is upright",
+    "0.025; it is turned upright before --rail-inclination applies; 0 is upright",
     "select": "Which profile of a file with several: its number, from 1, or its name",
 }
 #: Options on the command line: the end of each name.
-ENDINGS = {"mirror_y": "mirror-y", "mirror_z": "mirror-z", "rotate": "rotate-deg", "shift": "shift-mm",
-           "file_inclination": "file-inclination", "select": "select"}
+ENDINGS = {
+    "mirror_y": "mirror-y",
+    "mirror_z": "mirror-z",
+    "rotate": "rotate-deg",
+    "shift": "shift-mm",
+    "file_inclination": "file-inclination",
+    "select": "select",
+}
 ROTATE = Number(0.0, -math.pi, math.pi, "rad", "Rotation of the points about x, from y to z")
 SHIFT = Number(0.0, -1.0, 1.0, "m", "Shift of the points")
-FORMS = {"rotate": "a number", "shift": "two numbers Y,Z",
-         "file_inclination": "a ratio 1:40 or a slope 0.025"}
-INCLINATION = Number(None, 0.0, 0.1, "1", "Inclination that the rail in a file already has, as a slope",
-                     ratio=True)
+FORMS = {
+    "rotate": "a number",
+    "shift": "two numbers Y,Z",
+    "file_inclination": "a ratio 1:40 or a slope 0.025",
+}
+INCLINATION = Number(
+    None, 0.0, 0.1, "1", "Inclination that the rail in a file already has, as a slope", ratio=True
+)
 
 
 @dataclass(frozen=True)
@@ -73,13 +83,21 @@ class ProfileFile:
         keep(self, "file_inclination", INCLINATION.checked("file_inclination", self.file_inclination))
         if not isinstance(self.shift, (tuple, list)) or len(self.shift) != 2:
             raise ValueError(f"shift is {self.shift!r}; permitted are two numbers (y, z) in m")
-        keep(self, "shift", tuple(SHIFT.checked(f"shift in {axis}", part)
-                                  for axis, part in zip("yz", self.shift)))
+        keep(
+            self,
+            "shift",
+            tuple(SHIFT.checked(f"shift in {axis}", part) for axis, part in zip("yz", self.shift)),
+        )
         number = isinstance(self.select, Integral) and not isinstance(self.select, bool)
-        if not (self.select is None or (number and self.select >= 1)
-                or (isinstance(self.select, str) and self.select)):
-            raise ValueError(f"select is {self.select!r}; permitted are the number of a profile in the file, "
-                             "from 1, and its name")
+        if not (
+            self.select is None
+            or (number and self.select >= 1)
+            or (isinstance(self.select, str) and self.select)
+        ):
+            raise ValueError(
+                f"select is {self.select!r}; permitted are the number of a profile in the file, "
+                "from 1, and its name"
+            )
 
     def __str__(self):
         return os.fspath(self.path)
@@ -142,13 +160,17 @@ def choose(names, select):
     if select is None:
         if len(names) == 1:
             return 0
-        raise Refusal(f"contains {len(names)} profiles ({listed}); select is None; permitted are a number or "
-                      "a name of them")
+        raise Refusal(
+            f"contains {len(names)} profiles ({listed}); select is None; permitted are a number or "
+            "a name of them"
+        )
     same = [index for index, name in enumerate(names) if name == select]
     if len(same) == 1:
         return same[0]
     if str(select).isdecimal() and 1 <= int(select) <= len(names):
         return int(select) - 1
     several = "has that name more than once" if same else f"contains {listed}"
-    raise Refusal(f"{several}; select is {select!r}; permitted are the numbers 1 ... {len(names)} and names "
-                  "that occur once")
+    raise Refusal(
+        f"{several}; select is {select!r}; permitted are the numbers 1 ... {len(names)} and names "
+        "that occur once"
+    )

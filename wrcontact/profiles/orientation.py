@@ -62,7 +62,7 @@ def head_of(y, z):
     """The :class:`Head` of points ``y``, ``z`` (n,) [mm] in order along the curve, y rising and z down."""
     y, z = _calm(y, z)
     top = int(np.argmin(z))
-    reach = float(z[:top + 1].max() - z[top]), float(z[top:].max() - z[top])
+    reach = float(z[: top + 1].max() - z[top]), float(z[top:].max() - z[top])
     sides = _sides(y, z, 0.0)
     middles = np.mean(sides, axis=0)
     deepest = middles[np.isfinite(middles)]
@@ -88,8 +88,15 @@ def _calm(y, z):
     chord = np.median(np.hypot(np.diff(y), np.diff(z)))
     average = 2 * int(0.5 * AVERAGED / max(chord, 1e-6)) + 1
     for count, calm in ((size, np.median), (min(average, len(y) // 8 * 2 + 1), np.mean)):
-        y, z = (calm(np.lib.stride_tricks.sliding_window_view(
-            np.pad(part, count // 2, mode="reflect", reflect_type="odd"), count), axis=1) for part in (y, z))
+        y, z = (
+            calm(
+                np.lib.stride_tricks.sliding_window_view(
+                    np.pad(part, count // 2, mode="reflect", reflect_type="odd"), count
+                ),
+                axis=1,
+            )
+            for part in (y, z)
+        )
     return y, z
 
 
@@ -108,7 +115,7 @@ def _crown_scatter(y, z, tilt):
     middle = np.nanmedian(np.mean(_sides(y, z, tilt), axis=0))
     c, s = math.cos(tilt), math.sin(tilt)
     y, z = c * y - s * z, s * y + c * z
-    near = (np.abs(y - middle) <= CROWN[1] + AVERAGED) & (z - z.min() <= LEAST_DEPTH)   # without web and foot
+    near = (np.abs(y - middle) <= CROWN[1] + AVERAGED) & (z - z.min() <= LEAST_DEPTH)  # without web and foot
     order = np.flatnonzero(near)[np.argsort(y[near], kind="stable")]
     left, right = (np.interp(middle + side * np.linspace(*CROWN, 50), y[order], z[order]) for side in (-1, 1))
     return float(np.std(left - right))
@@ -149,11 +156,17 @@ def faced(found, file, free, remarks):
         remarks.append(f"the gauge side was at the larger y ({reason}); mirrored")
         return replace(found, y=-found.y).only(slice(None, None, -1))
     if side > 0:
-        remarks.append(Grave(f"the gauge side seems to be at the larger y ({reason}); mirror_y = True "
-                             "mirrors the rail, mirror_y = False confirms the smaller y"))
+        remarks.append(
+            Grave(
+                f"the gauge side seems to be at the larger y ({reason}); mirror_y = True "
+                "mirrors the rail, mirror_y = False confirms the smaller y"
+            )
+        )
     elif side == 0 and not head.symmetric:
-        remarks.append("the gauge side cannot be found from the shape; the smaller y is used; mirror_y = True"
-                       " mirrors the rail, mirror_y = False confirms it")
+        remarks.append(
+            "the gauge side cannot be found from the shape; the smaller y is used; mirror_y = True"
+            " mirrors the rail, mirror_y = False confirms it"
+        )
     return found
 
 
@@ -192,8 +205,9 @@ def turned_upright(found, file, remarks):
         _remark_inclination(head, remarks)
         return found
     if head.symmetric and abs(head.inclination - given) >= INCLINED:
-        remarks.append(Grave(f"its head is {_stands(head.inclination)}, although file_inclination is "
-                             f"{given:.4g}"))
+        remarks.append(
+            Grave(f"its head is {_stands(head.inclination)}, although file_inclination is {given:.4g}")
+        )
     angle = math.atan(given)
     c, s = math.cos(angle), math.sin(angle)
     return replace(found, y=c * found.y - s * found.z, z=s * found.y + c * found.z)
@@ -202,15 +216,22 @@ def turned_upright(found, file, remarks):
 def _remark_inclination(head, remarks):
     """Say that a rail of unknown inclination is inclined already, or that its shape does not tell it."""
     if head.symmetric and abs(head.inclination) >= INCLINED:
-        turns = ("" if head.inclination < 0.0 else
-                 f"file_inclination = {head.inclination:.4g} turns it upright, ")
-        remarks.append(Grave(f"its head is {_stands(head.inclination)} in the file, and a rail_inclination "
-                             f"that is not 0 inclines it again; {turns}file_inclination = 0 confirms that it "
-                             "is upright"))
+        turns = (
+            "" if head.inclination < 0.0 else f"file_inclination = {head.inclination:.4g} turns it upright, "
+        )
+        remarks.append(
+            Grave(
+                f"its head is {_stands(head.inclination)} in the file, and a rail_inclination "
+                f"that is not 0 inclines it again; {turns}file_inclination = 0 confirms that it "
+                "is upright"
+            )
+        )
     elif not head.symmetric:
-        remarks.append("its head is not symmetric, so its shape does not tell whether it is already "
-                       "inclined; read as upright; file_inclination = 0 confirms that, file_inclination = "
-                       "0.025 turns it upright from 1:40")
+        remarks.append(
+            "its head is not symmetric, so its shape does not tell whether it is already "
+            "inclined; read as upright; file_inclination = 0 confirms that, file_inclination = "
+            "0.025 turns it upright from 1:40"
+        )
 
 
 def _stands(inclination):

@@ -42,8 +42,10 @@ def place_rail(rail, *, inclination, gauge, gauge_depth):
     depth = z_top + gauge_depth / MM
     y_gauge, reached = placement.inner_face(zones, 0, angle, depth)
     if reached < depth:
-        raise ValueError(f"gauge_depth reaches {depth * MM:.6g} m, but the inner side of the rail profile "
-                         f"{rail.name} ends at {reached * MM:.6g} m; permitted are smaller depths")
+        raise ValueError(
+            f"gauge_depth reaches {depth * MM:.6g} m, but the inner side of the rail profile "
+            f"{rail.name} ends at {reached * MM:.6g} m; permitted are smaller depths"
+        )
     return PlacedRail(_turned(rail, zones, angle, -y_top, -z_top), gauge / 2 + (y_top - y_gauge) * MM)
 
 

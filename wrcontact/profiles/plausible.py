@@ -54,8 +54,10 @@ def remarks_on(wheel, parameters):
 def _on_height(middle):
     """What is said of the height at y = 0 [mm]."""
     if middle > LARGER:
-        yield Grave(f"at y = 0 it is {middle:.3g} mm larger than nominal_radius, which no wear does; usual "
-                    f"is at most {LARGER:g} mm: y = 0 is the running circle, and z = 0 there")
+        yield Grave(
+            f"at y = 0 it is {middle:.3g} mm larger than nominal_radius, which no wear does; usual "
+            f"is at most {LARGER:g} mm: y = 0 is the running circle, and z = 0 there"
+        )
 
 
 def _on_flange(y, z, middle, parameters):
@@ -65,10 +67,12 @@ def _on_flange(y, z, middle, parameters):
         return
     for part, place, words, found, (least, most) in _distances(y, z, middle, circles):
         if not least <= gauge - found <= most:
-            yield Grave(f"the {part} of its flange is at y = {place:.4g} mm{_zero(y, z)}; with running "
-                        f"circles {circles:.5g} mm apart {words} is {found:.4g} mm; usual is "
-                        f"{gauge - most:g} ... {gauge - least:g} mm on a gauge of {gauge:g} mm: y = 0 is the "
-                        "running circle, for most wheels 70 mm from the back of the flange")
+            yield Grave(
+                f"the {part} of its flange is at y = {place:.4g} mm{_zero(y, z)}; with running "
+                f"circles {circles:.5g} mm apart {words} is {found:.4g} mm; usual is "
+                f"{gauge - most:g} ... {gauge - least:g} mm on a gauge of {gauge:g} mm: y = 0 is the "
+                "running circle, for most wheels 70 mm from the back of the flange"
+            )
             return
 
 
@@ -80,8 +84,13 @@ def _distances(y, z, middle, circles):
     if z[last] - z[0] >= STEEP * BACK:
         yield "back", float(y[0]), "the back-to-back distance", circles + 2.0 * y[0], BACKS
     elif z.max() - z[0] >= RISE:
-        yield ("tip", tip, "the back-to-back distance, 15 mm behind it,", circles + 2.0 * (tip - TIP),
-               (BACKS[0] - 2.0 * TIPS, BACKS[1] + 2.0 * TIPS))
+        yield (
+            "tip",
+            tip,
+            "the back-to-back distance, 15 mm behind it,",
+            circles + 2.0 * (tip - TIP),
+            (BACKS[0] - 2.0 * TIPS, BACKS[1] + 2.0 * TIPS),
+        )
     face = float(y[(y < 0.0) & (z >= middle + FACE)][-1])
     words = f"the distance of both faces, {FACE:g} mm below the running circles,"
     yield "face", face, words, circles + 2.0 * face, FACES

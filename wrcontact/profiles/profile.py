@@ -70,21 +70,28 @@ class Profile:
         left, right = before(after.start), after(after.start)
         step, slope, bend = (float(b - a) for a, b in zip(left, right))
         if not abs(step) <= JOINT_HEIGHT:
-            raise ValueError(f"profile {self.name}: height step of {step:.3g} mm at y = {after.start} mm, "
-                             f"permitted is {JOINT_HEIGHT} mm")
+            raise ValueError(
+                f"profile {self.name}: height step of {step:.3g} mm at y = {after.start} mm, "
+                f"permitted is {JOINT_HEIGHT} mm"
+            )
         if self.smooth and not abs(np.arctan(right[1]) - np.arctan(left[1])) <= JOINT_SLOPE:
-            raise ValueError(f"profile {self.name}: slope step of {slope:.3g} at y = {after.start} mm, "
-                             f"permitted is {JOINT_SLOPE}")
+            raise ValueError(
+                f"profile {self.name}: slope step of {slope:.3g} at y = {after.start} mm, "
+                f"permitted is {JOINT_SLOPE}"
+            )
         return Joint(after.start * MM, step * MM, slope, bend / MM)
 
     def __repr__(self):
         zones = f"{len(self.zones)} zone{'s' if len(self.zones) > 1 else ''}"
-        return (f"Profile({self.name!r}, {self.kind}, y = {self.zones[0].start:.5g} ... "
-                f"{self.zones[-1].stop:.5g} mm, {zones})")
+        return (
+            f"Profile({self.name!r}, {self.kind}, y = {self.zones[0].start:.5g} ... "
+            f"{self.zones[-1].stop:.5g} mm, {zones})"
+        )
 
     @classmethod
-    def from_file(cls, path: str | PathLike[str], kind: str, smoothing: float | None = None,
-                  **options: Any) -> "Profile":
+    def from_file(
+        cls, path: str | PathLike[str], kind: str, smoothing: float | None = None, **options: Any
+    ) -> "Profile":
         """The profile in a file of points or a prepared file (docs/guides/profiles.md).
 
         Parameters
@@ -144,8 +151,11 @@ class Profile:
         outside."""
         y = np.asarray(y, dtype=float)
         # ``start`` and ``stop`` in metres need not come back to the same millimetres
-        y_mm = np.where((y >= self.start) & (y <= self.stop),
-                        np.clip(y / MM, self.zones[0].start, self.zones[-1].stop), np.nan)
+        y_mm = np.where(
+            (y >= self.start) & (y <= self.stop),
+            np.clip(y / MM, self.zones[0].start, self.zones[-1].stop),
+            np.nan,
+        )
         if self._chain:
             z, slope, bend = self._chain(y_mm)
             return z * MM, slope, bend / MM

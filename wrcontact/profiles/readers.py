@@ -18,8 +18,18 @@ from .options import choose
 from .remarks import Refusal
 
 #: Endings that say whether a file contains a wheel or a rail.
-KINDS = {".prw": "wheel", ".prr": "rail", ".whl": "wheel", ".ban": "rail", ".whe": "wheel", ".rai": "rail",
-         ".wheel": "wheel", ".rail": "rail", ".slcs": "rail", ".slcw": "wheel"}
+KINDS = {
+    ".prw": "wheel",
+    ".prr": "rail",
+    ".whl": "wheel",
+    ".ban": "rail",
+    ".whe": "wheel",
+    ".rai": "rail",
+    ".wheel": "wheel",
+    ".rail": "rail",
+    ".slcs": "rail",
+    ".slcw": "wheel",
+}
 #: Profiles that vary along the rail or around the wheel, as lists of files.
 SLICES = {".slcs": "along the rail", ".slcw": "around the wheel"}
 #: Heads of the sections of one profile in a .mpt file, such as [Profile2Info] and [Profile2Points].
@@ -46,8 +56,10 @@ def read_points(text, extension, kind, select=None):
     """
     named = KINDS.get(extension)
     if extension in SLICES:
-        raise Refusal(f"ends in {extension}, a list of slices of a profile that varies {SLICES[extension]}; "
-                      f"permitted are files with one cross-section, such as those that it lists")
+        raise Refusal(
+            f"ends in {extension}, a list of slices of a profile that varies {SLICES[extension]}; "
+            f"permitted are files with one cross-section, such as those that it lists"
+        )
     if named and named != kind:
         raise Refusal(f"ends in {extension}, which is a {named} profile; permitted are {kind} profiles")
     if extension == ".mpt" or any(map(SECTION.match, text.splitlines()[:100])):
@@ -92,8 +104,10 @@ def miniprof_points(text):
         elif rows:
             bad.append(number)
     if not rows:
-        raise Refusal("contains no lines of numbers after its header; permitted are MiniProf profiles with X "
-                      "and Y in mm")
+        raise Refusal(
+            "contains no lines of numbers after its header; permitted are MiniProf profiles with X "
+            "and Y in mm"
+        )
     points = points_of(rows, free=True)
     if bad:
         points.remarks.append(left_out("line", bad, "without two numbers"))
@@ -112,7 +126,7 @@ def several_points(text, select):
         if head or line.lstrip().startswith("["):
             own = parts.setdefault(int(head[1]), [""] * line_ends) if head else None
         elif own is not None:
-            own[line_number] = line         # lines keep their numbers
+            own[line_number] = line  # lines keep their numbers
     if not parts:
         raise Refusal("contains no section [Profile1Points]; permitted are MiniProf files with such sections")
     chosen = list(parts)[choose([_name(lines) for lines in parts.values()], select)]
@@ -121,8 +135,11 @@ def several_points(text, select):
 
 def _name(lines):
     """The name in the header lines of one profile; "" without one."""
-    values = {key.strip().lower(): value.strip() for key, equals, value in
-              (line.partition("=") for line in lines) if equals}
+    values = {
+        key.strip().lower(): value.strip()
+        for key, equals, value in (line.partition("=") for line in lines)
+        if equals
+    }
     return next((values[key] for key in NAMES if values.get(key)), "")
 
 
@@ -142,14 +159,17 @@ def vampire_points(text, kind, select):
     lines = text.splitlines()
     first = lines[0].strip().lower() if lines else ""
     if first not in FIRST.values():
-        raise Refusal(f"starts with {first[:40]!r}; permitted are Vampire profiles, which start with "
-                      "WHEELPROFILE or RAILPROFILE")
+        raise Refusal(
+            f"starts with {first[:40]!r}; permitted are Vampire profiles, which start with "
+            "WHEELPROFILE or RAILPROFILE"
+        )
     if first != FIRST[kind]:
         raise Refusal(f"starts with {first.upper()}; permitted are {kind} profiles")
     side = "right" if select is None else str(select).lower()
     if side not in SIDES:
-        raise Refusal(f"contains a left and a right profile; select is {select!r}; permitted are 'left' and "
-                      "'right'")
+        raise Refusal(
+            f"contains a left and a right profile; select is {select!r}; permitted are 'left' and 'right'"
+        )
     columns = (2, 3) if side == "right" else (0, 1)
     rows = []
     for number, line in enumerate(lines[4:], start=5):
@@ -157,8 +177,10 @@ def vampire_points(text, kind, select):
         if len(values) > columns[1] and None not in values[:4]:
             rows.append((number, values[columns[0]], values[columns[1]]))
     if not rows:
-        raise Refusal("contains no lines of four numbers; permitted are Vampire profiles with y and z of the "
-                      "left and of the right side in mm")
+        raise Refusal(
+            "contains no lines of four numbers; permitted are Vampire profiles with y and z of the "
+            "left and of the right side in mm"
+        )
     points = points_of(rows)
     points.y = points.y if side == "right" else -points.y
     if kind == "rail":
@@ -182,8 +204,10 @@ def _datum(lines):
         value = number_of(words[2]) if words[1] == "custom" and len(words) > 2 else None
         if value is not None and np.isfinite(value):
             return value
-    raise Refusal(f"has no tread datum in line 3 ({' '.join(words)!r}); permitted are TREADDATUM EUROPEAN, "
-                  "US1, US2, or CUSTOM with a length in mm")
+    raise Refusal(
+        f"has no tread datum in line 3 ({' '.join(words)!r}); permitted are TREADDATUM EUROPEAN, "
+        "US1, US2, or CUSTOM with a length in mm"
+    )
 
 
 def _width(lines):
@@ -191,6 +215,8 @@ def _width(lines):
     words = _words(lines, 3)
     value = number_of(words[1]) if words[:1] == ["flangeback"] and len(words) > 1 else None
     if value is None or not value > 0.0:
-        raise Refusal(f"has no distance of the flange backs in line 4 ({' '.join(words)!r}); permitted is "
-                      "FLANGEBACK with a length in mm")
+        raise Refusal(
+            f"has no distance of the flange backs in line 4 ({' '.join(words)!r}); permitted is "
+            "FLANGEBACK with a length in mm"
+        )
     return value

@@ -35,10 +35,12 @@ UPRIGHT = 0.2
 FACE, RECESS = 20.0, 3.0
 #: Factors to millimetres, and the widths in the file's unit for which that unit is assumed. Centimetres and
 #: inches do not overlap for the usual widths of wheels (90 ... 160 mm) and rails (48 ... 90 mm).
-UNITS = {"metres": (1e3, {"wheel": (0.02, 0.2), "rail": (0.02, 0.2)}),
-         "inches": (25.4, {"wheel": (3.55, 6.3), "rail": (1.9, 3.5)}),
-         "centimetres": (10.0, {"wheel": (9.0, 16.0), "rail": (4.8, 9.0)}),
-         "micrometres": (1e-3, {"wheel": (2e4, 2e5), "rail": (2e4, 2e5)})}
+UNITS = {
+    "metres": (1e3, {"wheel": (0.02, 0.2), "rail": (0.02, 0.2)}),
+    "inches": (25.4, {"wheel": (3.55, 6.3), "rail": (1.9, 3.5)}),
+    "centimetres": (10.0, {"wheel": (9.0, 16.0), "rail": (4.8, 9.0)}),
+    "micrometres": (1e-3, {"wheel": (2e4, 2e5), "rail": (2e4, 2e5)}),
+}
 #: A point this many widths away is not a measurement, but a code such as -9999.
 FAR = 5.0
 #: Points closer to each other count as one [mm].
@@ -103,11 +105,14 @@ def without_nothing(found, lines, remarks):
     found = found.only(finite)
     with np.errstate(over="ignore"):
         width = max(_span(part) for part in (found.y, found.z))
-        far = np.max([np.abs(part - np.median(part)) for part in (found.y, found.z)],
-                     axis=0) > FAR * max(width, 1e-12)
+        far = np.max([np.abs(part - np.median(part)) for part in (found.y, found.z)], axis=0) > FAR * max(
+            width, 1e-12
+        )
     if far.any():
-        remarks.append(f"{counted(far.sum(), 'point')} far from the others left out (y = "
-                       f"{found.y[far][0]:.4g}, z = {found.z[far][0]:.4g} first)")
+        remarks.append(
+            f"{counted(far.sum(), 'point')} far from the others left out (y = "
+            f"{found.y[far][0]:.4g}, z = {found.z[far][0]:.4g} first)"
+        )
     return found.only(~far)
 
 
@@ -122,8 +127,9 @@ def in_millimetres(found, kind, remarks):
         raise Refusal(f"has {len(found.y)} points; permitted are {LEAST_POINTS} or more")
     width, factor = found.y.max() - found.y.min(), 1.0
     if not WIDTHS[0] <= width <= WIDTHS[1]:
-        unit = next((unit for unit, (_, widths) in UNITS.items()
-                     if widths[kind][0] <= width <= widths[kind][1]), None)
+        unit = next(
+            (unit for unit, (_, widths) in UNITS.items() if widths[kind][0] <= width <= widths[kind][1]), None
+        )
         if unit is None:
             raise Refusal(f"is {width:g} mm wide; permitted are {WIDTHS[0]:g} ... {WIDTHS[1]:g} mm")
         remarks.append(f"its width of {width:.4g} means {unit}; converted to mm")
@@ -173,8 +179,10 @@ def without_repetition(found, remarks):
         count = np.diff(np.append(first, len(found.y)))
         y, z, weight = (np.add.reduceat(part, first) / count for part in (found.y, found.z, found.weight))
         spread = np.max(np.abs(np.diff(found.z))[beside])
-        remarks.append(f"{counted(beside.sum(), 'point')} at the same y as others averaged "
-                       f"({stretch(found.y[1:][beside])}, z up to {1e3 * spread:.3g} um apart)")
+        remarks.append(
+            f"{counted(beside.sum(), 'point')} at the same y as others averaged "
+            f"({stretch(found.y[1:][beside])}, z up to {1e3 * spread:.3g} um apart)"
+        )
         found = Mended(y, z, weight)
     if len(found.y) < LEAST_POINTS:
         raise Refusal(f"has {len(found.y)} points; permitted are {LEAST_POINTS} or more")
@@ -213,22 +221,30 @@ def at_running_circle(found, file, free, remarks):
     tip = np.median(y[z >= deepest])
     if not (TIP[0] <= tip <= TIP[1] and y[-1] > 0.0):
         if deepest - z[0] < ROUND_BACK or file.shift[0]:
-            raise Refusal(f"has the tip of its flange, or its deepest point, at y = {tip:.4g} mm; permitted "
-                          f"are {TIP[0]:g} ... {TIP[1]:g} mm from the running circle, or profiles that "
-                          "include the back of the flange")
+            raise Refusal(
+                f"has the tip of its flange, or its deepest point, at y = {tip:.4g} mm; permitted "
+                f"are {TIP[0]:g} ... {TIP[1]:g} mm from the running circle, or profiles that "
+                "include the back of the flange"
+            )
         shift = -BACK - y[0]
         if not free:
-            remarks.append(f"the running circle is assumed {BACK:g} mm from the back of the flange; y "
-                           f"shifted by {shift:.4g} mm")
+            remarks.append(
+                f"the running circle is assumed {BACK:g} mm from the back of the flange; y "
+                f"shifted by {shift:.4g} mm"
+            )
         found, y = replace(found, y=found.y + shift), y + shift
     middle = np.interp(0.0, y, z)
     height = deepest - middle
     if not FLANGE[0] <= height <= FLANGE[1]:
-        raise Refusal(f"has a flange of {height:.4g} mm, from the running circle to the deepest point; "
-                      f"permitted are {FLANGE[0]:g} ... {FLANGE[1]:g} mm")
+        raise Refusal(
+            f"has a flange of {height:.4g} mm, from the running circle to the deepest point; "
+            f"permitted are {FLANGE[0]:g} ... {FLANGE[1]:g} mm"
+        )
     if z[-1] - middle > FLANGE[0]:
-        raise Refusal(f"has its field side {z[-1] - middle:.4g} mm deeper than the running circle, as a "
-                      f"rail's head has; permitted are {FLANGE[0]:g} mm or less")
+        raise Refusal(
+            f"has its field side {z[-1] - middle:.4g} mm deeper than the running circle, as a "
+            f"rail's head has; permitted are {FLANGE[0]:g} mm or less"
+        )
     if (abs(middle) > OFFSET or free) and not file.shift[1]:
         if not free:
             remarks.append(f"z was {middle:.4g} mm at the running circle; shifted to 0")
@@ -247,10 +263,12 @@ def gauge_face(found, remarks):
     recess = y[innermost:stop] - y[innermost]
     if depth[innermost] > FACE - 1.0 or not len(recess) or not UPRIGHT < recess.max() <= RECESS:
         return found
-    remarks.append(f"the gauge face recedes by {recess.max():.3g} mm from {depth[innermost]:.3g} mm below "
-                   "the top on; it is taken as vertical there")
+    remarks.append(
+        f"the gauge face recedes by {recess.max():.3g} mm from {depth[innermost]:.3g} mm below "
+        "the top on; it is taken as vertical there"
+    )
     changed = found.y.copy()
-    changed[top - stop + 1:top - innermost + 1] = y[innermost]
+    changed[top - stop + 1 : top - innermost + 1] = y[innermost]
     return replace(found, y=changed)
 
 
@@ -263,13 +281,17 @@ def outward(found, kind):
     found = found.only(slice(start, stop + 1))
     width = found.y[-1] - found.y[0]
     if not WIDTHS[0] <= width <= WIDEST[kind]:
-        raise Refusal(f"is {width:.4g} mm wide before it turns back; permitted are {WIDTHS[0]:g} ... "
-                      f"{WIDEST[kind]:g} mm for a {kind}")
+        raise Refusal(
+            f"is {width:.4g} mm wide before it turns back; permitted are {WIDTHS[0]:g} ... "
+            f"{WIDEST[kind]:g} mm for a {kind}"
+        )
     top = found.y[np.argmin(found.z)]
     if kind == "rail" and min(top - found.y[0], found.y[-1] - top) < SHOULDER:
-        raise Refusal(f"is highest at y = {top:.4g} mm, between its ends at {found.y[0]:.4g} and "
-                      f"{found.y[-1]:.4g} mm; permitted are heads with {SHOULDER:g} mm or more on either "
-                      "side")
+        raise Refusal(
+            f"is highest at y = {top:.4g} mm, between its ends at {found.y[0]:.4g} and "
+            f"{found.y[-1]:.4g} mm; permitted are heads with {SHOULDER:g} mm or more on either "
+            "side"
+        )
     if len(found.y) < LEAST_POINTS:
         raise Refusal(f"has {len(found.y)} points before it turns back; permitted are {LEAST_POINTS} or more")
     return found
@@ -280,8 +302,9 @@ def remark_near_end(found, remarks):
     top = found.y[np.argmin(found.z)]
     width = min(top - found.y[0], found.y[-1] - top)
     if width < USUAL_SHOULDER:
-        remarks.append(f"its highest point is {width:.3g} mm from the end of the points; there is no contact "
-                       "beyond it")
+        remarks.append(
+            f"its highest point is {width:.3g} mm from the end of the points; there is no contact beyond it"
+        )
 
 
 def _farthest(y, kind):
@@ -290,7 +313,7 @@ def _farthest(y, kind):
     padded = np.pad(y, LONGEST_RUN, mode="edge")
     calm = np.median(np.lib.stride_tricks.sliding_window_view(padded, 2 * LONGEST_RUN + 1), axis=1)
     turned = np.flatnonzero(calm < np.maximum.accumulate(calm) - TURN)
-    ahead = y[:turned[0]] if len(turned) else y
+    ahead = y[: turned[0]] if len(turned) else y
     if kind == "rail":
         return int(np.flatnonzero(ahead >= ahead.max() - UPRIGHT)[-1])
     return int(np.flatnonzero(ahead >= ahead.max() - SAME)[0])

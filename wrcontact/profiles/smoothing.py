@@ -60,9 +60,10 @@ def noise_of(y, z):
         flat, steep = short
     angle = np.arctan2(np.gradient(z), np.gradient(y))
     half = STRETCHES[0][0] // 2
-    level = np.convolve(np.pad(np.cos(angle) ** 2, half, mode="edge"), np.ones(2 * half + 1),
-                        mode="valid") / (2 * half + 1)
-    sideways = max(2.0 * steep - flat, 0.0)     # steep stretches are assumed to be at 45 degrees
+    level = np.convolve(
+        np.pad(np.cos(angle) ** 2, half, mode="edge"), np.ones(2 * half + 1), mode="valid"
+    ) / (2 * half + 1)
+    sideways = max(2.0 * steep - flat, 0.0)  # steep stretches are assumed to be at 45 degrees
     certainty = np.sqrt(flat / np.maximum(level * flat + (1.0 - level) * sideways, 1e-300))
     return math.sqrt(flat), np.clip(certainty, 0.2, 5.0) if flat > 0.0 else np.ones(len(y))
 
@@ -75,8 +76,10 @@ def _variances(y, z, points, degree, step, median):
     along, across = in_chords(*rows)
     left = across - np.einsum("sij,sj->si", _fits(along, degree), across)
     variance, level = np.sum(left * left, axis=1) / median, np.cos(_directions(*rows)) ** 2
-    return [np.median(variance[some] if some.sum() >= FEWEST else variance)
-            for some in (level > FLAT, level < STEEP)]
+    return [
+        np.median(variance[some] if some.sum() >= FEWEST else variance)
+        for some in (level > FLAT, level < STEEP)
+    ]
 
 
 def _directions(y, z):
@@ -170,8 +173,10 @@ class Curve:
             if knot - kept[-1] >= SHORTEST_PIECE and knots[-1] - knot >= SHORTEST_PIECE:
                 kept.append(knot)
         kept.append(knots[-1])
-        parts = [np.linspace(low, high, math.ceil((high - low) / PIECE) + 1)[:-1]
-                 for low, high in zip(kept[:-1], kept[1:])]
+        parts = [
+            np.linspace(low, high, math.ceil((high - low) / PIECE) + 1)[:-1]
+            for low, high in zip(kept[:-1], kept[1:])
+        ]
         return np.append(np.concatenate(parts), knots[-1])
 
     def nearest(self, y):
@@ -210,17 +215,19 @@ def pieces_of(curve, top, *, walls):
     breaks = np.flatnonzero(~rising)
     first = max(breaks[breaks < middle], default=-1) + 1
     last = min(breaks[breaks >= middle], default=len(s) - 1)
-    with np.errstate(divide="ignore", invalid="ignore"):    # vertical parts are not used
+    with np.errstate(divide="ignore", invalid="ignore"):  # vertical parts are not used
         slope, bend = dz / dy, (ddz * dy - dz * ddy) / dy**3
     jets = list(zip(y, z, slope, bend))
-    zones = [_quintic(*pair) for pair in zip(jets[first:last], jets[first + 1:last + 1])]
+    zones = [_quintic(*pair) for pair in zip(jets[first:last], jets[first + 1 : last + 1])]
     tip = y[int(np.argmax(z))]
     for end in {first, last} - {0, len(s) - 1}:
         outside = not walls and (y[end] >= FIELD_SIDE or y[end] < min(tip, -FIELD_SIDE))
         if z[end] < WALL_DEPTH and not outside:
-            raise Refusal(f"folds back or is vertical at y = {y[end]:.4g} mm, z = {z[end]:.3g} mm; permitted "
-                          f"is that from z = {WALL_DEPTH:g} mm "
-                          "on" + ("" if walls else f", behind the flange and beyond y = {FIELD_SIDE:g} mm"))
+            raise Refusal(
+                f"folds back or is vertical at y = {y[end]:.4g} mm, z = {z[end]:.3g} mm; permitted "
+                f"is that from z = {WALL_DEPTH:g} mm "
+                "on" + ("" if walls else f", behind the flange and beyond y = {FIELD_SIDE:g} mm")
+            )
     if walls:
         lower = _wall(-y[first::-1], z[first::-1], -slope[first])
         upper = _wall(y[last:], z[last:], slope[last])
@@ -236,8 +243,14 @@ def _quintic(low, high):
     rest = (z - c0 - h * (c1 + h * c2)) / h**3
     turn = (slope - c1 - 2 * h * c2) / h**2
     bow = (bend - 2 * c2) / h
-    terms = (c0, c1, c2, 10 * rest - 4 * turn + 0.5 * bow, (-15 * rest + 7 * turn - bow) / h,
-             (6 * rest - 3 * turn + 0.5 * bow) / h**2)
+    terms = (
+        c0,
+        c1,
+        c2,
+        10 * rest - 4 * turn + 0.5 * bow,
+        (-15 * rest + 7 * turn - bow) / h,
+        (6 * rest - 3 * turn + 0.5 * bow) / h**2,
+    )
     return Polynomial(float(y), float(stop), tuple(map(float, terms)), float(y))
 
 
@@ -258,5 +271,6 @@ def _wall(y, z, slope):
 def _mirrored(zone):
     """A straight piece of a wall on the other side."""
     height, slope = zone.coefficients
-    return Polynomial(-zone.stop, -zone.start, (height + slope * (zone.stop - zone.start), -slope),
-                      -zone.stop)
+    return Polynomial(
+        -zone.stop, -zone.start, (height + slope * (zone.stop - zone.start), -slope), -zone.stop
+    )

@@ -26,8 +26,9 @@ class Polynomial:
         c = np.asarray(self.coefficients, dtype=float)
         first = c[1:] * np.arange(1, len(c))
         second = first[1:] * np.arange(1, len(first))
-        return tuple(np.polyval(part[::-1], u) if len(part) else np.zeros_like(u)
-                     for part in (c, first, second))
+        return tuple(
+            np.polyval(part[::-1], u) if len(part) else np.zeros_like(u) for part in (c, first, second)
+        )
 
     def _at(self, u):
         """The same bits for one place, in a twentieth of the time: joints are many."""
@@ -90,8 +91,11 @@ class Arc:
         u = np.asarray(y, dtype=float) - self.y_centre
         root = np.sqrt(np.maximum(self.radius * self.radius - u * u, 0.0))
         with np.errstate(divide="ignore"):
-            return (self.z_centre + self.side * root, -self.side * u / root,
-                    -self.side * (self.radius * self.radius) / (root * root * root))
+            return (
+                self.z_centre + self.side * root,
+                -self.side * u / root,
+                -self.side * (self.radius * self.radius) / (root * root * root),
+            )
 
 
 @dataclass(frozen=True)

@@ -22,10 +22,16 @@ class Board:
 
     def __init__(self, delay, shared):
         console = Console(stderr=True)
-        columns = (SpinnerColumn("line"), TextColumn("{task.description}", markup=False), BarColumn(),
-                   TaskProgressColumn(), TimeRemainingColumn(compact=True, elapsed_when_finished=True))
-        self._progress = Progress(*columns, console=console, transient=True, refresh_per_second=4,
-                                  redirect_stdout=shared)
+        columns = (
+            SpinnerColumn("line"),
+            TextColumn("{task.description}", markup=False),
+            BarColumn(),
+            TaskProgressColumn(),
+            TimeRemainingColumn(compact=True, elapsed_when_finished=True),
+        )
+        self._progress = Progress(
+            *columns, console=console, transient=True, refresh_per_second=4, redirect_stdout=shared
+        )
         self._lock, self._closed = threading.Lock(), False
         self._timer = threading.Timer(delay, self._show)
         self._timer.daemon = True

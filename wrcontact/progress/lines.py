@@ -10,7 +10,7 @@ class Lines:
 
     def __init__(self, interval, prefix):
         self._prefix, self._begun = prefix, time.monotonic()
-        self._works, self._numbers = {}, 0      # [words, steps done, total] by number
+        self._works, self._numbers = {}, 0  # [words, steps done, total] by number
         self._lock, self._closed = threading.Lock(), threading.Event()
         threading.Thread(target=self._tell, args=(interval,), daemon=True).start()
 

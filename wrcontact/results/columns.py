@@ -21,8 +21,10 @@ DEPTH_SIZES = {"all": layout.SIDE_SIZE, "patches": layout.SIDE_STATION, "geometr
 ALWAYS = ("roll", "vertical_shift")
 #: The outcome of a step, which every table has; who asks for it by name gets that of the whole contact.
 STATUS = "status"
-PERMITTED = ("; permitted are 'all', 'patches', 'geometry', or names such as 'right.area', 'right.patch' and "
-             "'roll' (docs/reference/nomenclature.md)")
+PERMITTED = (
+    "; permitted are 'all', 'patches', 'geometry', or names such as 'right.area', 'right.patch' and "
+    "'roll' (docs/reference/nomenclature.md)"
+)
 RUNS = tuple(row.name for row in SIDE if isinstance(row, Run))
 #: Runs that are there with wear_outputs only.
 WEAR_RUNS = tuple(row.name for row in WEAR)
@@ -71,8 +73,9 @@ def output_places(width):
         behind.append(RUNS)
     if has_wear(width):
         behind.append(WEAR_RUNS)
-    names = (f"{side}.{run}[{j + 1}]" for runs in behind for side in SIDES for run in runs
-             for j in range(stations))
+    names = (
+        f"{side}.{run}[{j + 1}]" for runs in behind for side in SIDES for run in runs for j in range(stations)
+    )
     return places | {name: layout.OUTPUT_COUNT + place for place, name in enumerate(names)}
 
 
@@ -132,8 +135,11 @@ def selected(side, outputs, width):
         if side in ("both", name):
             places.extend(range(first, first + DEPTH_SIZES[outputs]))
             if outputs == "all":
-                runs = (place for run, place in output_places(width).items()
-                        if place >= layout.OUTPUT_COUNT and run.startswith(f"{name}."))
+                runs = (
+                    place
+                    for run, place in output_places(width).items()
+                    if place >= layout.OUTPUT_COUNT and run.startswith(f"{name}.")
+                )
                 places.extend(runs)
                 if has_wear(width):
                     first = strips_place(width, name, 0)
@@ -166,8 +172,11 @@ def _matching(name, known, verb):
     """Names of the outputs that ``name`` means."""
     if name == STATUS:
         return [name]
-    found = [full for full in known
-             if isinstance(name, str) and (full == name or full.startswith((f"{name}.", f"{name}[")))]
+    found = [
+        full
+        for full in known
+        if isinstance(name, str) and (full == name or full.startswith((f"{name}.", f"{name}[")))
+    ]
     if not found:
         words = dict.fromkeys(re.sub(r"\[\d+\]", "", full) for full in known)
         hint = did_you_mean(name, [STATUS, *DEPTH_SIZES, *words])

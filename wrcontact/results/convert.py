@@ -28,8 +28,10 @@ def needed(package, purpose, extra="tables"):
     try:
         return importlib.import_module(package)
     except ImportError:
-        raise NeedsPackage(f"{purpose} needs {package}, which is not installed; pip install {package}, or "
-                           f"pip install 'wrcontact[{extra}]'") from None
+        raise NeedsPackage(
+            f"{purpose} needs {package}, which is not installed; pip install {package}, or "
+            f"pip install 'wrcontact[{extra}]'"
+        ) from None
 
 
 def columns_of(table):
@@ -57,8 +59,10 @@ def to_xarray(table):
 
 def data_variables(table):
     """Variables of the data set of :func:`to_xarray`: {name: (dimensions, values, attributes)}."""
-    found = {_input_name(name): (("pose",), table.inputs[:, place], _words(INPUT_VARIABLES[name]))
-             for name, place in INPUT_PLACES.items()}
+    found = {
+        _input_name(name): (("pose",), table.inputs[:, place], _words(INPUT_VARIABLES[name]))
+        for name, place in INPUT_PLACES.items()
+    }
     for name, parts in _grouped(table.names).items():
         found[name] = (*_stacked(table, parts), _words(variable_of(next(iter(parts.values())))))
     status = {"long_name": "Outcome of the step, see wrcontact.Status"}
@@ -71,8 +75,9 @@ def labels_of(variables):
     for dimensions, values, _ in variables.values():
         sizes |= dict(zip(dimensions, np.shape(values)))
     names = {"side": ["left", "right"], "axis": list(AXES)}
-    return {name: names.get(name) or list(range(1, size + 1)) for name, size in sizes.items()
-            if name != "pose"}
+    return {
+        name: names.get(name) or list(range(1, size + 1)) for name, size in sizes.items() if name != "pose"
+    }
 
 
 def _input_name(name):
@@ -93,7 +98,7 @@ def _grouped(names):
         side = re.match(r"(left|right)\.", stem)
         if side:
             place.append(("side", ("left", "right").index(side[1])))
-            stem = stem[side.end():]
+            stem = stem[side.end() :]
             if stem in OUTPUTS:
                 # the wheelset has one of this name
                 stem = f"wheel_{stem}"

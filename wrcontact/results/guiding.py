@@ -64,8 +64,10 @@ def low_pass(values: ArrayLike, step: float, frequency: float = 20.0) -> NDArray
     _positive("step", step, "s")
     _positive("frequency", frequency, "Hz")
     if frequency * step >= 0.5:
-        raise ValueError(f"frequency is {frequency:g} Hz; permitted with a step of {step:g} s is less than "
-                         f"{0.5 / step:g} Hz")
+        raise ValueError(
+            f"frequency is {frequency:g} Hz; permitted with a step of {step:g} s is less than "
+            f"{0.5 / step:g} Hz"
+        )
     # both passes have 1/sqrt(2) together, on the warped axis of the bilinear transform
     tangent = math.tan(math.pi * frequency * step) / (math.sqrt(2.0) - 1.0) ** 0.25
     sections = signal.butter(2, math.atan(tangent) / math.pi, fs=1.0, output="sos")
@@ -74,8 +76,9 @@ def low_pass(values: ArrayLike, step: float, frequency: float = 20.0) -> NDArray
     return signal.sosfiltfilt(sections, given, axis=0, padlen=ends)
 
 
-def sliding_mean(values: ArrayLike, distance: ArrayLike, length: float = 2.0, step: float = 0.5
-                 ) -> tuple[NDArray[Any], NDArray[Any]]:
+def sliding_mean(
+    values: ArrayLike, distance: ArrayLike, length: float = 2.0, step: float = 0.5
+) -> tuple[NDArray[Any], NDArray[Any]]:
     """Means of ``values`` (n, ...) over windows of ``length`` [m] along the track, as EN 14363 takes them of
     Y/Q and of the sum of Y: (places, means).
 
@@ -98,13 +101,17 @@ def sliding_mean(values: ArrayLike, distance: ArrayLike, length: float = 2.0, st
     _positive("length", length, "m")
     _positive("step", step, "m")
     if along.shape != given.shape[:1]:
-        raise ValueError(f"distance has the shape {along.shape}; permitted with values of the shape "
-                         f"{given.shape} is {given.shape[:1]}")
+        raise ValueError(
+            f"distance has the shape {along.shape}; permitted with values of the shape "
+            f"{given.shape} is {given.shape[:1]}"
+        )
     if not (np.diff(along) > 0.0).all():
         raise ValueError("distance does not rise from row to row; permitted are rising numbers, in m")
     if along[-1] - along[0] < length * (1.0 - 1e-12):
-        raise ValueError(f"distance covers {along[-1] - along[0]:g} m; permitted with a window of "
-                         f"{length:g} m is as much at least")
+        raise ValueError(
+            f"distance covers {along[-1] - along[0]:g} m; permitted with a window of "
+            f"{length:g} m is as much at least"
+        )
     count = int((along[-1] - along[0] - length) / step * (1.0 + 1e-12) + 1e-9) + 1
     places = along[0] + 0.5 * length + step * np.arange(count)
     ends = [_integral(given, along, places + half) for half in (-0.5 * length, 0.5 * length)]
@@ -132,8 +139,9 @@ def _finite(name, values):
         raise ValueError(f"{name} has the shape {found.shape}; permitted are two rows at least")
     wrong = np.flatnonzero(~np.isfinite(found).reshape(len(found), -1).all(axis=1))
     if len(wrong):
-        raise ValueError(f"{name} is not finite in row {wrong[0]}; permitted are finite numbers, as in rows "
-                         "with status 0")
+        raise ValueError(
+            f"{name} is not finite in row {wrong[0]}; permitted are finite numbers, as in rows with status 0"
+        )
     return found
 
 

@@ -24,7 +24,7 @@ class Inputs(np.ndarray):
     else it is an array; whole rows keep the names, other parts and what is computed with it do not.
     """
 
-    compliant = False       #: whether they are those of compliant contact, for :func:`wrcontact.explain`
+    compliant = False  #: whether they are those of compliant contact, for :func:`wrcontact.explain`
 
     @classmethod
     def of(cls, array, compliant):
@@ -53,13 +53,19 @@ class Inputs(np.ndarray):
     def __repr__(self):
         """The main ones, and others that are not at their start."""
         poses = [f"{len(self)} poses"] if self.ndim > 1 else []
-        shown = [f"{row.keyword}={short(self[row.name])}{unit_behind(row.unit)}" for row in INPUTS
-                 if row.positional or np.any(self[row.name] != row.start)]
+        shown = [
+            f"{row.keyword}={short(self[row.name])}{unit_behind(row.unit)}"
+            for row in INPUTS
+            if row.positional or np.any(self[row.name] != row.start)
+        ]
         return f"Inputs({', '.join(poses + shown)})"
 
     __str__ = __repr__
 
 
 for _row in INPUTS:
-    setattr(Inputs, _row.keyword, property(lambda self, name=_row.name: self[name],
-                                           doc=f"{_row.words} [{_row.unit}]."))
+    setattr(
+        Inputs,
+        _row.keyword,
+        property(lambda self, name=_row.name: self[name], doc=f"{_row.words} [{_row.unit}]."),
+    )

@@ -18,5 +18,7 @@ def check_mark(mark, what):
     if mark != version_mark():
         own, _ = version_mark()
         other = ", with other records" if mark[0] == own else ""
-        raise ValueError(f"{what} was saved by wrcontact {mark[0]}, this is {own}{other}; permitted is the "
-                         "same version: keep results as tables, to_pandas or to_xarray")
+        raise ValueError(
+            f"{what} was saved by wrcontact {mark[0]}, this is {own}{other}; permitted is the "
+            "same version: keep results as tables, to_pandas or to_xarray"
+        )

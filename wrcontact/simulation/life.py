@@ -33,12 +33,16 @@ class Life:
     def set_up(self, start, stop=None):
         """Times of the first and of the last instant [s]; without ``stop`` there is no last one."""
         if self.phase != INSTANTIATED:
-            raise Refused("initialisation is permitted once, with startTime and stopTime, after "
-                          "instantiation or a reset")
+            raise Refused(
+                "initialisation is permitted once, with startTime and stopTime, after "
+                "instantiation or a reset"
+            )
         stop = math.inf if stop is None else stop
         if not math.isfinite(start) or not stop >= start:
-            raise Refused(f"startTime is {start!r} s and stopTime {stop!r} s; permitted are a finite "
-                          "startTime and a stopTime not before it")
+            raise Refused(
+                f"startTime is {start!r} s and stopTime {stop!r} s; permitted are a finite "
+                "startTime and a stopTime not before it"
+            )
         self.time, self.stop = start, stop
 
     def check_enter(self):
@@ -60,13 +64,19 @@ class Life:
     def check_step(self, time, size):
         """Whether a step of ``size`` [s] can begin at ``time`` [s]."""
         if self.phase == RUNNING and size >= 0.0 and time + size <= self.stop and abs(time) + size < math.inf:
-            return      # the usual step, at the least cost; a comparison with nan is false
+            return  # the usual step, at the least cost; a comparison with nan is false
         if self.phase != RUNNING:
-            raise Refused("the wheelset cannot step: it has "
-                          + ("been terminated" if self.phase == TERMINATED else "not been initialised"))
+            raise Refused(
+                "the wheelset cannot step: it has "
+                + ("been terminated" if self.phase == TERMINATED else "not been initialised")
+            )
         if not math.isfinite(time) or not math.isfinite(time + size) or size < 0.0:
-            raise Refused(f"a step of {size!r} s at {time!r} s is not possible; permitted are finite times "
-                          "and sizes of 0 s or more")
+            raise Refused(
+                f"a step of {size!r} s at {time!r} s is not possible; permitted are finite times "
+                "and sizes of 0 s or more"
+            )
         if time + size > self.stop + OF_A_STEP * size + ROUNDING * abs(self.stop):
-            raise Refused(f"a step of {size!r} s at {time!r} s ends after the stopTime {self.stop!r} s; "
-                          "permitted are steps up to it")
+            raise Refused(
+                f"a step of {size!r} s at {time!r} s ends after the stopTime {self.stop!r} s; "
+                "permitted are steps up to it"
+            )

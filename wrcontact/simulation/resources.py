@@ -18,5 +18,9 @@ def packed_profile(resources, keyword, name):
         folder, file = (os.path.realpath(path) for path in (resources, Path(resources, name)))
         if os.path.isfile(file) and Path(folder) in Path(file).parents:
             return file
-    return named_profile(name, keyword.removeprefix(LEFT), f"{keyword}_profile",
-                         ", or the name of a profile file in the FMU's resources").name
+    return named_profile(
+        name,
+        keyword.removeprefix(LEFT),
+        f"{keyword}_profile",
+        ", or the name of a profile file in the FMU's resources",
+    ).name

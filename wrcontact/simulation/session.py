@@ -50,8 +50,9 @@ BY_REFERENCE = {REFERENCE[v.name]: v for v in VARIABLES}
 STATUS_REFERENCE = REFERENCE["status"]
 #: Value references of what is computed only when it is read.
 BALANCE = frozenset(REFERENCE[v.name] for v in VARIABLES[EQUILIBRIUM:FIRST_OUTPUT])
-START = np.array([v.start if v.type in (REAL, BOOLEAN) and v.start is not None else 0.0 for v in VARIABLES],
-                 dtype=float)
+START = np.array(
+    [v.start if v.type in (REAL, BOOLEAN) and v.start is not None else 0.0 for v in VARIABLES], dtype=float
+)
 
 #: First bytes of every saved state; the number changes with the format.
 STATE_FORMAT = b"wrcontact state 3\n"
@@ -119,8 +120,10 @@ class Session:
                 raise Refused(f"{variable.name} is a NULL pointer; permitted are texts")
             present = self.parameters.get(variable.name)
             if self.life.locked and variable.causality == PARAMETER and value != present:
-                raise Refused(f"{variable.name} is fixed at {present!r} after initialisation and cannot "
-                              f"become {value!r}")
+                raise Refused(
+                    f"{variable.name} is fixed at {present!r} after initialisation and cannot "
+                    f"become {value!r}"
+                )
         return variables
 
     def _set_parameter(self, variable, value):
@@ -168,16 +171,16 @@ class Session:
         """The kernel, prepared for these parameters."""
         arguments = {PARAMETERS[name].keyword: value for name, value in parameters.items()}
         for name in SIDED:
-            arguments[LEFT + name] = arguments[LEFT + name] or None     # "" and 0 are as on the right
+            arguments[LEFT + name] = arguments[LEFT + name] or None  # "" and 0 are as on the right
         try:
             for profile in PROFILES:
                 if arguments[profile]:
                     arguments[profile] = packed_profile(self.resources, profile, arguments[profile])
             for name, value in parameters.items():
-                if PARAMETERS[name].choices:      # Python has more of them than an FMU
+                if PARAMETERS[name].choices:  # Python has more of them than an FMU
                     check_choice(name, value, PARAMETERS[name].choices)
             return ContactSystem(**arguments).stepper()
-        except ValueError as wrong:         # as native FMUs have it: no proposals, and no texts for numbers
+        except ValueError as wrong:  # as native FMUs have it: no proposals, and no texts for numbers
             raise Refused(str(wrong).partition(PROPOSAL)[0].removesuffix(ALSO_RATIO)) from None
 
     # --- inputs, outputs, steps ------------------------------------------------------------------
@@ -268,14 +271,14 @@ class Session:
         stepper, values = self._stepper, self._values
         stepper.inputs[:] = values[:INPUTS]
         outcome = stepper.step()
-        count = min(len(stepper.outputs), STATUS - FIRST_OUTPUT)    # strips are no variables
-        values[FIRST_OUTPUT:FIRST_OUTPUT + count] = stepper.outputs[:count]
+        count = min(len(stepper.outputs), STATUS - FIRST_OUTPUT)  # strips are no variables
+        values[FIRST_OUTPUT : FIRST_OUTPUT + count] = stepper.outputs[:count]
         values[STATUS] = outcome
         self._stale = self._balanced = False
         self.evaluations += 1
         self._remark_load()
         if self.parameters["contact_mode"] != "compliant":
-            self._find_equilibrium()            # which costs nothing
+            self._find_equilibrium()  # which costs nothing
         if outcome:
             self._tell()
 
@@ -301,13 +304,16 @@ class Session:
             outcome, found = self._balance.step(), self._balance.outputs
         if outcome <= outcomes.Status.UNLOADED:
             values[EQUILIBRIUM:FIRST_OUTPUT] = found[layout.OUT_VERTICAL_SHIFT], found[layout.OUT_ROLL]
-        elif self.status <= outcomes.Status.UNLOADED:       # otherwise the step has told why
+        elif self.status <= outcomes.Status.UNLOADED:  # otherwise the step has told why
             self.tell("equilibrium: " + outcomes.explain(outcome, values[:INPUTS], held=True))
         self._balanced = True
 
     def _tell(self):
-        self.tell(outcomes.explain(self.status, self._values[:INPUTS],
-                                   self.parameters["contact_mode"] == "compliant", held=True))
+        self.tell(
+            outcomes.explain(
+                self.status, self._values[:INPUTS], self.parameters["contact_mode"] == "compliant", held=True
+            )
+        )
         self._told = True
 
     # --- saved states ----------------------------------------------------------------------------
@@ -315,9 +321,15 @@ class Session:
     def snapshot(self):
         """The complete state of the simulation as bytes."""
         stepper = self._stepper
-        header = {"build": BUILD, "parameters": self.parameters, "built": stepper is not None,
-                  "life": self.life.saved(), "stale": self._stale, "balanced": self._balanced,
-                  "told": self._told}
+        header = {
+            "build": BUILD,
+            "parameters": self.parameters,
+            "built": stepper is not None,
+            "life": self.life.saved(),
+            "stale": self._stale,
+            "balanced": self._balanced,
+            "told": self._told,
+        }
         arrays = self._arrays(stepper)
         body = json.dumps(header).encode() + b"\n" + np.concatenate(arrays).astype("<f8").tobytes()
         return STATE_FORMAT + hashlib.sha256(body).digest() + body
@@ -329,8 +341,10 @@ class Session:
         arrays = self._arrays(stepper)
         expected = sum(array.size for array in arrays)
         if numbers.size != expected:
-            raise Refused(f"the saved state holds {numbers.size} numbers, expected are {expected}; the "
-                          "present state is kept")
+            raise Refused(
+                f"the saved state holds {numbers.size} numbers, expected are {expected}; the "
+                "present state is kept"
+            )
         for array in arrays:
             array[:], numbers = numbers[: array.size], numbers[array.size :]
         if stepper is not self._stepper:
@@ -372,8 +386,9 @@ def _check_readable(references):
     """Whether the list, read before the initialisation, holds no output."""
     for reference in references:
         if BY_REFERENCE[reference].causality == OUTPUT:
-            raise Refused(f"{BY_REFERENCE[reference].name} is an output and cannot be read before the "
-                          "initialisation")
+            raise Refused(
+                f"{BY_REFERENCE[reference].name} is an output and cannot be read before the initialisation"
+            )
 
 
 def _as_slice(places):
@@ -392,6 +407,7 @@ def _read_snapshot(saved):
     line, _, numbers = saved[STATE_BODY:].partition(b"\n")
     header = json.loads(line)
     if header["build"] != BUILD:
-        raise Refused(f"the saved state comes from {header['build']}, this is {BUILD}; the present state is "
-                      "kept")
+        raise Refused(
+            f"the saved state comes from {header['build']}, this is {BUILD}; the present state is kept"
+        )
     return header, np.frombuffer(numbers, dtype="<f8")

@@ -55,7 +55,7 @@ def _part_of(target, mode, options):
         with open(target, mode, **options) as file:
             yield file
         return
-    if before and not os.access(target, os.W_OK):       # os.replace does not check this
+    if before and not os.access(target, os.W_OK):  # os.replace does not check this
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), os.fspath(target))
     place = Path(os.path.realpath(target))
     part = place.with_name(f".wrcontact-{MACHINE}-{os.getpid()}-{secrets.token_hex(8)}.part")
@@ -89,12 +89,12 @@ def _has_ended(name):
     if len(words) != 4 or words[1] != MACHINE or not words[2].isdecimal():
         return False
     if os.name != "posix":
-        return True         # a file that is open there cannot be removed
+        return True  # a file that is open there cannot be removed
     try:
         os.kill(int(words[2]), 0)
     except ProcessLookupError:
         return True
-    except OSError:         # it is another user's
+    except OSError:  # it is another user's
         return False
     return False
 

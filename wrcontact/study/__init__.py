@@ -18,5 +18,13 @@ Nothing of this is needed for a simulation, and nothing of it is packed into the
 from .search import Contact, Result, Search2D, Search3D, exact_result
 from .variants import AdaptiveSearch, ConstraintSearch, DenserSearch
 
-__all__ = ["AdaptiveSearch", "ConstraintSearch", "Contact", "DenserSearch", "Result", "Search2D", "Search3D",
-           "exact_result"]
+__all__ = [
+    "AdaptiveSearch",
+    "ConstraintSearch",
+    "Contact",
+    "DenserSearch",
+    "Result",
+    "Search2D",
+    "Search3D",
+    "exact_result",
+]

@@ -15,12 +15,12 @@ from ..storage.atomic import open_atomically
 from ..system import ContactSystem
 from .sections import Section, solve_analyn
 
-FORCE = 78.5e3      #: normal force of every figure [N]
-MODULUS = 210e9 / (2 * (1 - 0.28**2))   #: E* of source eq. (2.9) [Pa]
-HOLDS, PARTLY, FAILS = "holds", "partly", "fails"   # verdicts
-DS = 0.2e-3         #: the source's distance of nodes for lateral curvatures [m]
-REACH = 3e-3        #: dyr of the circle fit [m]
-DEGREE = 2          #: of the polynomial that replaces B <= 0; the source does not tell it
+FORCE = 78.5e3  #: normal force of every figure [N]
+MODULUS = 210e9 / (2 * (1 - 0.28**2))  #: E* of source eq. (2.9) [Pa]
+HOLDS, PARTLY, FAILS = "holds", "partly", "fails"  # verdicts
+DS = 0.2e-3  #: the source's distance of nodes for lateral curvatures [m]
+REACH = 3e-3  #: dyr of the circle fit [m]
+DEGREE = 2  #: of the polynomial that replaces B <= 0; the source does not tell it
 
 
 @dataclass(frozen=True)
@@ -53,8 +53,9 @@ class SourceFigure:
         with open_atomically(path, "w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(self.columns)
-            writer.writerows([_cell(value) for value in row]
-                             for row in zip(*self.columns.values(), strict=True))
+            writer.writerows(
+                [_cell(value) for value in row] for row in zip(*self.columns.values(), strict=True)
+            )
 
     @property
     def curves(self):
@@ -99,8 +100,11 @@ class Study:
     @cache
     def right(self, shift, yaw=0.0, **parameters):
         """The right wheel's contact under the load, at a lateral shift [mm] and yaw [deg]."""
-        return self.system(**parameters).evaluate(lateral_shift=shift / 1e3, yaw=math.radians(yaw),
-                                                  normal_force=FORCE).right
+        return (
+            self.system(**parameters)
+            .evaluate(lateral_shift=shift / 1e3, yaw=math.radians(yaw), normal_force=FORCE)
+            .right
+        )
 
     def complete(self, shift, yaw=0.0):
         """The same by the complete theory."""
@@ -132,43 +136,66 @@ def listed(values, digits):
 # what the kernel also knows (longitudinal curvature, yaw) they are the kernel's. Beside them stands the
 # complete theory.
 
+
 def study_patch(nodes, section, B, correction=None):
     """ANALYN of the source on ``nodes`` with the lateral curvature ``B`` (n,) [1/m]."""
-    return solve_analyn(nodes.station, np.maximum(nodes.gap, 0.0), section.longitudinal(nodes.wheel), B,
-                        force=FORCE, modulus=MODULUS, correction=correction)
+    return solve_analyn(
+        nodes.station,
+        np.maximum(nodes.gap, 0.0),
+        section.longitudinal(nodes.wheel),
+        B,
+        force=FORCE,
+        modulus=MODULUS,
+        correction=correction,
+    )
 
 
 def patch_columns(curve, patch, margin=2):
     """Rows of a study's patch: its loaded nodes and ``margin`` beside them."""
     loaded = np.flatnonzero(patch.loaded)
     part = slice(max(loaded[0] - margin, 0), loaded[-1] + margin + 1)
-    return {"curve": curve, "station [mm]": patch.station[part] * 1e3,
-            "half length [mm]": patch.half_length[part] * 1e3, "pressure [MPa]": patch.pressure[part] / 1e6}
+    return {
+        "curve": curve,
+        "station [mm]": patch.station[part] * 1e3,
+        "half length [mm]": patch.half_length[part] * 1e3,
+        "pressure [MPa]": patch.pressure[part] / 1e6,
+    }
 
 
 def outline_columns(curve, side):
     """Rows of a kernel's patch."""
     outline = side.outline
-    return {"curve": curve, "station [mm]": outline.station * 1e3,
-            "half length [mm]": outline.half_length * 1e3, "pressure [MPa]": outline.pressure / 1e6}
+    return {
+        "curve": curve,
+        "station [mm]": outline.station * 1e3,
+        "half length [mm]": outline.half_length * 1e3,
+        "pressure [MPa]": outline.pressure / 1e6,
+    }
 
 
 def sizes(name, side):
     """What one compares of a kernel's patch."""
-    return {f"{name}: length [mm]": side.patch_length * 1e3, f"{name}: width [mm]": side.patch_width * 1e3,
-            f"{name}: area [mm2]": side.area * 1e6,
-            f"{name}: largest pressure [MPa]": side.max_pressure / 1e6,
-            f"{name}: penetration [um]": side.penetration * 1e6}
+    return {
+        f"{name}: length [mm]": side.patch_length * 1e3,
+        f"{name}: width [mm]": side.patch_width * 1e3,
+        f"{name}: area [mm2]": side.area * 1e6,
+        f"{name}: largest pressure [MPa]": side.max_pressure / 1e6,
+        f"{name}: penetration [um]": side.penetration * 1e6,
+    }
 
 
 def study_sizes(name, patch):
     """The same of a study's patch; and how many nodes are loaded, in how many pieces, and
     whether the first point is."""
-    return {f"{name}: length [mm]": patch.length * 1e3, f"{name}: width [mm]": patch.width * 1e3,
-            f"{name}: penetration [um]": patch.penetration * 1e6,
-            f"{name}: largest pressure [MPa]": patch.pressure.max() / 1e6,
-            f"{name}: loaded nodes": int(patch.loaded.sum()), f"{name}: pieces": patch.regions,
-            f"{name}: first contact point in the patch": int(patch.first_point_loaded)}
+    return {
+        f"{name}: length [mm]": patch.length * 1e3,
+        f"{name}: width [mm]": patch.width * 1e3,
+        f"{name}: penetration [um]": patch.penetration * 1e6,
+        f"{name}: largest pressure [MPa]": patch.pressure.max() / 1e6,
+        f"{name}: loaded nodes": int(patch.loaded.sum()),
+        f"{name}: pieces": patch.regions,
+        f"{name}: first contact point in the patch": int(patch.first_point_loaded),
+    }
 
 
 def percent(one, other):

@@ -78,28 +78,42 @@ def write_figures(folder, words):
 def summary(figures):
     """A table with one row per figure: number, what it shows, main result, whether the source's claim
     holds."""
-    table = Table("fig.", "what", "main result", "claim", box=box.SIMPLE_HEAD, show_edge=False,
-                  padding=(0, 1, 0, 0))
+    table = Table(
+        "fig.", "what", "main result", "claim", box=box.SIMPLE_HEAD, show_edge=False, padding=(0, 1, 0, 0)
+    )
     for column in table.columns:
         column.no_wrap = True
     for figure in figures:
-        table.add_row(figure.number, figure.short, figure.key, figure.verdict,
-                      style={PARTLY: "yellow", FAILS: "red"}.get(figure.verdict))
+        table.add_row(
+            figure.number,
+            figure.short,
+            figure.key,
+            figure.verdict,
+            style={PARTLY: "yellow", FAILS: "red"}.get(figure.verdict),
+        )
     return table
 
 
 def index(figures):
     """A page in Markdown: a table of all figures, then each picture with the source's claim and the
     finding."""
-    parts = ["# The source's figures, recomputed\n\nS1002 on UIC60 1:40, gauge 1435 mm, nominal radius 460 "
-             "mm, 78.5 kN "
-             "per wheel. Each picture is drawn from the table with the same name.\n",
-             "| figure | what it shows | main result | the source's claim |\n|---|---|---|---|"]
-    parts[-1] += "".join(f"\n| [{figure.number}]({figure.stem}.png) | {figure.title} | {figure.key} | "
-                         f"{figure.verdict} |"
-                         for figure in figures) + "\n"
-    parts += [f"## {figure.number} {figure.title}\n\n![{figure.title}]({figure.stem}.png)\n\n*The source:* "
-              f"{figure.claim} "
-              f"**{VERDICTS[figure.verdict]}** {figure.finding} ([table]({figure.stem}.csv))\n"
-              for figure in figures]
+    parts = [
+        "# The source's figures, recomputed\n\nS1002 on UIC60 1:40, gauge 1435 mm, nominal radius 460 "
+        "mm, 78.5 kN "
+        "per wheel. Each picture is drawn from the table with the same name.\n",
+        "| figure | what it shows | main result | the source's claim |\n|---|---|---|---|",
+    ]
+    parts[-1] += (
+        "".join(
+            f"\n| [{figure.number}]({figure.stem}.png) | {figure.title} | {figure.key} | {figure.verdict} |"
+            for figure in figures
+        )
+        + "\n"
+    )
+    parts += [
+        f"## {figure.number} {figure.title}\n\n![{figure.title}]({figure.stem}.png)\n\n*The source:* "
+        f"{figure.claim} "
+        f"**{VERDICTS[figure.verdict]}** {figure.finding} ([table]({figure.stem}.csv))\n"
+        for figure in figures
+    ]
     return "\n".join(parts)

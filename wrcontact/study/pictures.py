@@ -46,11 +46,20 @@ def look_of(name):
     yaw = int(name.rpartition("yaw ")[2].split()[0]) if "yaw" in name else None
     colour = COLOURS[yaw] if yaw is not None else WHEEL_COLOUR
     if "search" in name:
-        return {"linestyle": "", "marker": "o" if "dy 1 mm" not in name else "x", "markersize": 3.2,
-                "zorder": 1.5, "color": colour if yaw is not None else QUIET, "alpha": 0.7}
+        return {
+            "linestyle": "",
+            "marker": "o" if "dy 1 mm" not in name else "x",
+            "markersize": 3.2,
+            "zorder": 1.5,
+            "color": colour if yaw is not None else QUIET,
+            "alpha": 0.7,
+        }
     if "elastic" in name:
-        return {"color": colour if yaw is not None else CONTACT_COLOUR, "linestyle": (0, (4, 1.5)),
-                "linewidth": 1.4}
+        return {
+            "color": colour if yaw is not None else CONTACT_COLOUR,
+            "linestyle": (0, (4, 1.5)),
+            "linewidth": 1.4,
+        }
     return {"color": colour, "linewidth": 1.5}
 
 
@@ -60,21 +69,26 @@ def over_shift(panel, figure, wanted, *, span=None, legend=True):
     for name in filter(wanted, figure.curves):
         shift, values = figure.curve(name, "lateral shift [mm]", value)
         jump = np.flatnonzero(np.abs(np.diff(values)) > JUMP) + 1
-        panel.plot(np.insert(shift, jump, np.nan), np.insert(values, jump, np.nan), label=name,
-                   **look_of(name))
+        panel.plot(
+            np.insert(shift, jump, np.nan), np.insert(values, jump, np.nan), label=name, **look_of(name)
+        )
     panel.set(xlabel="lateral shift of the wheelset, right + [mm]", ylabel=AXES[value])
     if span:
-        seen = [line.get_ydata()[(line.get_xdata() >= span[0]) & (line.get_xdata() <= span[1])]
-                for line in panel.lines]
+        seen = [
+            line.get_ydata()[(line.get_xdata() >= span[0]) & (line.get_xdata() <= span[1])]
+            for line in panel.lines
+        ]
         low, high = (of(np.concatenate(seen)) for of in (np.nanmin, np.nanmax))
         panel.set(xlim=span, ylim=(low - 0.04 * (high - low), high + 0.04 * (high - low)))
     if legend:
         panel.legend()
 
 
-AXES = {"roll [deg]": "roll, right wheel down + [deg]",
-        "y_wheel [mm]": "contact on the wheel, field side + [mm]",
-        "x_wheel [mm]": "contact ahead of the axle [mm]"}
+AXES = {
+    "roll [deg]": "roll, right wheel down + [deg]",
+    "y_wheel [mm]": "contact on the wheel, field side + [mm]",
+    "x_wheel [mm]": "contact ahead of the axle [mm]",
+}
 
 
 def draw_inset(panel, figure, bounds, wanted, span, title=""):
@@ -97,17 +111,28 @@ def mark_jumps(panel, shifts):
     for shift in shifts:
         if low < shift < high:
             panel.axvline(shift, color=QUIET, linewidth=0.8, linestyle=":")
-            panel.annotate(f"{shift:.3f}", (shift, 0.02), (-3, 0), xycoords=("data", "axes fraction"),
-                           textcoords="offset points", rotation=90, ha="right", va="bottom", fontsize=8,
-                           color=QUIET)
+            panel.annotate(
+                f"{shift:.3f}",
+                (shift, 0.02),
+                (-3, 0),
+                xycoords=("data", "axes fraction"),
+                textcoords="offset points",
+                rotation=90,
+                ha="right",
+                va="bottom",
+                fontsize=8,
+                color=QUIET,
+            )
 
 
 def draw_roll(picture, figure):
     whole, near = picture.subplots(1, 2)
     over_shift(whole, figure, every)
     over_shift(near, figure, every, span=(4.3, 6.6), legend=False)
-    mark_jumps(near, (figure.numbers["bend to the flange root at [mm]"],
-                      figure.numbers["bend to the flange at [mm]"]))
+    mark_jumps(
+        near,
+        (figure.numbers["bend to the flange root at [mm]"], figure.numbers["bend to the flange at [mm]"]),
+    )
     whole.set_title("Whole range")
     near.set_title("Around the two jumps of the contact: the roll bends there")
 
@@ -117,8 +142,14 @@ def draw_place(picture, figure):
     for panel, span in ((whole, None), (near, (4.3, 8.0))):
         over_shift(panel, figure, every, span=span, legend=span is None)
         draw_zones(panel)
-    mark_jumps(near, [value for name, value in figure.numbers.items() if name.startswith("jump")
-                      and name.endswith("at [mm]")])
+    mark_jumps(
+        near,
+        [
+            value
+            for name, value in figure.numbers.items()
+            if name.startswith("jump") and name.endswith("at [mm]")
+        ],
+    )
     whole.set_title("Whole range")
     near.set_title("Flange root and flange")
 
@@ -130,8 +161,16 @@ def draw_zones(panel):
         start, stop = max(start / MM, low), min(stop / MM, high)
         if stop > start:
             panel.axhspan(start, stop, color=ZONE_COLOUR[name], linewidth=0, zorder=0)
-            panel.text(0.99, stop - 0.01 * (high - low), name, color=QUIET, style="italic", ha="right",
-                       va="top", transform=panel.get_yaxis_transform())
+            panel.text(
+                0.99,
+                stop - 0.01 * (high - low),
+                name,
+                color=QUIET,
+                style="italic",
+                ha="right",
+                va="top",
+                transform=panel.get_yaxis_transform(),
+            )
     panel.set_ylim(low, high)
 
 
@@ -147,16 +186,22 @@ def draw_place_and_errors(picture, figure):
             errors.plot(shift, np.maximum(error, 1e-9), label=name, **look_of(name))
     errors.axvspan(6.3, 8, color=ZONE_COLOUR["flange"], linewidth=0, zorder=0)
     errors.axvspan(-8, -6.3, color=ZONE_COLOUR["flange"], linewidth=0, zorder=0)
-    errors.set(yscale="log", ylim=(1e-9, 30), xlabel="lateral shift of the wheelset, right + [mm]",
-               ylabel="distance from the rigid contact [mm]")
+    errors.set(
+        yscale="log",
+        ylim=(1e-9, 30),
+        xlabel="lateral shift of the wheelset, right + [mm]",
+        ylabel="distance from the rigid contact [mm]",
+    )
     errors.legend(loc="lower left", fontsize=7)
     whole.set_title("Contact on the right wheel")
     errors.set_title("Distance from it; grey: beyond 6.3 mm")
 
 
 def draw_two_searches(picture, figure):
-    kinds = (("Rigid contact", lambda name: "elastic" not in name),
-             ("Elastic contact at 78.5 kN", lambda name: "elastic" in name))
+    kinds = (
+        ("Rigid contact", lambda name: "elastic" not in name),
+        ("Elastic contact at 78.5 kN", lambda name: "elastic" in name),
+    )
     for panel, (title, wanted) in zip(picture.subplots(1, 2, sharey=True), kinds):
         over_shift(panel, figure, wanted, span=(0, 8), legend=False)
         inset = draw_inset(panel, figure, (0.14, 0.14, 0.5, 0.5), wanted, (4.4, 5.6))
@@ -172,15 +217,24 @@ def draw_by_yaw(picture, figure):
     over_shift(panel, figure, lambda name: "search" in name, legend=False)
     lines = [line for line in panel.lines if "exact" in line.get_label()]
     dots = next(line for line in panel.lines if "search" in line.get_label())
-    panel.legend([*lines, dots], [*(line.get_label() for line in lines), "source's 3-D search, dx 0.1 mm"],
-                 loc="lower left" if "roll" in figure.title.lower() else "upper left")
+    panel.legend(
+        [*lines, dots],
+        [*(line.get_label() for line in lines), "source's 3-D search, dx 0.1 mm"],
+        loc="lower left" if "roll" in figure.title.lower() else "upper left",
+    )
     return panel
 
 
 def draw_roll_by_yaw(picture, figure):
     panel = draw_by_yaw(picture, figure)
-    draw_inset(panel, figure, (0.14, 0.32, 0.38, 0.5), lambda name: "exact" in name, (0, 5.3),
-               "tread and flange root")
+    draw_inset(
+        panel,
+        figure,
+        (0.14, 0.32, 0.38, 0.5),
+        lambda name: "exact" in name,
+        (0, 5.3),
+        "tread and flange root",
+    )
     panel.set_xlim(0, 8)
 
 
@@ -206,15 +260,27 @@ def draw_outlines(panel, figure):
         panel.fill_between(y, height, ends[name], color=colour, alpha=0.18, linewidth=0)
         panel.plot(y, height, color=colour)
     (y,), (height,) = figure.curve("contact point", "y_track [mm]", "height [mm]")
-    panel.plot([y], [height], "*", color=CONTACT_COLOUR, markersize=12, markeredgecolor="white",
-               markeredgewidth=0.6)
-    panel.annotate("contact point", (y, height), (30, -34), textcoords="offset points", ha="left",
-                   color=CONTACT_COLOUR,
-                   arrowprops={"arrowstyle": "-", "color": CONTACT_COLOUR, "linewidth": 0.8})
+    panel.plot(
+        [y], [height], "*", color=CONTACT_COLOUR, markersize=12, markeredgecolor="white", markeredgewidth=0.6
+    )
+    panel.annotate(
+        "contact point",
+        (y, height),
+        (30, -34),
+        textcoords="offset points",
+        ha="left",
+        color=CONTACT_COLOUR,
+        arrowprops={"arrowstyle": "-", "color": CONTACT_COLOUR, "linewidth": 0.8},
+    )
     panel.text(768, -12, "rail", color=RAIL_LABEL, ha="center")
     panel.text(768, 11, "wheel", color=WHEEL_COLOUR, ha="center")
-    panel.set(xlim=(685, 805), ylim=(-32, 16), aspect="equal", xlabel="across the track, right + [mm]",
-              ylabel="above top of rail [mm]")
+    panel.set(
+        xlim=(685, 805),
+        ylim=(-32, 16),
+        aspect="equal",
+        xlabel="across the track, right + [mm]",
+        ylabel="above top of rail [mm]",
+    )
 
 
 # --- separations -----------------------------------------------------------------------------------
@@ -232,16 +298,31 @@ def draw_separation(picture, figure):
     y, apart = figure.curve("vertical less equidistant", "y [mm]", "separation [mm]")
     near.plot(y, np.abs(apart), color=INK)
     near.axhspan(1e-4, 1e-3, color=ZONE_COLOUR["flange root"], linewidth=0, zorder=0)
-    near.text(0.5, 1.2e-3, "source: 1e-4 ... 1e-3", transform=near.get_yaxis_transform(), color=QUIET,
-              fontsize=7.5, ha="center", va="bottom")
-    near.set(yscale="log", ylim=(1e-7, 1e-1), xlabel="y from the contact, field side + [mm]",
-             ylabel="vertical less equidistant [mm]")
+    near.text(
+        0.5,
+        1.2e-3,
+        "source: 1e-4 ... 1e-3",
+        transform=near.get_yaxis_transform(),
+        color=QUIET,
+        fontsize=7.5,
+        ha="center",
+        va="bottom",
+    )
+    near.set(
+        yscale="log",
+        ylim=(1e-7, 1e-1),
+        xlabel="y from the contact, field side + [mm]",
+        ylabel="vertical less equidistant [mm]",
+    )
     whole.set(ylim=(-0.3, 8), xlabel="y from the contact, field side + [mm]", ylabel="separation [mm]")
     patch.set(xlabel="y from the contact, field side + [mm]", ylabel="rolling direction [mm]")
     to_scale(patch)
     patch.plot([0], [0], "*", color=CONTACT_COLOUR, markersize=7)
-    for panel, title in ((whole, "Separation"), (near, "Their difference inside the patch"),
-                         (patch, "Patch")):
+    for panel, title in (
+        (whole, "Separation"),
+        (near, "Their difference inside the patch"),
+        (patch, "Patch"),
+    ):
         panel.set_title(title)
     whole.legend(loc="upper center")
     patch.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, handlelength=1.6, columnspacing=1)
@@ -255,8 +336,12 @@ def closed_outline(panel, station, half_length, *, fine=False, label=None, **loo
     loaded = half_length > 0
     beside = loaded | np.roll(loaded, 1) | np.roll(loaded, -1)
     edge = np.where(beside, half_length, np.nan)
-    panel.plot(np.concatenate([station, [np.nan], station]), np.concatenate([edge, [np.nan], -edge]),
-               label=label, **look)
+    panel.plot(
+        np.concatenate([station, [np.nan], station]),
+        np.concatenate([edge, [np.nan], -edge]),
+        label=label,
+        **look,
+    )
 
 
 def to_scale(panel):
@@ -283,8 +368,10 @@ def draw_longitudinal_with_picture(picture, figure):
 
 
 def _curvature_panels(whole, near, figure):
-    y, effective, basic = (np.array(figure.columns[name], dtype=float) for name in
-                           ("y_wheel [mm]", "effective 2A [1/m]", "basic 2A [1/m]"))
+    y, effective, basic = (
+        np.array(figure.columns[name], dtype=float)
+        for name in ("y_wheel [mm]", "effective 2A [1/m]", "basic 2A [1/m]")
+    )
     patch = [figure.numbers[f"patch {end} y_wheel [mm]"] for end in ("from", "to")]
     at, margin = figure.numbers["y_wheel [mm]"], max(0.5, 0.25 * (patch[1] - patch[0]))
     for panel in (whole, near):
@@ -340,13 +427,29 @@ def draw_torn(picture, figure):
     for panel, name, colour in zip(panels, names, COLOURS):
         station, half = figure.curve(name, "station [mm]", "half length [mm]")
         loaded = half > 0
-        panel.bar(station[loaded], 2 * half[loaded], bottom=-half[loaded], width=0.2, color=colour,
-                  alpha=0.55, linewidth=0, label=f"{int(loaded.sum())} loaded nodes")
+        panel.bar(
+            station[loaded],
+            2 * half[loaded],
+            bottom=-half[loaded],
+            width=0.2,
+            color=colour,
+            alpha=0.55,
+            linewidth=0,
+            label=f"{int(loaded.sum())} loaded nodes",
+        )
         closed_outline(panel, *true, fine=True, label="complete theory", **THEORY)
         inside = loaded[np.argmin(np.abs(station))]
-        panel.plot([0], [0], "*", color=INK if inside else CONTACT_COLOUR, markersize=9,
-                   markeredgecolor="white", markeredgewidth=0.5,
-                   label=f"first contact point, {'in' if inside else 'not in'} the patch", linestyle="")
+        panel.plot(
+            [0],
+            [0],
+            "*",
+            color=INK if inside else CONTACT_COLOUR,
+            markersize=9,
+            markeredgecolor="white",
+            markeredgewidth=0.5,
+            label=f"first contact point, {'in' if inside else 'not in'} the patch",
+            linestyle="",
+        )
         panel.set(xlabel="s from the contact, field side + [mm]", ylim=(-10.5, 10.5))
         panel.set_title(name[0].upper() + name[1:])
         panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=1)
@@ -355,19 +458,43 @@ def draw_torn(picture, figure):
 
 def draw_lateral(picture, figure):
     """Lateral curvature of wheel and rail; rounding noise would fill the picture, so its points are small."""
-    titles = {"wheel": "Wheel, + where it is hollow as in the flange root",
-              "rail": "Rail, + where it bulges as its head does; B is half of rail less wheel"}
+    titles = {
+        "wheel": "Wheel, + where it is hollow as in the flange root",
+        "rail": "Rail, + where it bulges as its head does; B is half of rail less wheel",
+    }
     for panel, name in zip(picture.subplots(2, 1), titles):
         at = np.array(figure.columns[f"y_{name} [mm]"])
         noisy = figure.columns[f"{name}, rough, coordinates to 1 um [1/m]"]
-        panel.plot(at, noisy, linestyle="", marker=".", markersize=2.5, color=COLOURS[1], alpha=0.8,
-                   label="three nodes, coordinates to 1 um")
-        panel.plot(at, figure.columns[f"{name}, rough [1/m]"], color=COLOURS[0],
-                   label="three nodes 0.2 mm apart, exact profile")
-        panel.plot(at, figure.columns[f"{name}, smooth [1/m]"], color=INK, linestyle=(0, (4, 1.5)),
-                   linewidth=1.2, label="circle through 6 mm")
-        panel.set(ylim=(-45, 110), xlim=(at.min(), at.max()), ylabel="curvature [1/m]",
-                  xlabel=f"on the {name}'s profile, field side + [mm]")
+        panel.plot(
+            at,
+            noisy,
+            linestyle="",
+            marker=".",
+            markersize=2.5,
+            color=COLOURS[1],
+            alpha=0.8,
+            label="three nodes, coordinates to 1 um",
+        )
+        panel.plot(
+            at,
+            figure.columns[f"{name}, rough [1/m]"],
+            color=COLOURS[0],
+            label="three nodes 0.2 mm apart, exact profile",
+        )
+        panel.plot(
+            at,
+            figure.columns[f"{name}, smooth [1/m]"],
+            color=INK,
+            linestyle=(0, (4, 1.5)),
+            linewidth=1.2,
+            label="circle through 6 mm",
+        )
+        panel.set(
+            ylim=(-45, 110),
+            xlim=(at.min(), at.max()),
+            ylabel="curvature [1/m]",
+            xlabel=f"on the {name}'s profile, field side + [mm]",
+        )
         panel.set_title(titles[name])
     picture.legend(*panel.get_legend_handles_labels(), loc="outside lower center", ncols=3)
 
@@ -381,8 +508,22 @@ DRAWN = {
     "7.15": draw_patches, "7.16": draw_patches, "7.17": draw_patches,
 }  # fmt: skip
 SIZES = {
-    "5.6": (WIDE, 5.2), "5.7": (7.5, 3.9), "5.8": (WIDE, 5.4), "7.1": (7.5, 3.9), "7.2": (WIDE, 4.8),
-    "7.3": (7.5, 3.9), "7.4": (WIDE, 4.8), "7.6": (WIDE, 4.8), "7.8": (WIDE, 4.8), "7.9": (WIDE, 7.4),
-    "7.10": (WIDE, 4.8), "7.11": (WIDE, 6.6), "7.12": (WIDE, 4.8), "7.13": (WIDE, 4.8), "7.14": (WIDE, 4.8),
-    "7.15": (WIDE, 4.8), "7.16": (WIDE, 4.8), "7.17": (WIDE, 4.8),
+    "5.6": (WIDE, 5.2),
+    "5.7": (7.5, 3.9),
+    "5.8": (WIDE, 5.4),
+    "7.1": (7.5, 3.9),
+    "7.2": (WIDE, 4.8),
+    "7.3": (7.5, 3.9),
+    "7.4": (WIDE, 4.8),
+    "7.6": (WIDE, 4.8),
+    "7.8": (WIDE, 4.8),
+    "7.9": (WIDE, 7.4),
+    "7.10": (WIDE, 4.8),
+    "7.11": (WIDE, 6.6),
+    "7.12": (WIDE, 4.8),
+    "7.13": (WIDE, 4.8),
+    "7.14": (WIDE, 4.8),
+    "7.15": (WIDE, 4.8),
+    "7.16": (WIDE, 4.8),
+    "7.17": (WIDE, 4.8),
 }  # fmt: skip  [in]

@@ -36,8 +36,13 @@ class Pose:
 
     def of(self, side):
         """This wheelset's pose as that of the ``side`` wheel, mirrored if it is the left one."""
-        return self if side == "right" else Pose(*(sign * value for sign, value in
-                                                   zip(MIRROR, (self.lateral_shift, self.yaw, self.roll))))
+        return (
+            self
+            if side == "right"
+            else Pose(
+                *(sign * value for sign, value in zip(MIRROR, (self.lateral_shift, self.yaw, self.roll)))
+            )
+        )
 
 
 class Surfaces:
@@ -104,7 +109,7 @@ class ProfileMatrix:
         self.surfaces, self.x, self.y = surfaces, np.atleast_1d(np.asarray(x, dtype=float)), y
         self.rail = rail
         R0 = surfaces.radius + surfaces.wheel(y)[0]
-        self.heights = np.sqrt(R0**2 - self.x[:, None]**2)          # (n, m), below the axle
+        self.heights = np.sqrt(R0**2 - self.x[:, None] ** 2)  # (n, m), below the axle
 
     def lowest(self, pose, mapping=1.0):
         """The smallest of source eq. (5.13)'s distances at ``pose``, as (5.14) asks for; a :class:`Lowest`.
@@ -119,14 +124,24 @@ class ProfileMatrix:
             gap, abscissa, along = self._gaps(pose, slice(first, first + rows), mapping)
             row, column = np.unravel_index(np.argmin(gap), gap.shape)
             if gap[row, column] < best.gap:
-                best = Lowest(*map(float, (gap[row, column], self.x[first + row], self.y[column],
-                                           abscissa[row, column], along[row, column])))
+                best = Lowest(
+                    *map(
+                        float,
+                        (
+                            gap[row, column],
+                            self.x[first + row],
+                            self.y[column],
+                            abscissa[row, column],
+                            along[row, column],
+                        ),
+                    )
+                )
         return best
 
     def _gaps(self, pose, rows, mapping):
         c, s = math.cos(pose.roll), math.sin(pose.roll)
         heights, arm = self.heights[rows], self.surfaces.arm + self.y
-        along = c * arm - s * heights                               # y_w of source fig. 5.2
+        along = c * arm - s * heights  # y_w of source fig. 5.2
         depth = s * arm + c * heights - self.surfaces.radius
         lateral = pose.lateral_shift + math.sin(pose.yaw) * self.x[rows, None] + math.cos(pose.yaw) * along
         abscissa = lateral - self.surfaces.rail_y
@@ -194,9 +209,13 @@ def balance(matrices, pose, *, gain, tolerance, mapping=1.0, step_limit=STEP_LIM
     evaluations, roll, remark = 0, pose.roll, f"no convergence in {step_limit} steps"
     for step in range(1, step_limit + 1):
         here = Pose(pose.lateral_shift, pose.yaw, roll)
-        left, right = (min((matrix.lowest(here.of(side), mapping) for matrix in matrices[side]),
-                           key=lambda found: found.gap)
-                       for side in SIDES)
+        left, right = (
+            min(
+                (matrix.lowest(here.of(side), mapping) for matrix in matrices[side]),
+                key=lambda found: found.gap,
+            )
+            for side in SIDES
+        )
         evaluations += sum(matrix.heights.size for side in SIDES for matrix in matrices[side])
         if not (math.isfinite(left.gap) and math.isfinite(right.gap)):
             remark = "no node of a wheel is above its rail"
@@ -237,8 +256,9 @@ class Search2D:
     def solve(self, lateral_shift=0.0, yaw=0.0, roll=0.0):
         """:class:`Result` at ``lateral_shift`` [m]; ``yaw`` is not seen, ``roll`` [rad] is
         where the steps begin."""
-        return balance(self._matrices, Pose(lateral_shift, 0.0, roll), gain=self.gain,
-                       tolerance=self.tolerance)
+        return balance(
+            self._matrices, Pose(lateral_shift, 0.0, roll), gain=self.gain, tolerance=self.tolerance
+        )
 
 
 class Search3D:
@@ -259,8 +279,9 @@ class Search3D:
         the rail; right is Z_r(s cos psi), s from the top of the rail along the section.
     """
 
-    def __init__(self, system, dx=1e-4, spacing=1e-4, gain=1.2, tolerance=1e-7, profiles=None,
-                 as_printed=False):
+    def __init__(
+        self, system, dx=1e-4, spacing=1e-4, gain=1.2, tolerance=1e-7, profiles=None, as_printed=False
+    ):
         self.surfaces = Surfaces(system)
         self.dx, self.gain, self.tolerance = dx, gain, tolerance
         self.profiles, self.as_printed = profiles, as_printed
@@ -273,16 +294,23 @@ class Search3D:
         plane = self._plane.solve(lateral_shift)
         pose = Pose(lateral_shift, yaw, plane.roll if plane.converged else 0.0)
         rows = {side: self._rows(pose.of(side), getattr(plane, side)) for side in SIDES}
-        matrices = {side: (ProfileMatrix(self.surfaces, self._rail, rows[side], self._nodes),)
-                    for side in SIDES}
-        mapping = math.cos(yaw)**-2 if self.as_printed else 1.0
+        matrices = {
+            side: (ProfileMatrix(self.surfaces, self._rail, rows[side], self._nodes),) for side in SIDES
+        }
+        mapping = math.cos(yaw) ** -2 if self.as_printed else 1.0
         found = balance(matrices, pose, gain=self.gain, tolerance=self.tolerance, mapping=mapping)
-        at_end = [side for side in SIDES if len(rows[side]) > 1
-                  and getattr(found, side).x_wheel == rows[side][-1]]
-        remark = (found.remark
-                  or (f"smallest gap in the last profile ({' and '.join(at_end)})" if at_end else ""))
-        return replace(found, steps=plane.steps + found.steps, remark=remark,
-                       gap_evaluations=plane.gap_evaluations + found.gap_evaluations)
+        at_end = [
+            side for side in SIDES if len(rows[side]) > 1 and getattr(found, side).x_wheel == rows[side][-1]
+        ]
+        remark = found.remark or (
+            f"smallest gap in the last profile ({' and '.join(at_end)})" if at_end else ""
+        )
+        return replace(
+            found,
+            steps=plane.steps + found.steps,
+            remark=remark,
+            gap_evaluations=plane.gap_evaluations + found.gap_evaluations,
+        )
 
     def _rows(self, pose, estimate):
         """Where the profiles of a right wheel at ``pose`` are cut [m], by the 2-D
@@ -292,8 +320,9 @@ class Search3D:
         count = self.profiles
         if count is None:
             height, slope = self.surfaces.wheel(np.array(estimate.y_wheel))
-            limit = longitudinal_limit(self.surfaces.radius + float(height), -float(slope), roll=pose.roll,
-                                       yaw=pose.yaw)
+            limit = longitudinal_limit(
+                self.surfaces.radius + float(height), -float(slope), roll=pose.roll, yaw=pose.yaw
+            )
             count = math.ceil(limit / self.dx) + 1
         return math.copysign(self.dx, pose.yaw) * np.arange(count)
 
@@ -317,8 +346,9 @@ def lever_share(system, shift):
     state = system.evaluate(lateral_shift=shift, normal_force=0.0, outputs="geometry")
     arms = [abs(side.contact.y_track - shift) for side in (state.left, state.right)]
     centre = state.vertical_shift - system.parameters["nominal_radius"]
-    lost = [(side.contact.z_track - centre) * math.tan(side.contact_angle)
-            for side in (state.left, state.right)]
+    lost = [
+        (side.contact.z_track - centre) * math.tan(side.contact_angle) for side in (state.left, state.right)
+    ]
     return 1.0 - sum(lost) / sum(arms)
 
 
@@ -329,6 +359,7 @@ def jump_to_flange(solve, low=5e-3, high=6.6e-3):
         middle = 0.5 * (low + high)
         low, high = (low, middle) if solve(middle).right.y_wheel < FLANGE else (middle, high)
     return high
+
 
 # ----------------------------------------------------------------------------------------------- Wang's shift
 
@@ -342,6 +373,7 @@ def jump_to_flange(solve, low=5e-3, high=6.6e-3):
 # * printed ``l_x^2 l_y tan(delta)``, right is ``l_x^2 l_z tan(delta)``;
 # * the sign in front of the fraction; as printed the shift of a wheel without yaw would be 2 R.
 
+
 def wang_shift(radius, tan_angle, *, roll, yaw):
     """Shift (x, y, z) [m] in the track frame from the principal profile's lowest point to the
     contact, of a right wheel.
@@ -353,11 +385,11 @@ def wang_shift(radius, tan_angle, *, roll, yaw):
     roll, yaw : theta, psi [rad].
     """
     R, t, theta, psi = radius, tan_angle, -roll, yaw
-    lx, ly, lz = cos(theta) * sin(psi), cos(theta) * cos(psi), sin(theta)              # (5.5)-(5.7)
-    m = sqrt(max(0.0, 1 - lx**2 * (1 + t**2)))                                         # (5.4)
-    x = R * sin(theta) * sin(psi) + lx * R * t                                         # (5.1)
-    y = R * sin(theta) * cos(psi) - R / (1 - lx**2) * (lx**2 * ly * t + lz * m)        # (5.2)
-    z = R * cos(theta) + R / (1 - lx**2) * (lx**2 * lz * t - ly * m)                   # (5.3), corrected
+    lx, ly, lz = cos(theta) * sin(psi), cos(theta) * cos(psi), sin(theta)  # (5.5)-(5.7)
+    m = sqrt(max(0.0, 1 - lx**2 * (1 + t**2)))  # (5.4)
+    x = R * sin(theta) * sin(psi) + lx * R * t  # (5.1)
+    y = R * sin(theta) * cos(psi) - R / (1 - lx**2) * (lx**2 * ly * t + lz * m)  # (5.2)
+    z = R * cos(theta) + R / (1 - lx**2) * (lx**2 * lz * t - ly * m)  # (5.3), corrected
     return x, -y, -z
 
 

@@ -94,8 +94,9 @@ class Curve:
         t = np.interp(distance, along[run], self._t[run], left=np.nan, right=np.nan)
         for _ in range(NEWTON_STEPS):
             angle = self.direction(t)
-            rate = (direction[0] * np.cos(angle)
-                    + direction[1] * np.sin(angle)) * np.hypot(1.0, self.profile.slope(t))
+            rate = (direction[0] * np.cos(angle) + direction[1] * np.sin(angle)) * np.hypot(
+                1.0, self.profile.slope(t)
+            )
             t = np.clip(t - (direction @ self.point(t) - distance) / rate, *self.ends)
         return t
 
@@ -160,8 +161,12 @@ class Section:
         chosen = system.parameters
         state = system.evaluate(lateral_shift=lateral_shift, normal_force=0.0, outputs="geometry")
         self.state, contact = state, state.right.contact
-        placed = place_rail(system.rail, inclination=chosen["rail_inclination"], gauge=chosen["gauge"],
-                            gauge_depth=chosen["gauge_depth"])
+        placed = place_rail(
+            system.rail,
+            inclination=chosen["rail_inclination"],
+            gauge=chosen["gauge"],
+            gauge_depth=chosen["gauge_depth"],
+        )
         self.radius, self.angle = chosen["nominal_radius"], state.right.contact_angle
         self.wheel = Curve(readable_wheel(system.wheel), contact.y_wheel, state.roll)
         self.rail = Curve(placed.profile, contact.y_rail)
@@ -178,8 +183,9 @@ class Section:
     def equidistant(self, ds, count=400, chords=False):
         """Distance of nodes at the same arc length, ``ds`` [m] apart, or as many chords of that length."""
         s = ds * np.arange(-count, count + 1)
-        wheel, rail = ((curve.at_chords(ds, count) if chords else curve.at_arc(s))
-                       for curve in (self.wheel, self.rail))
+        wheel, rail = (
+            (curve.at_chords(ds, count) if chords else curve.at_arc(s)) for curve in (self.wheel, self.rail)
+        )
         return _known(s, np.hypot(*(self.rail.point(rail) - self.wheel.point(wheel))), wheel, rail)
 
     def normal(self, ds, count=400):
@@ -261,7 +267,7 @@ def circle_curvature(curve, t, reach, count=31):
 # --- ANALYN ----------------------------------------------------------------------------------------
 
 
-RANGE = 14.0    # of |ln(B/A)|
+RANGE = 14.0  # of |ln(B/A)|
 DEEPEST = 2e-3  # largest penetration [m]
 #: 1 + alpha and n r of source eqs. (2.6)-(2.11), (2.21) over ln(B/A).
 LOG_RATIO = np.linspace(-RANGE, RANGE, 2801)
@@ -354,9 +360,9 @@ def solve_analyn(station, gap, A, B, *, force, modulus, correction=None):
             ratio = np.clip(np.log(used / A), -RANGE, RANGE)
             # (2.26), 1 + beta by symmetry
             d = depth - ONE_ALPHA(-ratio) * gap
-            d = np.where(d > 0, d, 0.0)                                           # NaN > 0 is False
-            a = np.nan_to_num(np.sqrt(d / (ONE_ALPHA(ratio) * A)))               # (2.23)
-            line = np.nan_to_num(modulus * d / NR(ratio))                        # pi/2 a p0, (2.24), (2.25)
+            d = np.where(d > 0, d, 0.0)  # NaN > 0 is False
+            a = np.nan_to_num(np.sqrt(d / (ONE_ALPHA(ratio) * A)))  # (2.23)
+            line = np.nan_to_num(modulus * d / NR(ratio))  # pi/2 a p0, (2.24), (2.25)
         return used, a, line
 
     def missing(depth):

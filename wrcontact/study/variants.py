@@ -49,13 +49,21 @@ class AdaptiveSearch:
         base = {side: [self._matrix(self._all_rows(pose), self._all_nodes())] for side in SIDES}
         finer, level, repeats = {side: [] for side in SIDES}, 0, 0
         while True:
-            found = balance({side: base[side] + finer[side] for side in SIDES}, pose, gain=self.gain,
-                            tolerance=self.tolerance)
+            found = balance(
+                {side: base[side] + finer[side] for side in SIDES},
+                pose,
+                gain=self.gain,
+                tolerance=self.tolerance,
+            )
             steps, evaluations = steps + found.steps, evaluations + found.gap_evaluations
-            settled = (level == 0 or repeats == REPEATS
-                       or all(inside(finer[side][0], getattr(found, side)) for side in SIDES))
-            remark = (found.remark
-                      or ("" if settled and repeats < REPEATS else "the contact moves between the levels"))
+            settled = (
+                level == 0
+                or repeats == REPEATS
+                or all(inside(finer[side][0], getattr(found, side)) for side in SIDES)
+            )
+            remark = found.remark or (
+                "" if settled and repeats < REPEATS else "the contact moves between the levels"
+            )
             level, repeats = (level + 1, 0) if settled else (level, repeats + 1)
             if not found.converged or level == len(self.levels):
                 return replace(found, steps=steps, gap_evaluations=evaluations, remark=remark)
@@ -87,8 +95,17 @@ class DenserSearch(AdaptiveSearch):
     """3-D search with denser nodes near the contact, in both directions: from (``coarse_dx``,
     ``coarse_spacing``) to (``dx``, ``spacing``) [m] in steps of ``factor``."""
 
-    def __init__(self, system, dx=1e-5, spacing=1e-5, coarse_dx=2e-3, coarse_spacing=5e-4, factor=6, gain=1.2,
-                 tolerance=1e-7):
+    def __init__(
+        self,
+        system,
+        dx=1e-5,
+        spacing=1e-5,
+        coarse_dx=2e-3,
+        coarse_spacing=5e-4,
+        factor=6,
+        gain=1.2,
+        tolerance=1e-7,
+    ):
         super().__init__(system, dx, spacing, coarse_dx, factor, gain, tolerance)
         across = spacings(coarse_spacing, spacing, factor)
         along = [step for step, _ in self.levels]
@@ -107,7 +124,7 @@ def spacings(coarse, fine, factor):
     """Falling distances from ``coarse`` to ``fine`` [m], each at most ``factor`` times the
     next one, in equal ratios."""
     count = max(0, math.ceil(math.log(coarse / fine) / math.log(factor) - 1e-9))
-    return [coarse * (fine / coarse)**(k / max(count, 1)) for k in range(count + 1)]
+    return [coarse * (fine / coarse) ** (k / max(count, 1)) for k in range(count + 1)]
 
 
 def near(centre, half_width, step):
@@ -118,8 +135,10 @@ def near(centre, half_width, step):
 
 def inside(matrix, contact):
     """Whether ``contact`` is one of the matrix's inner nodes."""
-    return all(len(nodes) == 1 or nodes[0] < value < nodes[-1]
-               for nodes, value in ((matrix.x, contact.x_wheel), (matrix.y, contact.y_wheel)))
+    return all(
+        len(nodes) == 1 or nodes[0] < value < nodes[-1]
+        for nodes, value in ((matrix.x, contact.x_wheel), (matrix.y, contact.y_wheel))
+    )
 
 
 # --- equations -------------------------------------------------------------------------------------
@@ -170,18 +189,26 @@ class ConstraintSearch:
             return self._residuals(scaled * self._scale, lateral_shift, yaw)
 
         first = self._first(Pose(lateral_shift, yaw, start[0]), start[1:])
-        with np.errstate(all="ignore"):     # far from the profiles their end pieces overflow
+        with np.errstate(all="ignore"):  # far from the profiles their end pieces overflow
             values = root(residuals, first / self._scale, method=self.method, tol=1e-15).x * self._scale
             residual = np.max(np.abs(self._residuals(values, lateral_shift, yaw)))
         converged = bool(residual < RESIDUAL / MM)
         remark = self._fault(values, lateral_shift, yaw) if converged else "the equations are not met"
-        return Result(float(values[0]), float(values[1]), *map(self._contact, (values[2:5], values[5:])),
-                      evaluations, 2 * evaluations, converged, remark)
+        return Result(
+            float(values[0]),
+            float(values[1]),
+            *map(self._contact, (values[2:5], values[5:])),
+            evaluations,
+            2 * evaluations,
+            converged,
+            remark,
+        )
 
     def _contact(self, unknowns):
         phi, y, y_rail = map(float, unknowns)
-        return Contact((self.surfaces.radius + float(self.surfaces.wheel(np.array(y))[0])) * math.sin(phi), y,
-                       y_rail)
+        return Contact(
+            (self.surfaces.radius + float(self.surfaces.wheel(np.array(y))[0])) * math.sin(phi), y, y_rail
+        )
 
     def _first(self, pose, places):
         values = [pose.roll, 0.0]
@@ -197,8 +224,9 @@ class ConstraintSearch:
         z, slope = self.surfaces.wheel(np.array(y))
         r, s, c = self.surfaces.radius + z, math.sin(phi), math.cos(phi)
         point = turned(pose, r * s, self.surfaces.arm + y, r * c)
-        return (point[0], point[1] + pose.lateral_shift,
-                point[2] - self.surfaces.radius), turned(pose, s, -slope, c)
+        return (point[0], point[1] + pose.lateral_shift, point[2] - self.surfaces.radius), turned(
+            pose, s, -slope, c
+        )
 
     def _residuals(self, values, lateral_shift, yaw):
         """Residuals (8,): lengths in mm, normals in 1e-3."""
@@ -206,8 +234,12 @@ class ConstraintSearch:
         for side, (phi, y, y_rail) in zip(SIDES, (values[2:5], values[5:])):
             point, normal = self._wheel_point(pose.of(side), phi, y)
             height, slope = self.surfaces.rail(np.array(y_rail))
-            residuals += [point[1] - self.surfaces.rail_y - y_rail, point[2] + values[1] - height,
-                          normal[0], normal[1] + slope * normal[2]]
+            residuals += [
+                point[1] - self.surfaces.rail_y - y_rail,
+                point[2] + values[1] - height,
+                normal[0],
+                normal[1] + slope * normal[2],
+            ]
         return np.array(residuals, dtype=float) / MM
 
     def _fault(self, values, lateral_shift, yaw):
@@ -218,12 +250,14 @@ class ConstraintSearch:
                 if not ends[0] <= place <= ends[1]:
                     return "a solution beside the profiles"
         reach = self.surfaces.reach(yaw) if yaw else 0.0
-        matrix = ProfileMatrix(self.surfaces, self._rail, np.unique(np.linspace(-reach, reach, 161)),
-                               self._nodes)
+        matrix = ProfileMatrix(
+            self.surfaces, self._rail, np.unique(np.linspace(-reach, reach, 161)), self._nodes
+        )
         pose = Pose(lateral_shift, yaw, values[0])
         depth = max(values[1] - matrix.lowest(pose.of(side)).gap for side in SIDES)
-        return (f"another stationary point: a wheel is {depth / MM:.3g} mm in its rail" if depth > DEPTH
-                else "")
+        return (
+            f"another stationary point: a wheel is {depth / MM:.3g} mm in its rail" if depth > DEPTH else ""
+        )
 
 
 def turned(pose, x, y, z):

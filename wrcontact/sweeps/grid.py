@@ -35,14 +35,17 @@ def checked_axes(axes):
         if one is no input, or its values are no numbers that rise or fall from one to the next.
     """
     if not isinstance(axes, dict) or not axes:
-        raise ValueError(f"axes is {axes!r}; permitted is a dict of inputs, "
-                         "{'lateral_shift': array, 'yaw': array}")
+        raise ValueError(
+            f"axes is {axes!r}; permitted is a dict of inputs, {{'lateral_shift': array, 'yaw': array}}"
+        )
     found = {}
     for name, values in axes.items():
         keyword = keyword_of(name)
         if keyword is None:
-            raise ValueError(f"axes has {name!r}; permitted are names of inputs, such as 'lateral_shift', "
-                             f"'yaw' and 'left_friction'{did_you_mean(name, PLACES)}")
+            raise ValueError(
+                f"axes has {name!r}; permitted are names of inputs, such as 'lateral_shift', "
+                f"'yaw' and 'left_friction'{did_you_mean(name, PLACES)}"
+            )
         if keyword in found:
             raise ValueError(f"axes has {keyword!r} twice; permitted is each input once")
         found[keyword] = _axis(keyword, values)
@@ -54,16 +57,20 @@ def _axis(keyword, values):
     checked_input(PLACES[keyword], values)
     values, unit = np.array(values, dtype=float), unit_behind(row_of(keyword).unit)
     if values.ndim != 1 or not values.size:
-        raise ValueError(f"the axis {keyword} has the shape {values.shape}; permitted is an array (n,), "
-                         "n > 0")
+        raise ValueError(
+            f"the axis {keyword} has the shape {values.shape}; permitted is an array (n,), n > 0"
+        )
     if not np.all(np.isfinite(values)):
-        raise ValueError(f"the axis {keyword} has {values[~np.isfinite(values)][0]}; permitted are finite "
-                         "numbers")
+        raise ValueError(
+            f"the axis {keyword} has {values[~np.isfinite(values)][0]}; permitted are finite numbers"
+        )
     steps = np.diff(values)
     if not (np.all(steps > 0.0) or np.all(steps < 0.0)):
         wrong = int(np.argmax(steps * (values[-1] - values[0]) <= 0.0))
-        raise ValueError(f"the axis {keyword} has {values[wrong]:g}{unit} before {values[wrong + 1]:g}{unit}"
-                         "; permitted are values that all rise, or all fall")
+        raise ValueError(
+            f"the axis {keyword} has {values[wrong]:g}{unit} before {values[wrong + 1]:g}{unit}"
+            "; permitted are values that all rise, or all fall"
+        )
     return values
 
 
@@ -84,12 +91,15 @@ def checked_inputs(fixed, axes):
         if keyword is None:
             raise unknown_input(name)
         if keyword in axes or keyword in found:
-            raise ValueError(f"{keyword} is given twice{', as an axis and as a number' * (keyword in axes)}; "
-                             "permitted is one of the two")
+            raise ValueError(
+                f"{keyword} is given twice{', as an axis and as a number' * (keyword in axes)}; "
+                "permitted is one of the two"
+            )
         checked_input(PLACES[keyword], value)
         if np.ndim(value):
-            raise ValueError(f"{keyword} has the shape {np.shape(value)}; permitted is one number; arrays "
-                             "are axes")
+            raise ValueError(
+                f"{keyword} has the shape {np.shape(value)}; permitted is one number; arrays are axes"
+            )
         if not math.isfinite(value):
             raise ValueError(f"{keyword} is {value!r}; permitted is a finite number")
         found[keyword] = float(value)
@@ -118,5 +128,6 @@ def block_shape(sizes, block):
 
 def block_at(corner, shape, sizes):
     """The slices of the block whose first state is at ``corner``."""
-    return tuple(slice(int(first), int(min(first + width, size)))
-                 for first, width, size in zip(corner, shape, sizes))
+    return tuple(
+        slice(int(first), int(min(first + width, size))) for first, width, size in zip(corner, shape, sizes)
+    )

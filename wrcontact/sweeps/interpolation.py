@@ -33,8 +33,11 @@ POSES, SEED = 10_000, 0
 PERCENTILE = 95.0
 
 
-def interpolate(table: str | PathLike[str] | xarray.Dataset, outputs: str | Iterable[str] | None = None,
-                method: str = "linear") -> Interpolation:
+def interpolate(
+    table: str | PathLike[str] | xarray.Dataset,
+    outputs: str | Iterable[str] | None = None,
+    method: str = "linear",
+) -> Interpolation:
     """What gives values between the states of a table that :func:`wrcontact.sweep` has made.
 
     Parameters
@@ -51,17 +54,23 @@ def interpolate(table: str | PathLike[str] | xarray.Dataset, outputs: str | Iter
     """
     dataset = open_dataset(table) if isinstance(table, (str, PathLike)) else table
     if not {*DESCRIBED} <= {*getattr(dataset, "attrs", ())}:
-        raise ValueError(f"table is {str(table)[:60]!r}; permitted is the path of a store, or a data set, of "
-                         "wrcontact.sweep")
+        raise ValueError(
+            f"table is {str(table)[:60]!r}; permitted is the path of a store, or a data set, of "
+            "wrcontact.sweep"
+        )
     check_choice("method", method, tuple(METHODS))
     asked = json.loads(dataset.attrs["asked"])
     if lost := [name for name in asked["axes"] if name not in dataset.coords]:
-        raise ValueError(f"the table has lost its axis {lost[0]}; permitted is a choice that keeps its "
-                         f"value, dataset.isel({lost[0]}=0)")
+        raise ValueError(
+            f"the table has lost its axis {lost[0]}; permitted is a choice that keeps its "
+            f"value, dataset.isel({lost[0]}=0)"
+        )
     for name in dataset["status"].dims:
         if dataset.sizes[name] < METHODS[method]:
-            raise ValueError(f"the axis {name} has {dataset.sizes[name]} values; permitted for {method!r} "
-                             f"are {METHODS[method]} or more; dataset.isel({name}=0) is the table without it")
+            raise ValueError(
+                f"the axis {name} has {dataset.sizes[name]} values; permitted for {method!r} "
+                f"are {METHODS[method]} or more; dataset.isel({name}=0) is the table without it"
+            )
     return Interpolation(dataset, _names(dataset, outputs), method)
 
 
@@ -97,13 +106,16 @@ class Interpolation:
         status = dataset["status"]
         self.axes = {name: np.asarray(dataset[name], dtype=float) for name in status.dims}
         self._asked = {name: json.loads(dataset.attrs[name]) for name in ("asked", "profiles")}
-        self._chosen = {name: float(dataset[name]) for name in self._asked["asked"]["axes"]
-                        if name not in self.axes}
+        self._chosen = {
+            name: float(dataset[name]) for name in self._asked["asked"]["axes"] if name not in self.axes
+        }
         values = np.stack([np.asarray(dataset[plain(name)].transpose(*self.axes)) for name in outputs], -1)
         without = np.count_nonzero(~np.all(np.isfinite(values), axis=-1))
         if method != "linear" and without:
-            raise ValueError(f"{without} of {status.size} states have no result; permitted for {method!r} is "
-                             "a table without such states, a part of this one by dataset.sel, or 'linear'")
+            raise ValueError(
+                f"{without} of {status.size} states have no result; permitted for {method!r} is "
+                "a table without such states, a part of this one by dataset.sel, or 'linear'"
+            )
         self._grid = (_linear if method == "linear" else _cubic)([*self.axes.values()], values)
 
     def __repr__(self) -> str:
@@ -132,8 +144,9 @@ class Interpolation:
         10 000."""
         count = min(int(np.prod([*map(len, self.axes.values())])), POSES)
         generator = np.random.default_rng(SEED)
-        return self.errors_at(**{name: generator.uniform(min(values), max(values), count)
-                                 for name, values in self.axes.items()})
+        return self.errors_at(
+            **{name: generator.uniform(min(values), max(values), count) for name, values in self.axes.items()}
+        )
 
     def errors_at(self, **poses: ArrayLike) -> Errors:
         """The :class:`Errors` at these ``poses``, arrays (n,) by the names of the axes: the difference from
@@ -141,12 +154,16 @@ class Interpolation:
         points = [np.atleast_1d(part).ravel() for part in self._points(poses)]
         system = system_of(self._asked["asked"], self._asked["profiles"])
         points, own = dict(zip(self.axes, points)), self(**dict(zip(self.axes, points)))
-        table = system.evaluate_many(outputs=self.outputs, **self._asked["asked"]["fixed"], **self._chosen,
-                                     **points)
+        table = system.evaluate_many(
+            outputs=self.outputs, **self._asked["asked"]["fixed"], **self._chosen, **points
+        )
         wrong = {name: own[name] - table[name] for name in self.outputs}
         both = np.all([np.isfinite(difference) for difference in wrong.values()], axis=0)
-        return Errors(len(both), int(np.count_nonzero(~both)),
-                      {name: _error(difference, points) for name, difference in wrong.items()})
+        return Errors(
+            len(both),
+            int(np.count_nonzero(~both)),
+            {name: _error(difference, points) for name, difference in wrong.items()},
+        )
 
 
 def _linear(axes, values):
@@ -177,8 +194,12 @@ def _error(difference, points):
         return Error(np.nan, np.nan, np.nan, {})
     size = np.abs(difference[there])
     worst = there[np.argmax(size)]
-    return Error(float(np.median(size)), float(np.percentile(size, PERCENTILE)), float(np.max(size)),
-                 {name: float(values[worst]) for name, values in points.items()})
+    return Error(
+        float(np.median(size)),
+        float(np.percentile(size, PERCENTILE)),
+        float(np.max(size)),
+        {name: float(values[worst]) for name, values in points.items()},
+    )
 
 
 @dataclass(frozen=True)
@@ -216,10 +237,13 @@ class Errors:
         for name, error in self.by_output.items():
             unit = variable_of(name).unit or "1"
             sizes = [shown(size, unit) for size in (error.median, error.most, error.worst)]
-            where = ", ".join(f"{axis} {value:.5g}{unit_behind(row_of(axis).unit)}"
-                              for axis, value in error.where.items())
+            where = ", ".join(
+                f"{axis} {value:.5g}{unit_behind(row_of(axis).unit)}" for axis, value in error.where.items()
+            )
             rows.append((f"{name} {f'[{unit_name(unit)}]' * bool(unit_name(unit))}".rstrip(), *sizes, where))
         widths = [max(map(len, column)) for column in list(zip(*rows))[:4]]
-        lines = ["  ".join([row[0].ljust(widths[0]), *map(str.rjust, row[1:4], widths[1:]), row[4]]).rstrip()
-                 for row in rows]
+        lines = [
+            "  ".join([row[0].ljust(widths[0]), *map(str.rjust, row[1:4], widths[1:]), row[4]]).rstrip()
+            for row in rows
+        ]
         return "\n".join([f"{self.count} poses, {self.without} of them without a result", *lines])

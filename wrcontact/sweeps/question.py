@@ -46,10 +46,17 @@ class Question:
     def record(self):
         """What a store keeps, apart from the values of the axes, as a dict for JSON; profiles by their
         hashes."""
-        parameters = {**self.system.parameters, **{kind: content_hash(getattr(self.system, kind))
-                                                   for kind in PROFILES}}
-        return {"version": __version__, "parameters": parameters, "fixed": self.fixed,
-                "outputs": list(self.names), "axes": list(self.axes)}
+        parameters = {
+            **self.system.parameters,
+            **{kind: content_hash(getattr(self.system, kind)) for kind in PROFILES},
+        }
+        return {
+            "version": __version__,
+            "parameters": parameters,
+            "fixed": self.fixed,
+            "outputs": list(self.names),
+            "axes": list(self.axes),
+        }
 
     def profiles(self):
         """{hash: text} of the profiles."""
@@ -85,7 +92,7 @@ def system_of(record, profiles):
         standard = profile.name in BUILDERS and standard_profile(profile.name) == profile
         parameters[kind] = profile.name if standard else profile
         if kind != side and key == record["parameters"][side]:
-            parameters[kind] = None     # as on the right
+            parameters[kind] = None  # as on the right
     return ContactSystem(**parameters)
 
 
@@ -96,8 +103,12 @@ def differences(question, kept, axes):
     """How a question differs from the ``kept`` record of another one with these ``axes`` {keyword: (n,)}, as
     clauses; of many differences the first ones."""
     own = json.loads(json.dumps(question.record()))
-    return [*_other_axes(question.axes, axes, own, kept), *_other_inputs(own, kept, axes),
-            *_other_outputs(own, kept), *_other_parameters(own, kept)][:MOST]
+    return [
+        *_other_axes(question.axes, axes, own, kept),
+        *_other_inputs(own, kept, axes),
+        *_other_outputs(own, kept),
+        *_other_parameters(own, kept),
+    ][:MOST]
 
 
 def _other_axes(own, other, record, kept):
@@ -120,8 +131,10 @@ def _other_inputs(own, kept, axes):
 
 
 def _other_outputs(own, kept):
-    more, less = (sorted(set(a) - set(b)) for a, b in ((own["outputs"], kept["outputs"]),
-                                                       (kept["outputs"], own["outputs"])))
+    more, less = (
+        sorted(set(a) - set(b))
+        for a, b in ((own["outputs"], kept["outputs"]), (kept["outputs"], own["outputs"]))
+    )
     if more:
         yield f"outputs has {more[0]!r}, which is not there"
     elif less:

@@ -27,10 +27,18 @@ BLOCK, HALFSPACE_BLOCK = 50_000, 100
 NUMBERS = 5_000_000
 
 
-def sweep(system: ContactSystem, axes: Mapping[str, ArrayLike], outputs: str | Sequence[str] = "all",
-          store: str | PathLike[str] | None = None, *, block: int | None = None, client: Any = None,
-          workers: int | None = None, progress: bool | Callable[[int, int, int], object] = True,
-          **fixed: float) -> xarray.Dataset:
+def sweep(
+    system: ContactSystem,
+    axes: Mapping[str, ArrayLike],
+    outputs: str | Sequence[str] = "all",
+    store: str | PathLike[str] | None = None,
+    *,
+    block: int | None = None,
+    client: Any = None,
+    workers: int | None = None,
+    progress: bool | Callable[[int, int, int], object] = True,
+    **fixed: float,
+) -> xarray.Dataset:
     """A table of contacts over a grid of inputs; a sweep with a ``store`` goes on where it was stopped.
 
     The grid is computed in blocks, of which each is written when it is done.  A sweep that was interrupted or

@@ -38,7 +38,7 @@ def axis_attributes(keyword):
 def output_attributes(name):
     """Name in an FMU, unit and words of an output."""
     known = variable_of(name)
-    words = known.description if known.name == name else known.meaning      # a station that no FMU has
+    words = known.description if known.name == name else known.meaning  # a station that no FMU has
     return {"fmu_name": name, "units": known.unit or "1", "long_name": words}
 
 
@@ -90,8 +90,9 @@ class Store:
         except FileNotFoundError:
             group = None
         if group is None or group.attrs.get("identity") != self.identity:
-            raise RuntimeError(f"a worker does not see the store {self.path}; permitted is a folder that all "
-                               "workers share")
+            raise RuntimeError(
+                f"a worker does not see the store {self.path}; permitted is a folder that all workers share"
+            )
         return group
 
     def dataset(self):
@@ -130,8 +131,10 @@ def opened(path, question, block, usual):
     if block not in (None, group.attrs["block"]):
         clauses.append(f"block is {block}, there {group.attrs['block']}")
     if clauses:
-        raise ValueError(f"the store {path} answers another question: {'; '.join(clauses)}; permitted is the "
-                         "same question, or another store")
+        raise ValueError(
+            f"the store {path} answers another question: {'; '.join(clauses)}; permitted is the "
+            "same question, or another store"
+        )
     return Store(str(path), group["status"].chunks, group.attrs["identity"])
 
 
@@ -143,8 +146,10 @@ def open_group(path):
     except (OSError, ValueError, KeyError):
         group = None
     if group is None or not {"asked", "identity"} <= {*group.attrs}:
-        raise ValueError(f"{path} is no store of wrcontact.sweep; permitted is one, or, for a new sweep, a "
-                         "path at which there is nothing")
+        raise ValueError(
+            f"{path} is no store of wrcontact.sweep; permitted is one, or, for a new sweep, a "
+            "path at which there is nothing"
+        )
     return group
 
 
@@ -162,16 +167,20 @@ def _make(path, question, block):
         group = zarr.create_group(str(part), attributes=attributes)
         for name, values in question.axes.items():
             group.create_array(name, data=values, dimension_names=[name], attributes=axis_attributes(name))
-        form = {"shape": question.sizes, "chunks": block_shape(question.sizes, block),
-                "dimension_names": list(question.axes)}
+        form = {
+            "shape": question.sizes,
+            "chunks": block_shape(question.sizes, block),
+            "dimension_names": list(question.axes),
+        }
         for name in question.names:
-            group.create_array(plain(name), dtype="f8", fill_value=np.nan, attributes=output_attributes(name),
-                               **form)
+            group.create_array(
+                plain(name), dtype="f8", fill_value=np.nan, attributes=output_attributes(name), **form
+            )
         group.create_array("status", dtype="i1", fill_value=EMPTY, attributes=STATUS, **form)
         if path.exists():
-            path.rmdir()        # it is empty
+            path.rmdir()  # it is empty
         part.rename(path)
     except BaseException:
         shutil.rmtree(part, ignore_errors=True)
-        if not path.is_dir():   # another process may have made it
+        if not path.is_dir():  # another process may have made it
             raise

@@ -87,7 +87,7 @@ def solve_on_cluster(task, client, advance):
     while len(left):
         lost, told = _solve_once(task, client, left, advance)
         before, left = left, task.missing() if lost else ()
-        if lost:        # some of these may have been written
+        if lost:  # some of these may have been written
             advance(task.states(before) - task.states(left) - told, 0)
 
 
@@ -101,15 +101,16 @@ def _solve_once(task, client, corners, advance):
         for future in distributed.as_completed(futures):
             try:
                 states, wrong = future.result()
-            except CancelledError:      # also where its worker has died since the block was finished
+            except CancelledError:  # also where its worker has died since the block was finished
                 lost += 1
                 continue
-            future.release()        # or it would be done again where its worker dies
+            future.release()  # or it would be done again where its worker dies
             advance(states, wrong)
             told += states
     except distributed.KilledWorker:
-        raise RuntimeError("several workers have died with the same block; permitted are workers that have "
-                           "the memory for it") from None
+        raise RuntimeError(
+            "several workers have died with the same block; permitted are workers that have the memory for it"
+        ) from None
     finally:
         client.cancel([future for future in futures if future.status == "pending"])
     return lost, told

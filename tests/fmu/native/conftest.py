@@ -46,12 +46,20 @@ def raw(request, fmus, tmp_path_factory):
     """What native_raw.py saw with the library of a version of FMI, in a folder without resources."""
     version, folder = request.param, tmp_path_factory.mktemp("Räder & Schienen 轮轨")
     described = read_model_description(str(fmus[version]))
-    given = {"token": described.instantiationToken or described.guid,
-             "references": {v.name: v.valueReference for v in described.modelVariables}}
-    command = [sys.executable, str(HELPERS / "native_raw.py"), str(version),
-               str(unpacked_library(fmus[version], version, folder)), str(FMI_HEADERS)]
-    done = subprocess.run(command, input=json.dumps(given), capture_output=True, text=True, encoding="utf-8",
-                          timeout=300)
+    given = {
+        "token": described.instantiationToken or described.guid,
+        "references": {v.name: v.valueReference for v in described.modelVariables},
+    }
+    command = [
+        sys.executable,
+        str(HELPERS / "native_raw.py"),
+        str(version),
+        str(unpacked_library(fmus[version], version, folder)),
+        str(FMI_HEADERS),
+    ]
+    done = subprocess.run(
+        command, input=json.dumps(given), capture_output=True, text=True, encoding="utf-8", timeout=300
+    )
     assert done.returncode == 0, f"{done.stdout[-2000:]}\n{done.stderr[-4000:]}"
     return version, json.loads(done.stdout)
 
@@ -95,7 +103,7 @@ def kept_object(compiled, folder, unit, *flags):
         if not kept.exists():
             subprocess.run([*command, "-c", unit, "-o", folder / "made.o"], cwd=folder, check=True)
             write_atomically(kept, (folder / "made.o").read_bytes())
-        kept.touch()        # it is in use
+        kept.touch()  # it is in use
     return kept
 
 

@@ -51,8 +51,9 @@ def test_no_mathematical_library_is_needed(fmus, tmp_path, version):
     entry = f"binaries/{place.fmi2 if version == 2 else place.name}/WheelsetContact{place.suffix}"
     with zipfile.ZipFile(fmus[version]) as archive:
         library = archive.extract(entry, tmp_path)
-    listed = subprocess.run(["nm", "-D", "--undefined-only", library], text=True, capture_output=True,
-                            check=True)
+    listed = subprocess.run(
+        ["nm", "-D", "--undefined-only", library], text=True, capture_output=True, check=True
+    )
     names = {line.split()[-1].partition("@")[0] for line in listed.stdout.splitlines()}
     assert "memcpy" in names and not names & MATHEMATICS
 
@@ -79,8 +80,12 @@ def test_sources_in_the_archive_give_the_same_values(fmus, tmp_path, version, bu
     with zipfile.ZipFile(fmus[version]) as archive:
         archive.extractall(tmp_path / "sources only")
     place, description = PLATFORMS[host_platform()], tmp_path / "sources only" / "modelDescription.xml"
-    library = description.parent / "binaries" / (place.fmi2 if version == 2
-                                                 else place.name) / f"WheelsetContact{place.suffix}"
+    library = (
+        description.parent
+        / "binaries"
+        / (place.fmi2 if version == 2 else place.name)
+        / f"WheelsetContact{place.suffix}"
+    )
     library.unlink()
     if builder == "fmpy":
         build_platform_binary(description.parent)
@@ -91,8 +96,10 @@ def test_sources_in_the_archive_give_the_same_values(fmus, tmp_path, version, bu
         for file in sorted(description.parent.rglob("*")):
             archive.write(file, file.relative_to(description.parent))
     given = {"rows": poses(20), "names": OUTPUT_NAMES}
-    one, other = (run_scenario("trajectory", file, tmp_path / f"unpacked {k}", given)["seen"]
-                  for k, file in enumerate((fmus[version], again)))
+    one, other = (
+        run_scenario("trajectory", file, tmp_path / f"unpacked {k}", given)["seen"]
+        for k, file in enumerate((fmus[version], again))
+    )
     for ours, theirs in zip(one, other, strict=True):
         assert_same(theirs, ours)
 
@@ -105,8 +112,9 @@ def compile_as_described(version, description, library):
     for kind in kinds:
         units = [node.get("name") for node in kind.iter("File" if version == 2 else "SourceFile")]
         assert units == native.compiled_units(version)
-    done = subprocess.run(["cc", *SOURCE_BUILD, *units, "-o", str(library)], cwd=sources, text=True,
-                          capture_output=True)
+    done = subprocess.run(
+        ["cc", *SOURCE_BUILD, *units, "-o", str(library)], cwd=sources, text=True, capture_output=True
+    )
     assert done.returncode == 0, done.stderr
 
 
@@ -142,8 +150,11 @@ def test_the_systems_own_compiler_gives_the_same_values(fmus, tmp_path, monkeypa
     monkeypatch.setattr(compiler.importlib.util, "find_spec", lambda name: None)
     own = native.build_native_fmus(tmp_path / "own")
     rows = poses(20)
-    seen = [run_scenario("trajectory", fmu, tmp_path / f"unpacked {k}",
-                         {"rows": rows, "names": OUTPUT_NAMES})["seen"]
-            for k, fmu in enumerate((fmus[2], own[0]))]
+    seen = [
+        run_scenario("trajectory", fmu, tmp_path / f"unpacked {k}", {"rows": rows, "names": OUTPUT_NAMES})[
+            "seen"
+        ]
+        for k, fmu in enumerate((fmus[2], own[0]))
+    ]
     for one, other in zip(*seen):
         assert_same(one, other)

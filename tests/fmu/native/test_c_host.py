@@ -34,23 +34,26 @@ def test_a_million_random_calls_under_sanitizers(host, version):
     for seed in range(runs):
         for methods, count in fuzz(program, version, seed, 100_000)["started"].items():
             started[methods] = started.get(methods, 0) + count
-    modes, models = (next(v for v in VARIABLES if v.name == name).choices
-                     for name in ("contact_mode", "normal_model"))
+    modes, models = (
+        next(v for v in VARIABLES if v.name == name).choices for name in ("contact_mode", "normal_model")
+    )
     assert len(started) == len(modes) * len(models) and min(started.values()) >= 2 * runs, started
 
 
 @needs_glibc
 def test_a_call_that_ends_the_program_is_told(linked_host, tmp_path):
     """With its seed and number, which repeat it."""
-    running = subprocess.Popen([str(linked_host(2)), "fuzz", "11", "100000000"], text=True,
-                               stderr=subprocess.PIPE)
+    running = subprocess.Popen(
+        [str(linked_host(2)), "fuzz", "11", "100000000"], text=True, stderr=subprocess.PIPE
+    )
     children = Path(f"/proc/{running.pid}/task/{running.pid}/children")
     while not (child := children.read_text().split()):
         pass
     os.kill(int(child[0]), signal.SIGSEGV)
     _, told = running.communicate(timeout=60)
-    assert (running.returncode == 1
-            and re.match(r"native_host fuzz 11 \d+ fails: ended by signal 11", told)), told
+    assert running.returncode == 1 and re.match(r"native_host fuzz 11 \d+ fails: ended by signal 11", told), (
+        told
+    )
 
 
 @needs_glibc
@@ -69,8 +72,11 @@ def test_no_allocation_between_initialisation_and_end(linked_host, version, vari
 @pytest.mark.turns(2)
 def test_eight_instances_in_eight_threads(linked_host, version, rows_file):
     """Of different methods, each with the bits of its run alone."""
-    assert answer_of(linked_host(version), "threads", 8, rows_file()) == {"equal": 8, "variants": 8,
-                                                                            "wrong": 0}
+    assert answer_of(linked_host(version), "threads", 8, rows_file()) == {
+        "equal": 8,
+        "variants": 8,
+        "wrong": 0,
+    }
 
 
 @pytest.mark.full
@@ -79,8 +85,11 @@ def test_eight_instances_in_eight_threads(linked_host, version, rows_file):
 @pytest.mark.turns(2)
 def test_threads_share_nothing(host, version, rows_file):
     """On the last swing over a flange: what threads share they share there, too."""
-    assert answer_of(host(version, *RACES), "threads", 8, rows_file(24)) == {"equal": 8, "variants": 8,
-                                                                             "wrong": 0}
+    assert answer_of(host(version, *RACES), "threads", 8, rows_file(24)) == {
+        "equal": 8,
+        "variants": 8,
+        "wrong": 0,
+    }
 
 
 @needs_glibc
@@ -90,6 +99,7 @@ def test_threads_share_nothing(host, version, rows_file):
 def test_valgrind_finds_nothing(host, version):
     """In the program as it is packed, without a sanitizer's help."""
     command = ["valgrind", "-q", "--error-exitcode=9", "--leak-check=full", "--trace-children=yes"]
-    done = subprocess.run([*command, str(host(version)), "fuzz", "3", "3000"], text=True, capture_output=True,
-                          timeout=900)
+    done = subprocess.run(
+        [*command, str(host(version)), "fuzz", "3", "3000"], text=True, capture_output=True, timeout=900
+    )
     assert done.returncode == 0, done.stderr[-3000:]

@@ -26,8 +26,12 @@ def test_archive_needs_no_python(fmus, version):
     with zipfile.ZipFile(fmus[version]) as archive:
         names = archive.namelist()
     assert not [name for name in names if name.startswith("resources/") or name.endswith((".py", ".pyc"))]
-    assert {"modelDescription.xml", "documentation/index.html", "documentation/licenses/fmi.txt",
-            "terminalsAndIcons/terminalsAndIcons.xml"} <= set(names)
+    assert {
+        "modelDescription.xml",
+        "documentation/index.html",
+        "documentation/licenses/fmi.txt",
+        "terminalsAndIcons/terminalsAndIcons.xml",
+    } <= set(names)
     place = PLATFORMS[host_platform()]
     assert f"binaries/{place.fmi2 if version == 2 else place.name}/WheelsetContact{place.suffix}" in names
 
@@ -35,14 +39,21 @@ def test_archive_needs_no_python(fmus, version):
 def test_fmi3_variables_are_those_of_the_table(fmus):
     described = read_model_description(str(fmus[3])).modelVariables
     assert [(v.name, v.valueReference) for v in described] == [
-        (block.name, block.reference) for block in variable_blocks()]
+        (block.name, block.reference) for block in variable_blocks()
+    ]
     assert described[0].name == "time" and described[0].causality == "independent"
     with zipfile.ZipFile(fmus[3]) as archive:
         page = ElementTree.fromstring(archive.read("modelDescription.xml"))
     stations = page.find("ModelVariables/UInt64").attrib
     assert stations.pop("description") and stations == {
-        "name": "stations", "valueReference": "2", "causality": "structuralParameter", "variability": "fixed",
-        "start": "31", "min": "3", "max": "201"}
+        "name": "stations",
+        "valueReference": "2",
+        "causality": "structuralParameter",
+        "variability": "fixed",
+        "start": "31",
+        "min": "3",
+        "max": "201",
+    }
     seen = []
     for v in described[2:]:
         assert [d.valueReference for d in v.dimensions] in ([], [2])
@@ -53,7 +64,10 @@ def test_fmi3_variables_are_those_of_the_table(fmus):
         found = by_name.get(variable.name)
         if found is not None:
             assert (found.causality, found.variability, found.description) == (
-                variable.causality, variable.variability, variable.description)
+                variable.causality,
+                variable.variability,
+                variable.description,
+            )
             assert found.unit == (variable.unit or None)
             if variable.start is not None:
                 wanted = variable.start if variable.type == STRING else repr(variable.start)

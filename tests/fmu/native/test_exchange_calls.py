@@ -37,9 +37,11 @@ def test_functions_of_model_exchange_in_every_mode(raw):
             assert all(10 < len(line[2]) < 300 for line in lines)
     said = {name: answers[name][1][0][2] for name in answers if answers[name][0]}
     assert said["time nan, event"] == "the time is nan s; permitted are finite times"
-    parts = {"free_rolling, continuous": "can be changed only in event mode, not in continuous-time mode",
-             "step, continuous": "permitted in co-simulation only; this instance is for model exchange",
-             "GetContinuousStates of one, event": "asks for 1 continuous states; this model has none"}
+    parts = {
+        "free_rolling, continuous": "can be changed only in event mode, not in continuous-time mode",
+        "step, continuous": "permitted in co-simulation only; this instance is for model exchange",
+        "GetContinuousStates of one, event": "asks for 1 continuous states; this model has none",
+    }
     assert all(said[name].endswith(part) for name, part in parts.items())
     assert said["completed step, event"].endswith("only in continuous-time mode")
 

@@ -13,7 +13,9 @@ from wrcontact import ContactSystem
 def test_the_example_of_the_page_steps_the_fmu(fmus, tmp_path, monkeypatch):
     """Run as it stands, beside the FMU; its values are those of Python, from the tread to the flange root."""
     page = (ROOT / "docs" / "guides" / "fmu.md").read_text(encoding="utf-8")
-    code, = (block for block in re.findall(r"```python\n(.*?)```", page, re.DOTALL) if "fmi2GetReal" in block)
+    (code,) = (
+        block for block in re.findall(r"```python\n(.*?)```", page, re.DOTALL) if "fmi2GetReal" in block
+    )
     (tmp_path / fmus[2].name).write_bytes(fmus[2].read_bytes())
     monkeypatch.chdir(tmp_path)
     seen = {}

@@ -16,8 +16,11 @@ MASS, INERTIA, LOAD, STEP = (EXAMPLE[name] for name in ("MASS", "INERTIA", "LOAD
 SIDES = ("left", "right")
 PATCH = ("x_track", "y_track", "z_track", "force.x", "force.y", "force.z")
 WHEEL = ("force.x", "force.y", "force.z", "moment.x", "moment.y", "moment.z")
-NAMES = [*WHEEL, *(f"{side}.{name}" for side in SIDES for name in WHEEL),
-         *(f"{side}.patch[{k}].{name}" for side in SIDES for k in (1, 2, 3) for name in PATCH)]
+NAMES = [
+    *WHEEL,
+    *(f"{side}.{name}" for side in SIDES for name in WHEEL),
+    *(f"{side}.patch[{k}].{name}" for side in SIDES for k in (1, 2, 3) for name in PATCH),
+]
 RADIUS = 0.46
 
 
@@ -25,8 +28,10 @@ RADIUS = 0.46
 def archive(tmp_path_factory, compiled):
     """The native FMU with a left wheel that is little and a right one that is much worn."""
     folder = tmp_path_factory.mktemp("worn")
-    left, right = (EXAMPLE["worn_wheel"](folder / f"{side}.csv", depth, seed)
-                   for side, depth, seed in (("left", 0.2e-3, 1), ("right", 0.6e-3, 2)))
+    left, right = (
+        EXAMPLE["worn_wheel"](folder / f"{side}.csv", depth, seed)
+        for side, depth, seed in (("left", 0.2e-3, 1), ("right", 0.6e-3, 2))
+    )
     with pytest.warns(match="noise"):
         return native.build_native_fmus(folder / "out", wheel=(left, right), cache=compiled)[0]
 
@@ -73,7 +78,7 @@ def test_forces_balance_weight_and_inertia(ride):
     force = sum(force for _, force in patches(of))[1:-1]
     guide = EXAMPLE["GUIDE"] * place[1:-1, 0] + EXAMPLE["DAMPER"] * velocity[1:-1, 0]
     # the rounding of places of 1 mm in their second differences: 1e-11 m/s2
-    np.testing.assert_allclose(MASS * acceleration[:, 1], force[:, 2] + LOAD, rtol=0, atol=1e-6)       # [N]
+    np.testing.assert_allclose(MASS * acceleration[:, 1], force[:, 2] + LOAD, rtol=0, atol=1e-6)  # [N]
     np.testing.assert_allclose(MASS * acceleration[:, 0], force[:, 1] - guide, rtol=0, atol=1e-6)
     np.testing.assert_allclose(INERTIA * acceleration[:, 2], of("moment.x")[1:-1], rtol=0, atol=1e-6)  # [N m]
     # it does move: the forces are not those at rest
@@ -94,11 +99,12 @@ def test_work_of_the_patches_is_the_energy_gained(ride):
     energy = 0.5 * velocity**2 @ [MASS, MASS, INERTIA]
     still = np.zeros(len(place))
     centre = np.stack([still, place[:, 0], place[:, 1] - RADIUS], axis=1)
-    middle = 0.5 * (velocity[1:] + velocity[:-1])        # forces act from one step to the next
+    middle = 0.5 * (velocity[1:] + velocity[:-1])  # forces act from one step to the next
     turning = np.stack([middle[:, 2], still[1:], still[1:]], axis=1)
     drift = np.stack([still[1:], middle[:, 0], middle[:, 1]], axis=1)
-    power = LOAD * middle[:, 1] - middle[:, 0] * (EXAMPLE["GUIDE"] * place[:-1, 0]
-                                                  + EXAMPLE["DAMPER"] * velocity[:-1, 0])
+    power = LOAD * middle[:, 1] - middle[:, 0] * (
+        EXAMPLE["GUIDE"] * place[:-1, 0] + EXAMPLE["DAMPER"] * velocity[:-1, 0]
+    )
     exchanged = np.abs(power)
     for point, force in patches(of):
         done = np.sum(force[:-1] * (drift + np.cross(turning, (point - centre)[:-1])), axis=1)
@@ -107,7 +113,7 @@ def test_work_of_the_patches_is_the_energy_gained(ride):
     # the rounding of sums of what is exchanged
     near = 1e-11 * np.sum(exchanged) * STEP
     np.testing.assert_allclose(gained, (energy - energy[0])[1:], rtol=0, atol=near)
-    assert np.ptp(energy) > 0.1                                                                        # [J]
+    assert np.ptp(energy) > 0.1  # [J]
 
 
 def test_long_waves_are_followed(ride):

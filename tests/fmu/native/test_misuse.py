@@ -1,7 +1,5 @@
 """Wrong calls of the native FMUs, one after the other: each is refused in a sentence and changes nothing."""
 
-
-
 from tests.helpers.cases import REAL_INPUT_NAMES
 from tests.helpers.fmus import needs_compiler
 
@@ -17,15 +15,24 @@ def assert_refused(answers):
         assert lines[0][1] == "logStatusError" and 10 < len(lines[0][2]) < 300, f"{name}: {lines}"
 
 
-NAMED = {"Integer as Real": "status", "String as Real": "load", "output": "roll", "half a list": "roll",
-         "unknown reference": "4711", "fixed Real": "gauge is fixed at 1.435",
-         "fixed String": "load is fixed at 'normal'",
-         "fixed Boolean": "independent_wheels is fixed at False after initialisation and cannot become True",
-         "step of nan": "nan s", "step of -1 s": "-1.0 s",
-         "long String": "load has 5000 bytes", "String without letters": "load is a NULL pointer",
-         "too few values": "30 values; these variables have 31",
-         "state: freed": "saved state is not one of this instance", "state: cut at 64": "holds 64 bytes",
-         "state: damaged at 16": "comes from another FMU"}
+NAMED = {
+    "Integer as Real": "status",
+    "String as Real": "load",
+    "output": "roll",
+    "half a list": "roll",
+    "unknown reference": "4711",
+    "fixed Real": "gauge is fixed at 1.435",
+    "fixed String": "load is fixed at 'normal'",
+    "fixed Boolean": "independent_wheels is fixed at False after initialisation and cannot become True",
+    "step of nan": "nan s",
+    "step of -1 s": "-1.0 s",
+    "long String": "load has 5000 bytes",
+    "String without letters": "load is a NULL pointer",
+    "too few values": "30 values; these variables have 31",
+    "state: freed": "saved state is not one of this instance",
+    "state: cut at 64": "holds 64 bytes",
+    "state: damaged at 16": "comes from another FMU",
+}
 
 
 def test_every_misuse_is_refused_in_a_sentence_and_changes_nothing(raw):
@@ -41,18 +48,42 @@ def test_every_misuse_is_refused_in_a_sentence_and_changes_nothing(raw):
     assert seen["bad_input"]["good_inputs_after"] and seen["bad_input"]["after_a_reset"]
 
 
-UNIT_OF_INPUT = {"lateral_shift": " m", "yaw": " rad", "roll_guess": " rad", "normal_force": " N",
-                 "load_transfer": "", "vertical_shift_input": " m", "roll_input": " rad", "speed": " m/s",
-                 "lateral_velocity": " m/s", "vertical_velocity": " m/s", "yaw_rate": " rad/s",
-                 "roll_rate": " rad/s", "wheel_rate": " rad/s", "track_curvature": " 1/m",
-                 "left.friction": "", "right.friction": "",
-                 "left.wheel_rate": " rad/s", "right.wheel_rate": " rad/s", "rail_time_step": " s",
-                 **{f"{side}.rail_deflection_{part}_before": " m" for side in ("left", "right")
-                    for part in ("lateral", "vertical")},
-                 **{f"{side}.rail_{part}_velocity": unit for side in ("left", "right")
-                    for part, unit in (("lateral", " m/s"), ("vertical", " m/s"), ("roll", " rad/s"))},
-                 **{f"{side}.rail_{part}": unit for side in ("left", "right")
-                    for part, unit in (("lateral", " m"), ("vertical", " m"), ("roll", " rad"))}}
+UNIT_OF_INPUT = {
+    "lateral_shift": " m",
+    "yaw": " rad",
+    "roll_guess": " rad",
+    "normal_force": " N",
+    "load_transfer": "",
+    "vertical_shift_input": " m",
+    "roll_input": " rad",
+    "speed": " m/s",
+    "lateral_velocity": " m/s",
+    "vertical_velocity": " m/s",
+    "yaw_rate": " rad/s",
+    "roll_rate": " rad/s",
+    "wheel_rate": " rad/s",
+    "track_curvature": " 1/m",
+    "left.friction": "",
+    "right.friction": "",
+    "left.wheel_rate": " rad/s",
+    "right.wheel_rate": " rad/s",
+    "rail_time_step": " s",
+    **{
+        f"{side}.rail_deflection_{part}_before": " m"
+        for side in ("left", "right")
+        for part in ("lateral", "vertical")
+    },
+    **{
+        f"{side}.rail_{part}_velocity": unit
+        for side in ("left", "right")
+        for part, unit in (("lateral", " m/s"), ("vertical", " m/s"), ("roll", " rad/s"))
+    },
+    **{
+        f"{side}.rail_{part}": unit
+        for side in ("left", "right")
+        for part, unit in (("lateral", " m"), ("vertical", " m"), ("roll", " rad"))
+    },
+}
 
 
 def test_numbers_that_are_none_in_every_input(raw):
@@ -60,10 +91,12 @@ def test_numbers_that_are_none_in_every_input(raw):
     assert len(seen["every_input"]) == 3 * len(REAL_INPUT_NAMES)
     for name, answer in seen["every_input"].items():
         variable, value = name.split()
-        assert (answer["calls"] == [0, 0] and answer["status"] == 4 and answer["kept"]
-                and answer["again"]), name
+        assert answer["calls"] == [0, 0] and answer["status"] == 4 and answer["kept"] and answer["again"], (
+            name
+        )
         assert [line[2].split(";")[0] for line in answer["lines"]] == [
-            f"{variable} is {value}{UNIT_OF_INPUT[variable]}"], answer["lines"]
+            f"{variable} is {value}{UNIT_OF_INPUT[variable]}"
+        ], answer["lines"]
 
 
 def test_null_pointers(raw):
@@ -72,7 +105,7 @@ def test_null_pointers(raw):
     version, seen = raw
     answers = seen["null_pointers"]["answers"]
     state = "FMUstate" if version == 2 else "FMUState"
-    assert answers.pop(f"Free{state}, 1") == [0, []]     # the standards have it ignored
+    assert answers.pop(f"Free{state}, 1") == [0, []]  # the standards have it ignored
     without = {name: answers.pop(name) for name in list(answers) if name.endswith("no component")}
     assert [name for name, answer in without.items() if answer != [ERROR, []]] == []
     assert_refused(answers)
@@ -85,12 +118,28 @@ def test_functions_of_other_kinds_of_fmu_are_refused(raw):
     version, seen = raw
     refused = seen["null_pointers"]["refused"]
     assert_refused(refused)
-    some = ("SetRealInputDerivatives", "GetRealOutputDerivatives", "CancelStep", "GetStatus", "SetTime",
+    some = (
+        (
+            "SetRealInputDerivatives",
+            "GetRealOutputDerivatives",
+            "CancelStep",
+            "GetStatus",
+            "SetTime",
             "EnterEventMode",
-            "GetDerivatives") if version == 2 else ("EnterStepMode", "GetBinary", "SetClock",
-                                                    "GetOutputDerivatives", "SetTime",
-                                                    "EvaluateDiscreteStates", "GetContinuousStates",
-                                                    "GetInt64")
+            "GetDerivatives",
+        )
+        if version == 2
+        else (
+            "EnterStepMode",
+            "GetBinary",
+            "SetClock",
+            "GetOutputDerivatives",
+            "SetTime",
+            "EvaluateDiscreteStates",
+            "GetContinuousStates",
+            "GetInt64",
+        )
+    )
     assert set(some) <= set(refused) and len(refused) >= (16 if version == 2 else 45)
 
 
@@ -115,7 +164,7 @@ def test_instances_that_cannot_be_made_and_odd_ones_that_can(raw):
     for name, (made, lines) in seen["creation"]["refused"].items():
         assert made is None and len(lines) == 1 and len(lines[0][2]) > 20, f"{name}: {lines}"
     for name, (works, lines) in seen["creation"]["made"].items():
-        assert works and len(lines) == 1, name      # with debug logging off too
+        assert works and len(lines) == 1, name  # with debug logging off too
     if version == 2:
         assert seen["creation"]["made"]["other letters"][1][0][0] == "Radsatz ä 轮对 %s"
     assert seen["creation"]["without_log"] == (version == 3)
@@ -127,6 +176,12 @@ def test_log_categories(raw):
     found = seen["categories"]
     assert found.pop("first") == [warning, error]
     assert {name: answer[2] for name, answer in found.items()} == {
-        "all off": [error], "errors off": [], "warnings on": [warning], "unknown": [warning],
-        "errors on, too": [warning, error], "warnings off": [error], "all on": [warning, error]}
+        "all off": [error],
+        "errors off": [],
+        "warnings on": [warning],
+        "unknown": [warning],
+        "errors on, too": [warning, error],
+        "warnings off": [error],
+        "all on": [warning, error],
+    }
     assert {name for name, answer in found.items() if answer[0]} == {"unknown"}

@@ -10,8 +10,11 @@ pytestmark = [needs_compiler, pytest.mark.parametrize("version", (2, 3))]
 
 WARNING, ERROR = 1, 3
 NAMES = ["status", "roll", "force.y", "right.area", "left.patch[1].length"]
-MODELS = {"rigid": {}, "elastic": {"contact_mode": "elastic", "tangential_model": "polach"},
-          "compliant": {"contact_mode": "compliant", "tangential_model": "strips", "contact_damping": 0.5}}
+MODELS = {
+    "rigid": {},
+    "elastic": {"contact_mode": "elastic", "tangential_model": "polach"},
+    "compliant": {"contact_mode": "compliant", "tangential_model": "strips", "contact_damping": 0.5},
+}
 
 
 @pytest.mark.parametrize("model", MODELS)
@@ -24,22 +27,26 @@ def test_outputs_follow_inputs_without_a_step(hosts, version, model):
     assert seen["continuous"] == wanted
     assert len({str(one) for one in wanted}) == 12
     for found, other in zip(seen["event"], wanted):
-        assert_same(found, other, WARM_START)       # another start of the search
+        assert_same(found, other, WARM_START)  # another start of the search
     steps = host.ask("trajectory", rows=rows, names=OUTPUT_NAMES, start=start, exchange=True)
     assert steps["seen"] == wanted
 
 
 def test_derivatives_are_those_of_co_simulation(hosts, version):
-    given = {"rows": moving_track(3, True), "start": MODELS["compliant"] | LEFT_SIDE,
-             "outputs": ["force.y", "moment.z", "left.area"],
-             "inputs": ["lateral_shift", "yaw", "yaw_rate", "speed"]}
+    given = {
+        "rows": moving_track(3, True),
+        "start": MODELS["compliant"] | LEFT_SIDE,
+        "outputs": ["force.y", "moment.z", "left.area"],
+        "inputs": ["lateral_shift", "yaw", "yaw_rate", "speed"],
+    }
     if version == 3:
         given = given | {"stations": 61, "outputs": [*given["outputs"], "right.pressure"]}
-    found, wanted = (hosts(version).ask("derivatives", exchange=exchange, **given)
-                     for exchange in (True, False))
+    found, wanted = (
+        hosts(version).ask("derivatives", exchange=exchange, **given) for exchange in (True, False)
+    )
     assert found["seen"] == wanted["seen"] and any(map(any, found["seen"][0]["matrix"]))
     assert all(one["kept"] for one in found["seen"]) and found["after"]
-    if version == 3:        # the adjoint of all outputs is the sum of each column
+    if version == 3:  # the adjoint of all outputs is the sum of each column
         for one in found["seen"]:
             assert one["adjoint"] == pytest.approx([sum(column) for column in one["matrix"]], rel=1e-12)
 
@@ -49,11 +56,23 @@ def test_invalid_points_hold_to_the_accepted_one(hosts, version, invalid, status
     """And not to one that the solver has tried; also after the state was saved and set elsewhere.  Only
     completed steps are told."""
     accepted, tried = poses(3)[1:]
-    seen = hosts(version).ask("tries", accepted=accepted, tried=tried,
-                              invalid={"lateral_shift": invalid}, names=OUTPUT_NAMES, exchange=True)
+    seen = hosts(version).ask(
+        "tries",
+        accepted=accepted,
+        tried=tried,
+        invalid={"lateral_shift": invalid},
+        names=OUTPUT_NAMES,
+        exchange=True,
+    )
     codes = {name: row.pop("status") for name, row in seen.items() if isinstance(row, dict)}
-    assert codes == {"accepted": 0, "tried": 0, "invalid": status, "elsewhere": status,
-                     "still invalid elsewhere": status, "again": 0}
+    assert codes == {
+        "accepted": 0,
+        "tried": 0,
+        "invalid": status,
+        "elsewhere": status,
+        "still invalid elsewhere": status,
+        "again": 0,
+    }
     assert abs(seen["tried"]["right.area"] - seen["accepted"]["right.area"]) > 1e-6
     for name in ("invalid", "elsewhere", "still invalid elsewhere"):
         assert_same(seen[name], seen["accepted"], WARM_START)
@@ -87,4 +106,4 @@ def test_simulated_by_fmpy(hosts, version, solver):
     assert found["times"] == pytest.approx(times)
     steps = host.ask("trajectory", rows=rows, names=NAMES)["seen"]
     for one, wanted in zip(found["seen"], steps, strict=True):
-        assert_same(one, wanted, 1e-6)      # a time that was added up moves the inputs
+        assert_same(one, wanted, 1e-6)  # a time that was added up moves the inputs

@@ -36,18 +36,23 @@ def compiled(command, folder):
 
 def test_the_command_compiles_the_sources(fmus, tmp_path):
     """All files are there, and no mathematical library is needed. Less optimised, which saves a minute."""
-    command, = re.findall(r"^cc .*$", PAGE, re.MULTILINE)
+    (command,) = re.findall(r"^cc .*$", PAGE, re.MULTILINE)
     with zipfile.ZipFile(fmus[2]) as archive:
         archive.extractall(tmp_path)
     compiled(command.replace("-O3", "-O1"), tmp_path / "sources")
-    symbols = subprocess.run(["nm", "-D", "WheelsetContact.so"], cwd=tmp_path / "sources", text=True,
-                             capture_output=True, check=True).stdout
+    symbols = subprocess.run(
+        ["nm", "-D", "WheelsetContact.so"],
+        cwd=tmp_path / "sources",
+        text=True,
+        capture_output=True,
+        check=True,
+    ).stdout
     assert " T fmi2DoStep" in symbols and not re.search(r" U (sin|cos|exp|log|pow|sqrt)\b", symbols)
 
 
 def test_the_lines_of_the_page_set_the_number_of_stations(fmus, tmp_path):
     """Pressures of 61 stations, as Python has them."""
-    lines, = re.findall(r"```c\n(.*?)```", PAGE, re.DOTALL)
+    (lines,) = re.findall(r"```c\n(.*?)```", PAGE, re.DOTALL)
     with zipfile.ZipFile(fmus[3]) as archive:
         token = re.search(r'instantiationToken="(.*?)"', archive.read("modelDescription.xml").decode())[1]
     library = unpacked_library(fmus[3], 3, tmp_path)

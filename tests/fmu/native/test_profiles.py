@@ -21,10 +21,12 @@ def test_own_profiles_are_packed_and_can_be_switched(packed, tmp_path):
         host = Host(fmus[version], tmp_path / f"host {version}")
         described = {v.name: v for v in read_model_description(str(fmus[version])).modelVariables}
         assert (described["wheel_profile"].start, described["rail_profile"].start) == (wheel.name, rail.name)
-        pairs = ({"wheel_profile": "s1002", "rail_profile": "54e1"},     # the case has no effect
-                 {"wheel_profile": wheel.name, "rail_profile": "UIC60"},
-                 {"wheel_profile": "S1002", "rail_profile": rail.name})
-        for pair in ({}, *pairs[3 - version:]):
+        pairs = (
+            {"wheel_profile": "s1002", "rail_profile": "54e1"},  # the case has no effect
+            {"wheel_profile": wheel.name, "rail_profile": "UIC60"},
+            {"wheel_profile": "S1002", "rail_profile": rail.name},
+        )
+        for pair in ({}, *pairs[3 - version :]):
             start = {**pair, "normal_model": "hertz"}
             seen = host.ask("trajectory", rows=rows, names=OUTPUT_NAMES, start=start)["seen"]
             made = Session(resources=str(wheel.parent), tell=lambda sentence: None)
@@ -38,19 +40,25 @@ def test_own_profiles_are_packed_and_can_be_switched(packed, tmp_path):
 
 def test_names_of_packed_profiles_are_told(packed, tmp_path):
     fmus, wheel, rail = packed
-    answer = run_scenario("refusals", fmus[2], tmp_path / "unpacked", {"cases": {
-        "unknown": {"wheel_profile": "S1003"}, "of the other kind": {"wheel_profile": rail.name}}})
+    answer = run_scenario(
+        "refusals",
+        fmus[2],
+        tmp_path / "unpacked",
+        {"cases": {"unknown": {"wheel_profile": "S1003"}, "of the other kind": {"wheel_profile": rail.name}}},
+    )
     for name, part in (("unknown", wheel.name), ("of the other kind", "a profile of the other kind")):
         assert answer[name]["refused"] and part in answer[name]["log"][0][-1]
         assert answer[name]["after"]["status"] == 0
 
 
 def test_two_profiles_of_one_name_are_refused(tmp_path):
-    wheel, rail = measured("S1002", tmp_path / "a" / "profile.txt"), measured("UIC60",
-                                                                              tmp_path / "b" / "profile.txt")
-    with pytest.raises(ValueError,
-                       match="wheel and rail profile have the same file name, profile.txt; rename one of "
-                       "them"):
+    wheel, rail = (
+        measured("S1002", tmp_path / "a" / "profile.txt"),
+        measured("UIC60", tmp_path / "b" / "profile.txt"),
+    )
+    with pytest.raises(
+        ValueError, match="wheel and rail profile have the same file name, profile.txt; rename one of them"
+    ):
         native.build_native_fmus(tmp_path / "out", wheel=wheel, rail=rail)
     with pytest.raises(ValueError, match="missing.txt"):
         native.build_native_fmus(tmp_path / "out", wheel=str(tmp_path / "missing.txt"))

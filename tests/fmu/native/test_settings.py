@@ -10,9 +10,17 @@ from wrcontact.cli import main
 from wrcontact.fmu.archive import chosen_starts
 from wrcontact.fmu.description import number_text
 
-SETTINGS = {"contact_mode": "compliant", "tangential_model": "polach", "contact_damping": 0.7, "gauge": 1.433,
-            "left_nominal_radius": 0.459, "left_rail_inclination": 0.0,
-            "independent_wheels": True, "fatigue_outputs": True, "yield_shear": 280e6}
+SETTINGS = {
+    "contact_mode": "compliant",
+    "tangential_model": "polach",
+    "contact_damping": 0.7,
+    "gauge": 1.433,
+    "left_nominal_radius": 0.459,
+    "left_rail_inclination": 0.0,
+    "independent_wheels": True,
+    "fatigue_outputs": True,
+    "yield_shear": 280e6,
+}
 
 
 @needs_compiler
@@ -24,7 +32,8 @@ def test_set_parameters_are_the_start_values_and_the_model(kept, tmp_path, kind)
     file = files[0 if kind == "python" else kind - 2]
     described = {v.name: v.start for v in read_model_description(str(file)).modelVariables}
     assert {name: described[name] for name in SETTINGS} == {
-        name: number_text(value) for name, value in SETTINGS.items()}
+        name: number_text(value) for name, value in SETTINGS.items()
+    }
     assert (described["gauge_depth"], described["wheel_profile"]) == ("0.014", "S1002")
     host, rows = Host(file, tmp_path / "host"), moving_track(4, compliant=True)
     seen = host.ask("trajectory", rows=rows, names=OUTPUT_NAMES)["seen"]
@@ -49,7 +58,7 @@ REFUSED = {
     "independent_wheels=1": "independent_wheels is '1'; permitted is true or false",
     "left_nominal_radius=0.01": "left_nominal_radius is 0.01; permitted is 0.1 ... 1 m",
     "wheel_profile=cone20": "wheel_profile is chosen by its own argument wheel, which takes built-in names "
-                            "too",
+    "too",
     "gauge": "'gauge' has no =; permitted is NAME=VALUE",
     "lateral_shift=1": "lateral_shift is not a parameter of the FMU",
 }
@@ -59,7 +68,7 @@ REFUSED = {
 def test_a_wrong_setting_is_refused_in_one_sentence(tmp_path, word):
     done = CliRunner().invoke(main, ["build", "--set", word, "--output", str(tmp_path / "out")])
     assert done.exit_code == 2 and not (tmp_path / "out").exists()
-    line, = done.stderr.splitlines()
+    (line,) = done.stderr.splitlines()
     assert line.startswith(f"wrcontact: --set: {REFUSED[word]}"), line
 
 

@@ -17,29 +17,54 @@ from wrcontact.fmu.native import build_native_fmus
 from wrcontact.interface.one_wheel import wheel_inputs
 
 SETTINGS = {"tangential_model": "strips", "contact_damping": 0.4, "gauge": 1.434}
-NUMBERS = ("patch_count", "contact_angle", "normal_force", "area", "driving_torque", "friction_power",
-           *(f"{name}.{axis}" for name in ("force", "moment", "normal.force") for axis in "xyz"),
-           "patch[1].tangential.x", "patch[1].creepage.spin", "pressure[16]", "shear[16]")
+NUMBERS = (
+    "patch_count",
+    "contact_angle",
+    "normal_force",
+    "area",
+    "driving_torque",
+    "friction_power",
+    *(f"{name}.{axis}" for name in ("force", "moment", "normal.force") for axis in "xyz"),
+    "patch[1].tangential.x",
+    "patch[1].creepage.spin",
+    "pressure[16]",
+    "shear[16]",
+)
 
 
 def rows(count, seed):
     """Inputs of a loaded wheel."""
     draw = random.Random(seed)
-    sizes = {"lateral_shift": 3e-3, "yaw": 0.02, "roll_input": 1e-4, "rail_lateral": 1e-3,
-             "rail_vertical": 2e-5, "rail_roll": 2e-3,
-             "rail_lateral_velocity": 0.05, "lateral_velocity": 0.1, "yaw_rate": 0.1}
-    return [{name: draw.uniform(-size, size) for name, size in sizes.items()}
-            | {"vertical_shift_input": draw.uniform(2.5e-4, 4e-4), "speed": 20.0,
-               "wheel_rate": draw.uniform(43.0, 44.0), "friction": draw.uniform(0.1, 0.5)}
-            for _ in range(count)]
+    sizes = {
+        "lateral_shift": 3e-3,
+        "yaw": 0.02,
+        "roll_input": 1e-4,
+        "rail_lateral": 1e-3,
+        "rail_vertical": 2e-5,
+        "rail_roll": 2e-3,
+        "rail_lateral_velocity": 0.05,
+        "lateral_velocity": 0.1,
+        "yaw_rate": 0.1,
+    }
+    return [
+        {name: draw.uniform(-size, size) for name, size in sizes.items()}
+        | {
+            "vertical_shift_input": draw.uniform(2.5e-4, 4e-4),
+            "speed": 20.0,
+            "wheel_rate": draw.uniform(43.0, 44.0),
+            "friction": draw.uniform(0.1, 0.5),
+        }
+        for _ in range(count)
+    ]
 
 
 @pytest.fixture(scope="module", params=("right", "left"))
 def wheels(request, kept, tmp_path_factory):
     """A side, the FMUs of its wheel by version, and their hosts."""
     files = dict(zip((2, 3), kept("native", settings=SETTINGS, side=request.param)))
-    made = {version: Host(file, tmp_path_factory.mktemp(f"wheel_{version}"))
-            for version, file in files.items()}
+    made = {
+        version: Host(file, tmp_path_factory.mktemp(f"wheel_{version}")) for version, file in files.items()
+    }
     yield request.param, files, made
     for host in made.values():
         host.end()
@@ -54,7 +79,7 @@ def test_values_and_derivatives_are_those_of_one_wheel(wheels, version):
     seen = made[version].ask("trajectory", rows=given, names=["status", *NUMBERS])
     exchanged = made[version].ask("points", rows=given, names=["status", *NUMBERS], exchange=True)
     assert exchanged["continuous"] == seen["seen"]
-    told, = seen["log"]         # at the start, where the wheel is not pressed on its rail
+    (told,) = seen["log"]  # at the start, where the wheel is not pressed on its rail
     assert "so a wheel is lifted and carries no load" in told[2]
     for row, found in zip(given, seen["seen"], strict=True):
         state = wheel.evaluate(**row)
@@ -77,14 +102,20 @@ def test_variables_are_those_of_one_side(wheels, version, fmus):
     inputs = [name for name, v in found.items() if v.causality == "input"]
     assert inputs == list(wheel_inputs(side))
     outputs = [name for name, v in found.items() if v.causality == "output"]
-    assert set(outputs) == {name.removeprefix(f"{side}.") for name, v in whole.items()
-                            if v.causality == "output" and name.startswith(f"{side}.")} | {"status"}
+    assert set(outputs) == {
+        name.removeprefix(f"{side}.")
+        for name, v in whole.items()
+        if v.causality == "output" and name.startswith(f"{side}.")
+    } | {"status"}
     for name, variable in found.items():
         other = whole.get(f"{side}.{name}", whole.get(name))
         if name == "wheel_rate":
             other = whole[name]
         assert (variable.valueReference, variable.type, variable.unit) == (
-            other.valueReference, other.type, other.unit), name
+            other.valueReference,
+            other.type,
+            other.unit,
+        ), name
     parameters = {name for name, v in found.items() if v.causality == "parameter"}
     assert {"wheel_profile", "gauge", "contact_damping"} < parameters
     assert not {"contact_mode", "load", "independent_wheels", "left_nominal_radius"} & parameters
@@ -103,20 +134,33 @@ def test_archives_are_valid(wheels, version):
 @needs_compiler
 def test_sentences_have_the_wheel_s_names(wheels):
     _, _, made = wheels
-    cases = {"friction": {"friction": 3.0}, "rail_lateral": {"rail_lateral": math.nan},
-             "wheel_rate": {"wheel_rate": 3000.0}}
+    cases = {
+        "friction": {"friction": 3.0},
+        "rail_lateral": {"rail_lateral": math.nan},
+        "wheel_rate": {"wheel_rate": 3000.0},
+    }
     for host in made.values():
         for name, row in cases.items():
             seen = host.ask("trajectory", rows=[row], names=["status"])
-            _, line = (told[2] for told in seen["log"])     # the first is that of the start
+            _, line = (told[2] for told in seen["log"])  # the first is that of the start
             assert seen["seen"][0]["status"] == 4 and line.startswith(f"{name} is "), line
 
 
 @pytest.mark.check
-@pytest.mark.parametrize("words, said", [
-    (["--single-wheel"], "--single-wheel is given; it is permitted only with --native"),
-    (["--native", "--single-wheel", "--set", "contact_mode=rigid"], "mode is 'rigid'; permitted with one"),
-    (["--native", "--single-wheel", "--set", "load=vertical"], "load is given; permitted with one wheel is")])
+@pytest.mark.parametrize(
+    "words, said",
+    [
+        (["--single-wheel"], "--single-wheel is given; it is permitted only with --native"),
+        (
+            ["--native", "--single-wheel", "--set", "contact_mode=rigid"],
+            "mode is 'rigid'; permitted with one",
+        ),
+        (
+            ["--native", "--single-wheel", "--set", "load=vertical"],
+            "load is given; permitted with one wheel is",
+        ),
+    ],
+)
 def test_what_has_no_meaning_is_refused(tmp_path, words, said):
     done = CliRunner().invoke(main, ["build", *words, "--output", str(tmp_path / "out")])
     assert done.exit_code == 2 and said in done.stderr and not list(tmp_path.glob("out/*"))

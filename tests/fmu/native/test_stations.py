@@ -15,8 +15,9 @@ pytestmark = needs_compiler
 STATIONS = (3, 7, 31, 61, 201)
 
 
-@pytest.mark.parametrize("start", [{}, {"wear_outputs": True, "tangential_model": "strips"}],
-                         ids=["plain", "wear"])
+@pytest.mark.parametrize(
+    "start", [{}, {"wear_outputs": True, "tangential_model": "strips"}], ids=["plain", "wear"]
+)
 def test_outlines_with_other_numbers_of_stations(run3, start):
     """Instances with different numbers in one process, in turn: each with the values of the
     package, and as by itself."""
@@ -25,14 +26,15 @@ def test_outlines_with_other_numbers_of_stations(run3, start):
     assert answer["seen"] == answer["alone"]
     for number, seen in zip(STATIONS, answer["seen"]):
         stepper = ContactSystem(stations=number, **start).stepper()
-        stepper.inputs[:] = [v.start for v in VARIABLES[:len(INPUT_NAMES)]]
+        stepper.inputs[:] = [v.start for v in VARIABLES[: len(INPUT_NAMES)]]
         for row, found in zip(rows, seen):
             stepper.inputs[[REFERENCE[name] for name in row]] = list(row.values())
             status = stepper.step()
-            wanted = {v.name: value
-                      for v, value in zip(VARIABLES[variables.FIRST_OUTPUT:variables.FIRST_WEAR],
-                                          stepper.outputs)
-                      if not v.name.endswith("]")}
+            wanted = {
+                v.name: value
+                for v, value in zip(VARIABLES[variables.FIRST_OUTPUT : variables.FIRST_WEAR], stepper.outputs)
+                if not v.name.endswith("]")
+            }
             for name, values in outline_of_both(stepper.outputs).items():
                 wanted |= {f"{name}[{k + 1}]": value for k, value in enumerate(values)}
             assert len(found) == len(wanted) + 3 and found["status"] == status
@@ -58,12 +60,15 @@ def test_configuration_mode(run3):
     sentences = {name: lines[0][2] for name, (_, lines) in seen["calls"].items()}
     for wrong in (0, 2, 202, 2**64 - 1):
         assert sentences[f"{wrong}"] == f"stations is {wrong}; permitted is 3 ... 201"
-    assert (sentences["not entered"]
-            == "stations is fixed at 31 outside configuration mode and cannot become 61")
+    assert (
+        sentences["not entered"] == "stations is fixed at 31 outside configuration mode and cannot become 61"
+    )
     assert sentences["31 values"] == "fmi3GetFloat64: there are 31 values; these variables have 7"
     assert "8 values; these variables have 7" in sentences["8 values"]
-    assert ("permitted in configuration mode is stations" in sentences["another parameter"]
-            + sentences["an output"])
+    assert (
+        "permitted in configuration mode is stations"
+        in sentences["another parameter"] + sentences["an output"]
+    )
     assert seen["kept"] == {"stations": 31} and seen["after"] == seen["running"] and len(seen["after"]) == 7
     assert seen["reset"] == {"stations": 31} and seen["again"] == seen["fresh"] and len(seen["twice"]) == 31
     assert seen["log"] == []

@@ -13,15 +13,26 @@ arrays are
 
 from .contact import RollingSolution, contact_of_slip, rigid_slip, rolling_contact
 from .extrapolation import (
-                            RollingForces,
-                            extrapolated,
-                            outline_of_patch,
-                            roll_ellipse,
-                            roll_outline,
-                            roll_patch,
+    RollingForces,
+    extrapolated,
+    outline_of_patch,
+    roll_ellipse,
+    roll_outline,
+    roll_patch,
 )
 from .pressure import Outline, PressureField
 
-__all__ = ["Outline", "PressureField", "RollingForces", "RollingSolution", "contact_of_slip",
-           "extrapolated", "outline_of_patch", "rigid_slip", "roll_ellipse", "roll_outline", "roll_patch",
-           "rolling_contact"]
+__all__ = [
+    "Outline",
+    "PressureField",
+    "RollingForces",
+    "RollingSolution",
+    "contact_of_slip",
+    "extrapolated",
+    "outline_of_patch",
+    "rigid_slip",
+    "roll_ellipse",
+    "roll_outline",
+    "roll_patch",
+    "rolling_contact",
+]

@@ -42,8 +42,9 @@ def corner_displacements(x, y, poisson_ratio):
     along = y * _log_of_sum(x, y)
     across = x * _log_of_sum(y, x)
     both = (1.0 - poisson_ratio) * (along + across)
-    return np.stack([both + poisson_ratio * along, -poisson_ratio * np.hypot(x, y),
-                     both + poisson_ratio * across])
+    return np.stack(
+        [both + poisson_ratio * along, -poisson_ratio * np.hypot(x, y), both + poisson_ratio * across]
+    )
 
 
 class SlipInfluence:
@@ -77,10 +78,10 @@ class SlipInfluence:
         y = (np.arange(-rows, rows) + 0.5) * dy
         corners = corner_displacements(*np.meshgrid(x, y), poisson_ratio)
         displacement = np.diff(np.diff(corners, axis=1), axis=2) / (math.pi * shear_modulus)
-        slip = -np.diff(displacement, axis=2) / dx          # offsets 1 - rows ..., 1 - columns ...
+        slip = -np.diff(displacement, axis=2) / dx  # offsets 1 - rows ..., 1 - columns ...
         self.padded = tuple(fft.next_fast_len(2 * count - 1, real=True) for count in shape)
         kernel = np.zeros((3, *self.padded))
-        kernel[:, :2 * rows - 1, :2 * columns - 1] = slip
+        kernel[:, : 2 * rows - 1, : 2 * columns - 1] = slip
         kernel = np.roll(kernel, (1 - rows, 1 - columns), (1, 2))
         self._kernel = fft.rfft2(kernel)
         offsets = columns - 1 + np.subtract.outer(np.arange(columns), np.arange(columns))
@@ -90,8 +91,12 @@ class SlipInfluence:
     def __call__(self, tractions):
         rows, columns = self.shape
         along, across = fft.rfft2(tractions, self.padded)
-        spectrum = np.stack([self._kernel[0] * along + self._kernel[1] * across,
-                             self._kernel[1] * along + self._kernel[2] * across])
+        spectrum = np.stack(
+            [
+                self._kernel[0] * along + self._kernel[1] * across,
+                self._kernel[1] * along + self._kernel[2] * across,
+            ]
+        )
         return fft.irfft2(spectrum, self.padded)[:, :rows, :columns]
 
 
@@ -163,20 +168,23 @@ def rigid_slip(field, creepage_x, creepage_y, spin, offset=SLIP_OFFSET):
     Each of the three is a number or has one value for each row (ny,).
     """
     x, y = np.meshgrid(field.x + offset * field.steps[1], field.y)
-    creepage_x, creepage_y, spin = (np.broadcast_to(each, len(field.y))[:, None]
-                                    for each in (creepage_x, creepage_y, spin))
+    creepage_x, creepage_y, spin = (
+        np.broadcast_to(each, len(field.y))[:, None] for each in (creepage_x, creepage_y, spin)
+    )
     return np.stack([creepage_x - spin * y, creepage_y + spin * x])
 
 
 def refined(tractions, shape):
     """Tractions (2, n, m) on another number of cells over the same rectangle, by straight lines."""
     factors = [new / old for new, old in zip(shape, tractions.shape[1:])]
-    return np.stack([ndimage.zoom(each, factors, order=1, mode="nearest", grid_mode=True)
-                     for each in tractions])
+    return np.stack(
+        [ndimage.zoom(each, factors, order=1, mode="nearest", grid_mode=True) for each in tractions]
+    )
 
 
-def rolling_contact(field, *, creepage_x, creepage_y, spin, friction, shear_modulus, poisson_ratio,
-                    start=None):
+def rolling_contact(
+    field, *, creepage_x, creepage_y, spin, friction, shear_modulus, poisson_ratio, start=None
+):
     """The :class:`RollingSolution` on the cells of ``field``: Kalker's steady rolling problem.
 
     Both bodies are half-spaces of the same material.  Rolling towards +x; creepages are the slip of the
@@ -202,8 +210,9 @@ def rolling_contact(field, *, creepage_x, creepage_y, spin, friction, shear_modu
         if the Newton steps do not converge.
     """
     slip = rigid_slip(field, creepage_x, creepage_y, spin)
-    return contact_of_slip(field, slip, friction=friction, shear_modulus=shear_modulus,
-                           poisson_ratio=poisson_ratio, start=start)
+    return contact_of_slip(
+        field, slip, friction=friction, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio, start=start
+    )
 
 
 def contact_of_slip(field, slip, *, friction, shear_modulus, poisson_ratio, start=None):

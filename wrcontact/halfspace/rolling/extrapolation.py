@@ -33,18 +33,27 @@ def outline_of_patch(strips, patch):
     if patch.rule == layout.RULE_ELLIPSE:
         return Outline.of_ellipse(totals.max_half_length, 0.5 * totals.width, totals.load)
     strips = [strips[k] for k in range(patch.first, patch.last + 1)]
-    loaded = [strip for strip in strips if strip.line_load > 0.0 and strip.half_length_square > 0.0
-              and totals.start < strip.station < totals.stop]
+    loaded = [
+        strip
+        for strip in strips
+        if strip.line_load > 0.0
+        and strip.half_length_square > 0.0
+        and totals.start < strip.station < totals.stop
+    ]
     if not loaded:
         raise ValueError(f"the patch at station {totals.centroid} m has no loaded strip")
-    station, square, load, x = np.array([[strip.station, strip.half_length_square, strip.line_load, strip.x]
-                                         for strip in loaded]).T
+    station, square, load, x = np.array(
+        [[strip.station, strip.half_length_square, strip.line_load, strip.x] for strip in loaded]
+    ).T
     half_length = np.sqrt(square)
     pressure = load / (0.5 * np.pi * half_length)
     middle = x - np.average(x, weights=load * [strip.width for strip in loaded])
     outline = Outline.of_stations(
         np.concatenate([[totals.start], station, [totals.stop]]) - totals.centroid,
-        np.pad(half_length, 1), np.pad(pressure, 1), np.pad(middle, 1, mode="edge"))
+        np.pad(half_length, 1),
+        np.pad(pressure, 1),
+        np.pad(middle, 1, mode="edge"),
+    )
     return outline.scaled(totals.load)
 
 
@@ -112,10 +121,18 @@ def roll_outline(outline, *, creepage_x, creepage_y, spin, cells=COARSE_CELLS, s
     solution, found = None if start is None else start.coarse, []
     for count in (cells, 2 * cells):
         field = outline.on_grid(count, count)
-        creepages = [each if np.ndim(each) == 0 else np.interp(field.y, outline.station, each)
-                     for each in (creepage_x, creepage_y, spin)]
-        solution = rolling_contact(field, creepage_x=creepages[0], creepage_y=creepages[1], spin=creepages[2],
-                                   start=solution, **material)
+        creepages = [
+            each if np.ndim(each) == 0 else np.interp(field.y, outline.station, each)
+            for each in (creepage_x, creepage_y, spin)
+        ]
+        solution = rolling_contact(
+            field,
+            creepage_x=creepages[0],
+            creepage_y=creepages[1],
+            spin=creepages[2],
+            start=solution,
+            **material,
+        )
         found.append(solution)
     return extrapolated(*found)
 

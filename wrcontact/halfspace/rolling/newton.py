@@ -75,8 +75,14 @@ def newton_step(friction, influence, scale):
 
     size = friction.residual.size
     operator = LinearOperator((size, size), lambda vector: derivative(precondition(vector)), dtype=float)
-    found, _ = gmres(operator, -friction.residual.ravel(), rtol=LINEAR_PRECISION, atol=0.0,
-                     restart=DIMENSION_LIMIT, maxiter=1)
+    found, _ = gmres(
+        operator,
+        -friction.residual.ravel(),
+        rtol=LINEAR_PRECISION,
+        atol=0.0,
+        restart=DIMENSION_LIMIT,
+        maxiter=1,
+    )
     return precondition(found).reshape(2, rows, columns)
 
 
@@ -111,5 +117,6 @@ def solve_friction(influence, rigid_slip, bound, start):
             share *= 0.5
             trial = state(friction.tractions + share * step)
         friction = trial
-    raise ArithmeticError(f"steady rolling: the residual stays at {friction.error:.1e} Pa "
-                          f"(allowed {allowed:.1e} Pa)")
+    raise ArithmeticError(
+        f"steady rolling: the residual stays at {friction.error:.1e} Pa (allowed {allowed:.1e} Pa)"
+    )

@@ -20,7 +20,7 @@ from .pressure import Outline
 
 #: Shorter over longer half-axis in the rows of Kalker's table.
 RATIOS = tuple(k / 10 for k in range(1, 11))
-RATIO = 0.1 * 2.0**np.arange(9)
+RATIO = 0.1 * 2.0 ** np.arange(9)
 BETA = np.radians([0.0, 11.25, 22.5, 45.0, 67.5, 90.0])
 ALPHA = np.radians(np.arange(0.0, 181.0, 15.0))
 RHO = np.array([0.25, 0.5, 0.75, 1.0, 1.35, 1.8, 2.5, 3.6, 5.5, 10.0])
@@ -29,10 +29,10 @@ RHO = np.array([0.25, 0.5, 0.75, 1.0, 1.35, 1.8, 2.5, 3.6, 5.5, 10.0])
 COLUMNS = ("force_x", "force_y", "moment", "stick_share")
 
 # forces over mu N do not depend on these: only the ratio of half-axes and Poisson's ratio are left
-_SHEAR_MODULUS = 80e9       # [Pa]
-_NORMAL_FORCE = 1e5         # [N]
+_SHEAR_MODULUS = 80e9  # [Pa]
+_NORMAL_FORCE = 1e5  # [N]
 _FRICTION = 0.3
-_MEAN_AXIS = 5e-3           # sqrt(ab) [m]
+_MEAN_AXIS = 5e-3  # sqrt(ab) [m]
 
 
 def creep_coefficients(half_length, half_width, poisson_ratio):
@@ -61,8 +61,7 @@ def creepages(ratio, poisson_ratio, saturation):
     c11, c22, c23 = creep_coefficients(ratio, 1.0, poisson_ratio)
     scale = _FRICTION * _NORMAL_FORCE / (_MEAN_AXIS**2 * _SHEAR_MODULUS)
     s1, s2, s3 = saturation
-    return (-s1 * scale / c11, -s2 * scale / c22,
-            -s3 / spin_factor(ratio) * scale / (_MEAN_AXIS * c23))
+    return (-s1 * scale / c11, -s2 * scale / c22, -s3 / spin_factor(ratio) * scale / (_MEAN_AXIS * c23))
 
 
 def saturation(rho, beta, alpha):
@@ -79,9 +78,17 @@ def solve_line(line, poisson_ratio, cells=COARSE_CELLS):
     found, forces = np.empty((len(RHO), len(COLUMNS))), None
     for place, rho in enumerate(RHO):
         xi, eta, phi = creepages(ratio, poisson_ratio, saturation(rho, beta, alpha))
-        forces = roll_outline(outline, creepage_x=xi, creepage_y=eta, spin=phi, friction=_FRICTION,
-                              shear_modulus=_SHEAR_MODULUS, poisson_ratio=poisson_ratio, cells=cells,
-                              start=forces)
+        forces = roll_outline(
+            outline,
+            creepage_x=xi,
+            creepage_y=eta,
+            spin=phi,
+            friction=_FRICTION,
+            shear_modulus=_SHEAR_MODULUS,
+            poisson_ratio=poisson_ratio,
+            cells=cells,
+            start=forces,
+        )
         found[place, :3] = np.array([forces.force_x, forces.force_y, forces.moment]) / scale
         found[place, 3] = forces.stick_share
     return found
@@ -89,8 +96,11 @@ def solve_line(line, poisson_ratio, cells=COARSE_CELLS):
 
 def lines():
     """The lines of nodes that are solved: those that symmetry gives are left out."""
-    return [line for line in product(range(len(RATIO)), range(len(BETA)), range(len(ALPHA)))
-            if line[2] < len(ALPHA) - 1 and (line[1] < len(BETA) - 1 or line[2] == 0)]
+    return [
+        line
+        for line in product(range(len(RATIO)), range(len(BETA)), range(len(ALPHA)))
+        if line[2] < len(ALPHA) - 1 and (line[1] < len(BETA) - 1 or line[2] == 0)
+    ]
 
 
 def filled(found):

@@ -102,8 +102,10 @@ class Outline:
             if the stations do not rise, or a half-length or pressure is negative or not finite.
         """
         station = np.asarray(station, dtype=float)
-        values = [np.broadcast_to(np.asarray(each, dtype=float), station.shape)
-                  for each in (half_length, pressure, middle)]
+        values = [
+            np.broadcast_to(np.asarray(each, dtype=float), station.shape)
+            for each in (half_length, pressure, middle)
+        ]
         if station.ndim != 1 or len(station) < 3 or not np.all(np.diff(station) > 0.0):
             raise ValueError("station: expected three or more rising positions [m]")
         for name, value in zip(("half_length", "pressure"), values):
@@ -118,15 +120,18 @@ class Outline:
         share = np.cos(angle)
         largest = 1.5 * normal_force / (np.pi * half_length * half_width)
         ellipse = cls(half_width * np.sin(angle), half_length * share, largest * share, np.zeros(stations))
-        return ellipse.scaled(normal_force)     # straight lines between the stations lose 1e-5 of it
+        return ellipse.scaled(normal_force)  # straight lines between the stations lose 1e-5 of it
 
     def at(self, y):
         """Half-length [m], largest pressure [Pa] and middle [m] at positions y (n,) [m]."""
         square = np.interp(y, self.station, self.half_length**2, left=0.0, right=0.0)
         load = np.interp(y, self.station, self.half_length * self.pressure, left=0.0, right=0.0)
         half_length = np.sqrt(square)
-        return (half_length, np.divide(load, half_length, out=np.zeros_like(y), where=half_length > 0.0),
-                np.interp(y, self.station, self.middle))
+        return (
+            half_length,
+            np.divide(load, half_length, out=np.zeros_like(y), where=half_length > 0.0),
+            np.interp(y, self.station, self.middle),
+        )
 
     @property
     def normal_force(self):
@@ -135,17 +140,21 @@ class Outline:
 
     def scaled(self, normal_force):
         """The same outline with another normal force [N]."""
-        return Outline(self.station, self.half_length, self.pressure * (normal_force / self.normal_force),
-                       self.middle)
+        return Outline(
+            self.station, self.half_length, self.pressure * (normal_force / self.normal_force), self.middle
+        )
 
     def box(self):
         """(x low, x high, y low, y high) around the loaded part [m]."""
         loaded = np.flatnonzero(self.half_length > 0.0)
         low, high = max(loaded[0] - 1, 0), min(loaded[-1] + 1, len(self.station) - 1)
         inside = slice(loaded[0], loaded[-1] + 1)
-        return (float((self.middle - self.half_length)[inside].min()),
-                float((self.middle + self.half_length)[inside].max()),
-                float(self.station[low]), float(self.station[high]))
+        return (
+            float((self.middle - self.half_length)[inside].min()),
+            float((self.middle + self.half_length)[inside].max()),
+            float(self.station[low]),
+            float(self.station[high]),
+        )
 
     def on_grid(self, columns, rows):
         """The :class:`PressureField` on a grid that just holds the patch; the normal force is kept.
@@ -163,6 +172,7 @@ class Outline:
         pressure = np.diff(_half_ellipse_area(relative), axis=1) * length * largest[:, None] / dx
         cover = np.diff(np.clip(relative, -1.0, 1.0), axis=1) * half_length[:, None] / dx
         pressure, cover = (each.reshape(rows, LINES, columns).mean(axis=1) for each in (pressure, cover))
-        field = PressureField(0.5 * (edges[1:] + edges[:-1]), y_low + (np.arange(rows) + 0.5) * dy,
-                              pressure, cover)
+        field = PressureField(
+            0.5 * (edges[1:] + edges[:-1]), y_low + (np.arange(rows) + 0.5) * dy, pressure, cover
+        )
         return field.scaled(self.normal_force)

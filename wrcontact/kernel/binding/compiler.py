@@ -35,8 +35,16 @@ FMU_UNITS = tuple(unit for unit in KERNEL_UNITS if "jacobian" not in unit)
 
 # No fused a*b + c: the results are those of the Python source, to the last bit, on every machine.  For the
 # same reason CFLAGS is not read.  Without errno a root is an instruction: no mathematical library is needed.
-FLAGS = ("-std=gnu11", "-O3", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=hidden", "-g0",
-         "-Werror=implicit-function-declaration", "-fPIC")
+FLAGS = (
+    "-std=gnu11",
+    "-O3",
+    "-ffp-contract=off",
+    "-fno-math-errno",
+    "-fvisibility=hidden",
+    "-g0",
+    "-Werror=implicit-function-declaration",
+    "-fPIC",
+)
 ZIG = (sys.executable, "-m", "ziglang", "cc")
 PROBE = "#include <math.h>\ndouble probe(double x) { return sqrt(x); }\n"
 #: Environment variable: a folder in which compiled sources are kept where the caller names none.
@@ -62,7 +70,7 @@ def find_compiler():
     for command in (named, ["cc"], ["gcc"], ["clang"]):
         if command and shutil.which(command[0]) and makes_library(command):
             return command
-    return [*ZIG, "-mcpu=baseline"] if has_zig() else None      # without it for the builder's own processor
+    return [*ZIG, "-mcpu=baseline"] if has_zig() else None  # without it for the builder's own processor
 
 
 def makes_library(command):
@@ -81,8 +89,9 @@ def compiler_for(place):
     own = find_compiler() if place.name == host_platform() else None
     if own:
         return own
-    raise CompilerProblem(f"there is no compiler for {place.name}; pip install ziglang, a compiler for "
-                          "every platform")
+    raise CompilerProblem(
+        f"there is no compiler for {place.name}; pip install ziglang, a compiler for every platform"
+    )
 
 
 # --- from sources to a library ------------------------------------------------------------------------------
@@ -97,8 +106,9 @@ def compile_library(target_folder, *, platform=None, compiler=None, extra_flags=
     place = PLATFORMS[platform] if platform else None
     command = [*ZIG, "-target", place.target, "-s"] if place else compiler or find_compiler()
     if command is None:
-        raise CompilerProblem("no C compiler was found: $CC, cc, gcc, clang, and ziglang from PyPI were "
-                              "tried")
+        raise CompilerProblem(
+            "no C compiler was found: $CC, cc, gcc, clang, and ziglang from PyPI were tried"
+        )
     target = Path(target_folder, library_name(platform) if platform else LIBRARY_NAME)
     links = place.link_flags(target.name) if place else []
     command = [*command, *FLAGS, *extra_flags]
@@ -134,7 +144,7 @@ def linked(command, folder, sources, library, links=(), cache=None, watch=None):
                 made = Path(scratch, f"{threading.get_ident()}.o")
                 checked([*command, "-c", source, "-o", str(made)], folder)
                 write_atomically(kept, made.read_bytes())
-            kept.touch()        # it is in use
+            kept.touch()  # it is in use
             return str(kept)
 
         with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -153,8 +163,16 @@ def checked(command, folder):
 
 def run(command, folder):
     """A compiler's run in ``folder``, ended, with all that it has written."""
-    return subprocess.run(command, cwd=folder, text=True, errors="replace", stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env={**os.environ, **zig_cache()})
+    return subprocess.run(
+        command,
+        cwd=folder,
+        text=True,
+        errors="replace",
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        env={**os.environ, **zig_cache()},
+    )
 
 
 def digest(command, folder, source):
@@ -187,7 +205,7 @@ def zig_cache():
         usual.mkdir(parents=True, exist_ok=True)
         if os.access(usual, os.W_OK):
             return {}
-    except (OSError, RuntimeError):     # read-only, or there is no home
+    except (OSError, RuntimeError):  # read-only, or there is no home
         pass
     folder = tempfile.mkdtemp(prefix="wrcontact-zig-")
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
@@ -196,8 +214,14 @@ def zig_cache():
 
 # --- what an installation is asked for ----------------------------------------------------------------------
 
-ZIG_PLATFORMS = {("Linux", "x86_64"), ("Linux", "aarch64"), ("Darwin", "x86_64"), ("Darwin", "arm64"),
-                 ("Windows", "AMD64"), ("Windows", "ARM64")}
+ZIG_PLATFORMS = {
+    ("Linux", "x86_64"),
+    ("Linux", "aarch64"),
+    ("Darwin", "x86_64"),
+    ("Darwin", "arm64"),
+    ("Windows", "AMD64"),
+    ("Windows", "ARM64"),
+}
 
 
 def requirements():

@@ -20,8 +20,14 @@ integrals themselves.
 import numpy as np
 
 from .. import layout
-from ..layout import (HERTZ_CELLS, HERTZ_OCTAVES, INFLUENCE_CELLS, INFLUENCE_COLUMNS, INFLUENCE_MAP,
-                      SPACING_CELLS)
+from ..layout import (
+    HERTZ_CELLS,
+    HERTZ_OCTAVES,
+    INFLUENCE_CELLS,
+    INFLUENCE_COLUMNS,
+    INFLUENCE_MAP,
+    SPACING_CELLS,
+)
 from ..normal.strip_pressures import CLOSEST_SPACING, TESTED, WIDEST_SPACING
 
 DEGREE = 5
@@ -90,8 +96,10 @@ def hertz_table():
     octaves = 2.0 ** np.arange(-HERTZ_OCTAVES, HERTZ_OCTAVES)
     within = 1.0 + (np.arange(HERTZ_CELLS)[:, None] + nodes) / HERTZ_CELLS
     ratios = octaves[:, None, None] * within
-    columns = [sum(value[:, None] * row for value, row in zip(values.reshape(-1, len(nodes)).T, basis(nodes)))
-               for values in coefficients(np.log(ratios.ravel()))]
+    columns = [
+        sum(value[:, None] * row for value, row in zip(values.reshape(-1, len(nodes)).T, basis(nodes)))
+        for values in coefficients(np.log(ratios.ravel()))
+    ]
     assert 2 * (DEGREE + 1) == layout.HERTZ_ROW
     return np.hstack(columns).ravel()
 
@@ -102,7 +110,7 @@ def profile():
     ends = np.cos(np.linspace(np.pi, 0.0, PIECES + 1))
     angle = np.arcsin(ends)
     load = np.diff(0.5 * (ends * np.cos(angle) + angle))
-    moment = np.diff(-np.cos(angle) ** 3 / 3.0)
+    moment = np.diff(-(np.cos(angle) ** 3) / 3.0)
     middle, width = 0.5 * (ends[1:] + ends[:-1]), np.diff(ends)
     slope = (moment - middle * load) * 12.0 / width**3
     return ends, load / width - slope * middle, slope
@@ -166,10 +174,10 @@ def map_of(function):
         return function(*np.broadcast_arrays(t[None, :], np.sqrt(column / (1.0 - column))[:, None]))
 
     value, before, after = along(u), along(u - step), along(u + step)
-    slope = (after - before) / (4.0 * SLOPE_STEP)           # of a cell
+    slope = (after - before) / (4.0 * SLOPE_STEP)  # of a cell
     value[:, -1] = 0.0
     slope[:, -1] = (value[:, -1] - before[:, -1]) / (2.0 * SLOPE_STEP)
-    parabolas = np.zeros((INFLUENCE_COLUMNS + 1, nodes, 2, 3))         # infinitely far along x: none
+    parabolas = np.zeros((INFLUENCE_COLUMNS + 1, nodes, 2, 3))  # infinitely far along x: none
     parabolas[:-1] = joined_parabolas(value, slope)
     return parabolas.ravel()
 
@@ -180,8 +188,13 @@ def joined_parabolas(value, slope):
     low, high, rise, fall = value[:, :-1], value[:, 1:], slope[:, :-1], slope[:, 1:]
     middle = 0.5 * (low + high) + 0.25 * (rise - fall)
     steep = (high - low) - 0.5 * (rise + fall)
-    return np.stack([np.stack([low, rise, 0.5 * (steep - rise)], axis=-1),
-                     np.stack([middle, steep, 0.5 * (fall - steep)], axis=-1)], axis=2)
+    return np.stack(
+        [
+            np.stack([low, rise, 0.5 * (steep - rise)], axis=-1),
+            np.stack([middle, steep, 0.5 * (fall - steep)], axis=-1),
+        ],
+        axis=2,
+    )
 
 
 def influence_table():

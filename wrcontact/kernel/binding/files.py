@@ -14,16 +14,30 @@ from typing import NamedTuple
 HERE = Path(__file__).resolve().parents[1]
 #: The rooms of the kernel, from upstream to downstream; a module imports from its own room
 #: and from those before it.
-ROOMS = ("layout", "elementary", "surface", "search", "contact", "patch", "normal", "creep",
-         "wheelset", "prepare", "derivative")
-HANDLE_VERSION = 9      # raise when the functions or the handle in native/*.h change
+ROOMS = (
+    "layout",
+    "elementary",
+    "surface",
+    "search",
+    "contact",
+    "patch",
+    "normal",
+    "creep",
+    "wheelset",
+    "prepare",
+    "derivative",
+)
+HANDLE_VERSION = 9  # raise when the functions or the handle in native/*.h change
 
 
 def kernel_modules(folder=HERE):
     """Paths of the modules that are translated, sorted by room and name; the records of the room
     layout are one of them."""
-    return [path for path in kernel_sources(folder)
-            if (path.parent.name == "layout") == (path.name == "__init__.py")]
+    return [
+        path
+        for path in kernel_sources(folder)
+        if (path.parent.name == "layout") == (path.name == "__init__.py")
+    ]
 
 
 def kernel_sources(folder=HERE):
@@ -66,11 +80,21 @@ class Platform(NamedTuple):
 PLATFORMS = {
     place.name: place
     for place in (
-        Platform("x86_64-linux", "linux64", "manylinux_2_17_x86_64.manylinux2014_x86_64",
-                 "x86_64-linux-gnu.2.17", ".so"),
+        Platform(
+            "x86_64-linux",
+            "linux64",
+            "manylinux_2_17_x86_64.manylinux2014_x86_64",
+            "x86_64-linux-gnu.2.17",
+            ".so",
+        ),
         Platform("x86_64-windows", "win64", "win_amd64", "x86_64-windows-gnu", ".dll"),
-        Platform("aarch64-linux", "aarch64-linux", "manylinux_2_17_aarch64.manylinux2014_aarch64",
-                 "aarch64-linux-gnu.2.17", ".so"),
+        Platform(
+            "aarch64-linux",
+            "aarch64-linux",
+            "manylinux_2_17_aarch64.manylinux2014_aarch64",
+            "aarch64-linux-gnu.2.17",
+            ".so",
+        ),
         Platform("aarch64-darwin", "aarch64-darwin", "macosx_11_0_arm64", "aarch64-macos.11.0", ".dylib"),
         Platform("x86_64-darwin", "darwin64", "macosx_10_15_x86_64", "x86_64-macos.10.15", ".dylib"),
     )
@@ -88,8 +112,9 @@ def host_platform():
 def library_name(name):
     """File name of the kernel's library for the platform of this name."""
     system = name.rpartition("-")[2]
-    return f"_wrcontact_kernel-{name}" + {"windows": ".dll", "cygwin": ".dll",
-                                          "darwin": ".dylib"}.get(system, ".so")
+    return f"_wrcontact_kernel-{name}" + {"windows": ".dll", "cygwin": ".dll", "darwin": ".dylib"}.get(
+        system, ".so"
+    )
 
 
 #: Of the library that this Python loads.

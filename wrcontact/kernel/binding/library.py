@@ -26,8 +26,20 @@ import numpy as np
 from . import files
 from .files import HERE, LIBRARY_NAME
 from .. import layout
-from ..layout import (INPUT_COUNT, OUTPUT_COUNT, SETTING_COUNT, SETUP_SIZE, START_COUNT, STATE_SIZE,
-                      WORK_SIZE, Inputs, Setup, State, Tables, Work)
+from ..layout import (
+    INPUT_COUNT,
+    OUTPUT_COUNT,
+    SETTING_COUNT,
+    SETUP_SIZE,
+    START_COUNT,
+    STATE_SIZE,
+    WORK_SIZE,
+    Inputs,
+    Setup,
+    State,
+    Tables,
+    Work,
+)
 from ..patch.outline import row_size
 from ..prepare.pieces import FULL
 from ...methods.caller import warn_caller
@@ -73,18 +85,29 @@ class Kernel:
     def bind(self, tables, state, workspace, inputs, outputs):
         """The kernel with the arrays of one wheelset: C-contiguous arrays of float64, used where they are."""
         tables = checked("tables", tables, SETTING_COUNT)
-        arrays = (tables, checked("state", state, STATE_SIZE, written=True),
-                  checked("workspace", workspace, WORK_SIZE, written=True),
-                  checked("inputs", inputs, INPUT_COUNT),
-                  checked("outputs", outputs, row_size(Tables.at(tables)), written=True))
+        arrays = (
+            tables,
+            checked("state", state, STATE_SIZE, written=True),
+            checked("workspace", workspace, WORK_SIZE, written=True),
+            checked("inputs", inputs, INPUT_COUNT),
+            checked("outputs", outputs, row_size(Tables.at(tables)), written=True),
+        )
         return CompiledKernel(self.library, arrays) if self.compiled else PythonKernel(arrays)
 
     def prepare(self, setup, wheel, rail, left_wheel, left_rail, fixed):
         """Outcome and tables of prepare/tables.py for these arrays: a setup, the definitions of both sides'
         profiles, the fixed tables."""
-        given = [checked(name, array) for name, array in (
-            ("setup", setup), ("wheel", wheel), ("rail", rail), ("left_wheel", left_wheel),
-            ("left_rail", left_rail), ("fixed", fixed))]
+        given = [
+            checked(name, array)
+            for name, array in (
+                ("setup", setup),
+                ("wheel", wheel),
+                ("rail", rail),
+                ("left_wheel", left_wheel),
+                ("left_rail", left_rail),
+                ("fixed", fixed),
+            )
+        ]
         longest = max(map(len, given[1:5]))
         outcome, room = FULL, TABLE_ROOM
         while outcome == FULL and room <= MOST_ROOM:
@@ -92,7 +115,7 @@ class Kernel:
             work = np.zeros(max(STATE_SIZE + WORK_SIZE + INPUT_COUNT + OUTPUT_COUNT, longest + room + 1000))
             outcome = self._prepare([*given, tables, work])
             room *= 4
-        return outcome, tables[:max(outcome, 0)].copy()
+        return outcome, tables[: max(outcome, 0)].copy()
 
     def _prepare(self, arrays):
         """One attempt with arrays of this size; the outcome."""
@@ -128,8 +151,9 @@ class Kernel:
 def fill_starts(source, tables):
     """As fill_starts in native/wrcontact_prepare.c, with the Python source."""
     step = import_module("..wheelset.step", __package__).step
-    state, workspace, inputs, outputs = (np.zeros(size)
-                                         for size in (STATE_SIZE, WORK_SIZE, INPUT_COUNT, OUTPUT_COUNT))
+    state, workspace, inputs, outputs = (
+        np.zeros(size) for size in (STATE_SIZE, WORK_SIZE, INPUT_COUNT, OUTPUT_COUNT)
+    )
     for row in range(START_COUNT):
         Inputs.at(inputs).lateral_shift = source.start_shift(tables, row)
         status = step(tables, State.at(state), Work.at(workspace), view(inputs), view(outputs))
@@ -156,8 +180,9 @@ class CompiledKernel:
         """``count`` steps in a row: rows of ``inputs`` to rows of ``outputs`` and one float
         in ``statuses`` each."""
         blocks = checked_blocks(count, self._size, inputs, outputs, statuses)
-        return self._library.wrcontact_step_many(self._handle, count,
-                                                 *(block.ctypes.data for block in blocks))
+        return self._library.wrcontact_step_many(
+            self._handle, count, *(block.ctypes.data for block in blocks)
+        )
 
     def derivative(self, seed):
         """Status of the step at the inputs, and how its outputs move where the inputs move at
@@ -166,8 +191,9 @@ class CompiledKernel:
             self._room = np.empty(self._library.wrcontact_derivative_room())
         rates = np.empty(self._size)
         seed = checked("seed", seed, INPUT_COUNT)
-        status = self._library.wrcontact_derivative(self._handle, seed.ctypes.data, rates.ctypes.data,
-                                                 self._room.ctypes.data)
+        status = self._library.wrcontact_derivative(
+            self._handle, seed.ctypes.data, rates.ctypes.data, self._room.ctypes.data
+        )
         return status, rates
 
     def derivatives(self, seeds):
@@ -176,8 +202,9 @@ class CompiledKernel:
             self._wide_room = np.empty(self._library.wrcontact_jacobian_room())
         rates = np.empty((len(seeds), self._size))
         flat = checked("seeds", seeds, len(seeds) * INPUT_COUNT)
-        status = self._library.wrcontact_jacobian(self._handle, len(seeds), flat.ctypes.data,
-                                                  rates.ctypes.data, self._wide_room.ctypes.data)
+        status = self._library.wrcontact_jacobian(
+            self._handle, len(seeds), flat.ctypes.data, rates.ctypes.data, self._wide_room.ctypes.data
+        )
         return status, rates
 
 
@@ -187,7 +214,7 @@ class PythonKernel:
     compiled = False
 
     def __init__(self, arrays):
-        self._source = import_module("..wheelset.step", __package__)      # not before it is needed
+        self._source = import_module("..wheelset.step", __package__)  # not before it is needed
         tables, state, workspace, inputs, outputs = arrays
         self._size = row_size(Tables.at(tables))
         self._records = Tables.at(tables), State.at(state), Work.at(workspace)
@@ -208,8 +235,10 @@ class Span(ctypes.Structure):
 class Preparation(ctypes.Structure):
     """wrcontact_preparation in native/wrcontact_prepare.h."""
 
-    _fields_ = [(name, Span)
-                for name in ("setup", "wheel", "rail", "left_wheel", "left_rail", "fixed", "tables", "work")]
+    _fields_ = [
+        (name, Span)
+        for name in ("setup", "wheel", "rail", "left_wheel", "left_rail", "fixed", "tables", "work")
+    ]
 
 
 class Handle(ctypes.Structure):
@@ -251,7 +280,7 @@ def declare(library):
     library.wrcontact_cut_patch.restype = library.wrcontact_solve_creep_force.restype = None
     library.wrcontact_derivative.argtypes, library.wrcontact_derivative.restype = [address] * 4, ctypes.c_int
     library.wrcontact_derivative_room.argtypes, library.wrcontact_derivative_room.restype = [], ctypes.c_int64
-    if hasattr(library, "wrcontact_jacobian"):          # not in that of an FMU
+    if hasattr(library, "wrcontact_jacobian"):  # not in that of an FMU
         library.wrcontact_jacobian.argtypes = [address, ctypes.c_int64, address, address, address]
         library.wrcontact_jacobian.restype = ctypes.c_int
         library.wrcontact_jacobian_room.argtypes, library.wrcontact_jacobian_room.restype = [], ctypes.c_int64
@@ -272,9 +301,11 @@ def checked_blocks(count, size, inputs, outputs, statuses):
     """The flat arrays of ``count`` steps that give ``size`` numbers each."""
     if count < 0:
         raise ValueError(f"count is {count}; it cannot be negative")
-    return (checked("inputs", inputs, count * INPUT_COUNT),
-            checked("outputs", outputs, count * size, written=True),
-            checked("statuses", statuses, count, written=True))
+    return (
+        checked("inputs", inputs, count * INPUT_COUNT),
+        checked("outputs", outputs, count * size, written=True),
+        checked("statuses", statuses, count, written=True),
+    )
 
 
 def checked(name, array, least=0, written=False):

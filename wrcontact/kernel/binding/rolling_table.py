@@ -125,11 +125,21 @@ def scales():
 def assemble(factors, correction):
     """The table as the kernel's preparation reads it (n,): the points of a strip, shapes for POISSON_NODES,
     both parts of the reaches, and radii, scales and corrections."""
-    table = np.concatenate([points(), *(shapes(column, rows) for column, rows in enumerate(factors)),
-                            reach_parts().ravel(), correction])
-    wanted = (2 * layout.POINT_LIMIT + 3 * layout.SHAPE_ROW * layout.SHAPE_CELLS
-              + 2 * layout.REACH_ROW * (layout.REACH_CELLS + 1) + layout.CORRECTION_RADII
-              + 3 * (layout.CORRECTION_SCALES + layout.CORRECTION_SIZE))
+    table = np.concatenate(
+        [
+            points(),
+            *(shapes(column, rows) for column, rows in enumerate(factors)),
+            reach_parts().ravel(),
+            correction,
+        ]
+    )
+    wanted = (
+        2 * layout.POINT_LIMIT
+        + 3 * layout.SHAPE_ROW * layout.SHAPE_CELLS
+        + 2 * layout.REACH_ROW * (layout.REACH_CELLS + 1)
+        + layout.CORRECTION_RADII
+        + 3 * (layout.CORRECTION_SCALES + layout.CORRECTION_SIZE)
+    )
     if len(table) != wanted:
         raise TypeError(f"the table of rolling has {len(table)} numbers, its record asks for {wanted}")
     return table
@@ -138,8 +148,9 @@ def assemble(factors, correction):
 def uncorrected():
     """Corrections of nothing (n,), for tools that make the true ones."""
     radii = np.linspace(0.0, 1.0, layout.CORRECTION_RADII)
-    return np.concatenate([radii, np.ones(3 * layout.CORRECTION_SCALES),
-                           np.zeros(3 * layout.CORRECTION_SIZE)])
+    return np.concatenate(
+        [radii, np.ones(3 * layout.CORRECTION_SCALES), np.zeros(3 * layout.CORRECTION_SIZE)]
+    )
 
 
 def made_table():

@@ -59,22 +59,32 @@ def profile_tables(tables, index):
     rail (k,) for ``wrcontact.profiles.compiled.evaluate_table``, and the track coordinate of the rail's
     highest point [m], each as those of a right side."""
     pair = layout.Tables.at(tables).pairs[index]
-    wheel, wheel_end, rail, rail_end = (layout.offset(part, tables) for part in (
-        pair.wheel, pair.wheel_curvature, pair.rail, pair.rail_curvature))
+    wheel, wheel_end, rail, rail_end = (
+        layout.offset(part, tables)
+        for part in (pair.wheel, pair.wheel_curvature, pair.rail, pair.rail_curvature)
+    )
     return tables[wheel:wheel_end], tables[rail:rail_end], pair.rail_y
 
 
 def refusal(outcome, setup, wheel, rail):
     """Why the tables could not be prepared, in a sentence."""
     if outcome == prepare_tables.GAUGE_TOO_DEEP:
-        return (f"gauge_depth reaches {setup.depth:.6g} m, but the inner side of the "
-                f"rail profile {rail} ends at {setup.reached:.6g} m; permitted are "
-                "smaller depths")
+        return (
+            f"gauge_depth reaches {setup.depth:.6g} m, but the inner side of the "
+            f"rail profile {rail} ends at {setup.reached:.6g} m; permitted are "
+            "smaller depths"
+        )
     if outcome == TOO_WIDE:
-        return (f"the wheel profile is {setup.width:.4g} m wide; permitted are at "
-                f"most {layout.SCAN_LIMIT * FINE_STEP:.4g} m")
+        return (
+            f"the wheel profile is {setup.width:.4g} m wide; permitted are at "
+            f"most {layout.SCAN_LIMIT * FINE_STEP:.4g} m"
+        )
     if outcome == prepare_tables.WITHOUT_HEAD:
-        return (f"the profiles {wheel} and {rail} are too steep at y = 0 m, the running circle and the "
-                "rail's highest point; permitted are profiles with less slope there")
-    return (f"the profiles {wheel} and {rail} have too many points for the kernel's tables; permitted are "
-            "profiles with fewer points")
+        return (
+            f"the profiles {wheel} and {rail} are too steep at y = 0 m, the running circle and the "
+            "rail's highest point; permitted are profiles with less slope there"
+        )
+    return (
+        f"the profiles {wheel} and {rail} have too many points for the kernel's tables; permitted are "
+        "profiles with fewer points"
+    )

@@ -19,8 +19,20 @@ abscissa in the frame's trace, and returns whether the curve reaches that far.
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import (PIECE_SIZE, RAIL, SEPARATION_EQUIDISTANT_CHORD, SEPARATION_NORMAL, WHEEL, Frame, Origin,
-                      Pair, Piece, Profile, Region, seldom)
+from ..layout import (
+    PIECE_SIZE,
+    RAIL,
+    SEPARATION_EQUIDISTANT_CHORD,
+    SEPARATION_NORMAL,
+    WHEEL,
+    Frame,
+    Origin,
+    Pair,
+    Piece,
+    Profile,
+    Region,
+    seldom,
+)
 from ..surface.locus import outline_jet
 from ..surface.tables import find_piece, height_slope, height_slope_bend, read_cubic, read_cubic_jet
 

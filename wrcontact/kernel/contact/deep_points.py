@@ -6,8 +6,18 @@ search for them costs as much as the rest of a trial.
 
 from typing import Final
 
-from ..layout import (DEEP_LIMIT, REGION_LIMIT, DeepPoint, DeepPoints, Meeting, Overlap, Pair, Place, copy,
-                      seldom)
+from ..layout import (
+    DEEP_LIMIT,
+    REGION_LIMIT,
+    DeepPoint,
+    DeepPoints,
+    Meeting,
+    Overlap,
+    Pair,
+    Place,
+    copy,
+    seldom,
+)
 from .pressed import turning_point
 
 #: Two deepest points are one region while the overlap between them has fallen by less than this share of
@@ -165,10 +175,12 @@ def follow_saddle(pair: Pair, place: Place, point: DeepPoint, following: DeepPoi
     """Find the saddle between two neighbouring points from where it was."""
     y = 0.5 * (point.wheel + following.wheel)
     reach = min(min(FOLLOWED, point.saddle - point.rail), following.rail - point.saddle)
-    x, turned = turning_point(pair, place, point.saddle - reach, point.saddle + reach, point.saddle, y,
-                              height, -1.0)
+    x, turned = turning_point(
+        pair, place, point.saddle - reach, point.saddle + reach, point.saddle, y, height, -1.0
+    )
     if not turned:
-        x, turned = turning_point(pair, place, point.rail, following.rail,
-                                  0.5 * (point.rail + following.rail), y, height, -1.0)
+        x, turned = turning_point(
+            pair, place, point.rail, following.rail, 0.5 * (point.rail + following.rail), y, height, -1.0
+        )
     point.saddle = x
     point.between = place.meeting.overlap

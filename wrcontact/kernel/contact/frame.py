@@ -8,8 +8,19 @@ deepest point.
 from math import sqrt
 from typing import Final
 
-from ..layout import (LOAD_VERTICAL, REGION_LIMIT, Frame, KeptFrames, Pair, Place, Region, Regions, Tables,
-                      copy, seldom)
+from ..layout import (
+    LOAD_VERTICAL,
+    REGION_LIMIT,
+    Frame,
+    KeptFrames,
+    Pair,
+    Place,
+    Region,
+    Regions,
+    Tables,
+    copy,
+    seldom,
+)
 from ..surface.curvature import longitudinal_curvature
 from ..surface.gap import FOLDED
 from ..surface.locus import outline_jet, outline_x

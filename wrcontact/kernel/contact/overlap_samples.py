@@ -60,8 +60,9 @@ def sample_end(pair: Pair, samples: Samples, direction: int, entry: int):
 
 
 @seldom
-def walk_overlap(pair: Pair, samples: Samples, place: Place, node: int, direction: int, height: float,
-                 first: int):
+def walk_overlap(
+    pair: Pair, samples: Samples, place: Place, node: int, direction: int, height: float, first: int
+):
     """Sample from scan node ``node`` on in ``direction`` (1 or -1), leaving out stretches where the wheel is
     above the rail; the entry after the last one.  Entries begin with ``first`` and run in ``direction``."""
     count = pair.scan.count
@@ -84,8 +85,16 @@ def walk_overlap(pair: Pair, samples: Samples, place: Place, node: int, directio
         adjacent = 1.0
         step = 1
         if gap > height:
-            exponent = clear_exponent(pair.scan, place, node, direction, abscissa, gap - height,
-                                      float(direction) * mismatch, exponent)
+            exponent = clear_exponent(
+                pair.scan,
+                place,
+                node,
+                direction,
+                abscissa,
+                gap - height,
+                float(direction) * mismatch,
+                exponent,
+            )
             if exponent < 0:
                 exponent = 0
             elif exponent > 0:

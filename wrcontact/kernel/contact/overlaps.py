@@ -9,8 +9,19 @@ between them are one region (deep_points.MERGE).
 from math import fabs, sqrt
 from typing import Final
 
-from ..layout import (OVERLAP_LIMIT, Overlap, Pair, Place, RisePoint, Samples, SideSearch, Stretch, copy,
-                      inlined, seldom)
+from ..layout import (
+    OVERLAP_LIMIT,
+    Overlap,
+    Pair,
+    Place,
+    RisePoint,
+    Samples,
+    SideSearch,
+    Stretch,
+    copy,
+    inlined,
+    seldom,
+)
 from ..search.bounds import bend_bounds, node_below, only_rises_or_falls
 from ..surface.locus import outline_point
 from ..surface.tables import height_slope
@@ -258,8 +269,9 @@ def list_on_stretch(pair: Pair, overlap: Overlap, place: Place, finest: int):
             size = size // 2
         else:
             if before.rise > 0.0 and after.rise <= 0.0:
-                list_turning_point(pair, overlap, place, before.x, after.x,
-                                   wheel_beside(stretch, 0.5 * float(start + stop)))
+                list_turning_point(
+                    pair, overlap, place, before.x, after.x, wheel_beside(stretch, 0.5 * float(start + stop))
+                )
             elif not once:
                 list_hidden_point(pair, overlap, place)
             copy(after, before)
@@ -356,8 +368,9 @@ def list_beside_smallest_gap(pair: Pair, overlap: Overlap, side: SideSearch):
         if far < x:
             low = far
             high = x
-        rail, turned = turning_point(pair, place, low, high, 0.5 * (low + high), side.best_y,
-                                     overlap.height, 1.0)
+        rail, turned = turning_point(
+            pair, place, low, high, 0.5 * (low + high), side.best_y, overlap.height, 1.0
+        )
         if turned and meeting.overlap > deepest:
             append_point(overlap, rail, meeting)
             sort_last(overlap)
@@ -369,8 +382,15 @@ def find_saddles(pair: Pair, overlap: Overlap, place: Place):
     for entry in range(overlap.count - 1):
         point = overlap.points[entry]
         following = overlap.points[entry + 1]
-        x, turned = turning_point(pair, place, point.rail, following.rail,
-                                  0.5 * (point.rail + following.rail),
-                                  0.5 * (point.wheel + following.wheel), overlap.height, -1.0)
+        x, turned = turning_point(
+            pair,
+            place,
+            point.rail,
+            following.rail,
+            0.5 * (point.rail + following.rail),
+            0.5 * (point.wheel + following.wheel),
+            overlap.height,
+            -1.0,
+        )
         point.saddle = x
         point.between = place.meeting.overlap

@@ -62,8 +62,7 @@ ZERO_RISE: Final[float] = 1e-9
 
 
 @inlined
-def meet_wheel(pair: Pair, place: Place, abscissa: float, y: float, height: float,
-               tolerance: float) -> bool:
+def meet_wheel(pair: Pair, place: Place, abscissa: float, y: float, height: float, tolerance: float) -> bool:
     """Whether the rail's normal at ``abscissa`` meets the wheel placed at ``place`` and moved down by
     ``height``, sought from ``y`` to ``tolerance`` [m]; where is the place's ``meeting``."""
     meeting = place.meeting
@@ -154,8 +153,13 @@ def pressed_gap(pair: Pair, frame: Frame, station: float):
             gap = frame.raised + frame.depth - meeting.overlap
             rate = -meeting.rise
             bend = -meeting.rate
-            curvature = longitudinal_curvature(pair.tables, frame.place, meeting.z, meeting.slope,
-                                               mean_bend(pair, frame, meeting.wheel, meeting.bend))
+            curvature = longitudinal_curvature(
+                pair.tables,
+                frame.place,
+                meeting.z,
+                meeting.slope,
+                mean_bend(pair, frame, meeting.wheel, meeting.bend),
+            )
             if fabs(way) > LEAST_WAY:
                 trace.rate = (meeting.wheel - trace.abscissa) / way
             trace.abscissa = meeting.wheel
@@ -172,8 +176,9 @@ def limited(step: float, limit: float):
 
 
 @seldom
-def turning_point(pair: Pair, place: Place, low: float, high: float, x: float, y: float, height: float,
-                  sign: float):
+def turning_point(
+    pair: Pair, place: Place, low: float, high: float, x: float, y: float, height: float, sign: float
+):
     """Rail abscissa [m] of the largest overlap (``sign`` = 1) or the smallest (-1) between two rail
     abscissae: Newton's method on its slope, bracketed, from ``x`` and ``y`` on; and whether the slope changes
     its sign there: it may do so a little beyond the bracket.  The rest is the place's ``meeting``.

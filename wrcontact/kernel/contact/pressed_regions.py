@@ -1,7 +1,19 @@
 """The regions of a pressed wheel, from its overlaps: each has a frame of its own at its deepest point."""
 
-from ..layout import (REGION_LIMIT, DeepPoint, Frame, KeptFrames, Overlap, Pair, Place, Region, Regions,
-                      SideSearch, copy, seldom)
+from ..layout import (
+    REGION_LIMIT,
+    DeepPoint,
+    Frame,
+    KeptFrames,
+    Overlap,
+    Pair,
+    Place,
+    Region,
+    Regions,
+    SideSearch,
+    copy,
+    seldom,
+)
 from ..surface.locus import outline_point
 from ..surface.tables import height_slope
 from .curves import rail_length

@@ -33,8 +33,9 @@ def vertical_rise(pair: Pair, frame: Frame, origin: Origin, station: float):
     frame.traces[RAIL].abscissa = origin.points[RAIL].y + lateral
     if within(pair, RAIL, frame.traces[RAIL].abscissa) != frame.traces[RAIL].abscissa:
         exists = False
-    across, rail_down, rail_slope, along, rail_bend = curve_jet(pair, frame, origin, RAIL,
-                                                                frame.traces[RAIL].abscissa)
+    across, rail_down, rail_slope, along, rail_bend = curve_jet(
+        pair, frame, origin, RAIL, frame.traces[RAIL].abscissa
+    )
     across, down, slope, stretch, bend = curve_jet(pair, frame, origin, WHEEL, frame.traces[WHEEL].abscissa)
     bend = rail_bend - bend / stretch
     return rail_down - down, (rail_slope - slope) * per_station, bend * per_station * per_station, exists
@@ -57,8 +58,9 @@ def equidistant_rise(pair: Pair, frame: Frame, origin: Origin, station: float):
     rail_cos = 1.0 / sqrt(1.0 + slope * slope)
     rail_sin = slope * rail_cos
     rail_curvature = bend * rail_cos * rail_cos * rail_cos
-    wheel_across, wheel_down, slope, stretch, bend = curve_jet(pair, frame, origin, WHEEL,
-                                                               frame.traces[WHEEL].abscissa)
+    wheel_across, wheel_down, slope, stretch, bend = curve_jet(
+        pair, frame, origin, WHEEL, frame.traces[WHEEL].abscissa
+    )
     wheel_cos = 1.0 / sqrt(1.0 + slope * slope)
     wheel_sin = slope * wheel_cos
     wheel_curvature = bend / stretch * wheel_cos * wheel_cos * wheel_cos

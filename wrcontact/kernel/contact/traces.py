@@ -39,8 +39,15 @@ def first_abscissa(trace: Trace, away: float):
     return u
 
 
-def trace_profile(frame: Frame, profile: Profile, point: Point, plane: Direction, trace: Trace,
-                  station: float, tolerance: float):
+def trace_profile(
+    frame: Frame,
+    profile: Profile,
+    point: Point,
+    plane: Direction,
+    trace: Trace,
+    station: float,
+    tolerance: float,
+):
     """Height of a profile over the contact plane [m], its rate [-] and bend [1/m] at ``station``, its slope
     there [-], its height [m], and whether it exists.
 
@@ -72,15 +79,22 @@ def trace_profile(frame: Frame, profile: Profile, point: Point, plane: Direction
     trace.bend = ordinate_bend * plane.sin
     ordinate = (u - point.y) * plane.sin - (height - point.z) * plane.cos
     move = -excess * along
-    return (ordinate - excess * (rate - 0.5 * excess * ordinate_bend), rate - excess * ordinate_bend,
-            ordinate_bend, slope + move * bend, height + move * slope, exists)
+    return (
+        ordinate - excess * (rate - 0.5 * excess * ordinate_bend),
+        rate - excess * ordinate_bend,
+        ordinate_bend,
+        slope + move * bend,
+        height + move * slope,
+        exists,
+    )
 
 
 def trace_rail(pair: Pair, frame: Frame, station: float, tolerance: float):
     """Height of the rail over the contact plane [m], its rate [-] and bend [1/m] at ``station``; and whether
     it exists."""
-    ordinate, rate, bend, slope, height, exists = trace_profile(frame, pair.rail, frame.rail, frame.plane,
-                                                                frame.traces[RAIL], station, tolerance)
+    ordinate, rate, bend, slope, height, exists = trace_profile(
+        frame, pair.rail, frame.rail, frame.plane, frame.traces[RAIL], station, tolerance
+    )
     return ordinate, rate, bend, exists
 
 
@@ -93,9 +107,9 @@ def trace_wheel(pair: Pair, frame: Frame, station: float, tolerance: float):
     place = frame.place
     if not place.yawed:
         lifted = station - frame.lift * frame.plane.sin
-        ordinate, rate, bend, slope, z, exists = trace_profile(frame, pair.wheel, frame.wheel,
-                                                               frame.wheel_plane, frame.traces[WHEEL], lifted,
-                                                               tolerance)
+        ordinate, rate, bend, slope, z, exists = trace_profile(
+            frame, pair.wheel, frame.wheel, frame.wheel_plane, frame.traces[WHEEL], lifted, tolerance
+        )
         ordinate -= frame.lift * frame.plane.cos
         curvature = longitudinal_curvature(pair.tables, place, z, slope, bend)
     else:

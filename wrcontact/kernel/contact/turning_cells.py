@@ -50,8 +50,11 @@ def count_turns(pair: Pair, overlap: Overlap, place: Place, entry: int) -> int:
     after = before + cell.jump
     least = min(min(cell.first_bend, cell.last_bend), min(before, after)) - cell.departure
     most = max(max(cell.first_bend, cell.last_bend), max(before, after)) + cell.departure
-    rise = 0.5 * cell.width * (cell.joint * (cell.first_bend + before)
-                               + (1.0 - cell.joint) * (after + cell.last_bend))
+    rise = (
+        0.5
+        * cell.width
+        * (cell.joint * (cell.first_bend + before) + (1.0 - cell.joint) * (after + cell.last_bend))
+    )
     if not fabs(cell.last - cell.first - rise) <= 2.0 * cell.error + cell.departure * cell.width:
         return UNCLEAR
     turns = part_turns(cell.first, cell.last, cell.error, cell.error, least, most, cell.width)
@@ -65,8 +68,9 @@ def count_turns(pair: Pair, overlap: Overlap, place: Place, entry: int) -> int:
 
 
 @seldom
-def part_turns(first: float, last: float, first_error: float, last_error: float, least: float, most: float,
-               width: float) -> int:
+def part_turns(
+    first: float, last: float, first_error: float, last_error: float, least: float, most: float, width: float
+) -> int:
     """The same of a ``width`` [m] in which F changes from ``first`` to ``last``, both but for their errors,
     and F' lies between ``least`` and ``most`` [1/m]."""
     turns = UNCLEAR
@@ -93,10 +97,24 @@ def joined_turns(cell: TurnCell, before: float, after: float, rise: float) -> in
     error = cell.error + 0.5 * cell.departure * cell.width
     if not fabs(middle) > error:
         return UNCLEAR
-    turns = part_turns(cell.first, middle, cell.error, error, min(cell.first_bend, before) - cell.departure,
-                       max(cell.first_bend, before) + cell.departure, share * cell.width)
-    turns += part_turns(middle, cell.last, error, cell.error, min(after, cell.last_bend) - cell.departure,
-                        max(after, cell.last_bend) + cell.departure, (1.0 - share) * cell.width)
+    turns = part_turns(
+        cell.first,
+        middle,
+        cell.error,
+        error,
+        min(cell.first_bend, before) - cell.departure,
+        max(cell.first_bend, before) + cell.departure,
+        share * cell.width,
+    )
+    turns += part_turns(
+        middle,
+        cell.last,
+        error,
+        cell.error,
+        min(after, cell.last_bend) - cell.departure,
+        max(after, cell.last_bend) + cell.departure,
+        (1.0 - share) * cell.width,
+    )
     return min(turns, UNCLEAR)
 
 
@@ -110,9 +128,12 @@ def open_cell(scan: Scan, overlap: Overlap, rail: RailCell, place: Place, entry:
     length = samples.rail[entry + 1] - x
     aside = samples.aside[entry]
     next_aside = samples.aside[entry + 1]
-    if not (length > 0.0 and length < WIDEST_CELL
-            and max(fabs(aside), fabs(next_aside)) < FARTHEST_FOOT
-            and overlap.height - min(samples.gap[entry], samples.gap[entry + 1]) < DEEPEST):
+    if not (
+        length > 0.0
+        and length < WIDEST_CELL
+        and max(fabs(aside), fabs(next_aside)) < FARTHEST_FOOT
+        and overlap.height - min(samples.gap[entry], samples.gap[entry + 1]) < DEEPEST
+    ):
         return False
     cell.width = samples.wheel[entry + 1] - samples.wheel[entry]
     cell.first = -samples.rise[entry]
@@ -130,8 +151,11 @@ def open_cell(scan: Scan, overlap: Overlap, rail: RailCell, place: Place, entry:
         index += 1
     at = scan.joints[index].place
     if at <= high:
-        if not (at > x + max(aside, 0.0) and at < x + length + min(next_aside, 0.0)
-                and scan.joints[index + 1].place > high):
+        if not (
+            at > x + max(aside, 0.0)
+            and at < x + length + min(next_aside, 0.0)
+            and scan.joints[index + 1].place > high
+        ):
             return False
         cell.rail_jump = scan.joints[index].jump
         cell.jump = cell.rail_jump * cell.share
@@ -144,8 +168,9 @@ def sample_bend(scan: Scan, overlap: Overlap, place: Place, entry: int):
     """x' [-] and F' [1/m] at the sample ``entry``."""
     samples = overlap.samples
     node = scan.nodes[int(samples.node[entry])]
-    y_track, z_track, outline_slope, stretch, rate = outline_jet(place, node.y, node.height, node.slope,
-                                                                 node.bend)
+    y_track, z_track, outline_slope, stretch, rate = outline_jet(
+        place, node.y, node.height, node.slope, node.bend
+    )
     m = samples.rail_slope[entry]
     bend = samples.rail_bend[entry]
     depth = max(overlap.height - samples.gap[entry], 0.0)
@@ -185,8 +210,11 @@ def bound_departure(scan: Scan, overlap: Overlap, rail: RailCell, place: Place, 
     # a foot may lie beyond the chord's ends
     rest = node.departure + length * (0.2 * length * rail.wave + 0.4 * rail.kinks)
     departure, slid = departure_from_line(place, node, rest)
-    cell.departure = (departure + (slid + aside / length) * fabs(change)
-                      + 2.0 * DEEPEST * fabs(cell.rail_jump * samples.rail_bend[entry]))
+    cell.departure = (
+        departure
+        + (slid + aside / length) * fabs(change)
+        + 2.0 * DEEPEST * fabs(cell.rail_jump * samples.rail_bend[entry])
+    )
 
 
 @seldom
@@ -209,8 +237,16 @@ def list_from_samples(pair: Pair, overlap: Overlap, place: Place, entry: int) ->
     low = samples.rail[entry] + samples.aside[entry]
     high = samples.rail[entry + 1] + samples.aside[entry + 1]
     slack = FOOT_SHARE * max(fabs(samples.aside[entry]), fabs(samples.aside[entry + 1]))
-    x, turned = turning_point(pair, place, low - slack, high + slack, low + t * (high - low),
-                              samples.wheel[entry] + t * cell.width, overlap.height, 1.0)
+    x, turned = turning_point(
+        pair,
+        place,
+        low - slack,
+        high + slack,
+        low + t * (high - low),
+        samples.wheel[entry] + t * cell.width,
+        overlap.height,
+        1.0,
+    )
     meeting = place.meeting
     turned = turned and meeting.rate < 0.0
     if turned and meeting.overlap > 0.0 and not is_listed(overlap, x):

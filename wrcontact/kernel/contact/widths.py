@@ -47,8 +47,9 @@ def width_tolerance(estimate: float):
     return tolerance
 
 
-def zone_width(pair: Pair, frame: Frame, origin: Origin, region: Region, direction: float, level: float,
-               estimate: float):
+def zone_width(
+    pair: Pair, frame: Frame, origin: Origin, region: Region, direction: float, level: float, estimate: float
+):
     """Distance [m] from the region's minimum to where the gap has risen by ``level`` [m], or to the region's
     bound or the end of a profile; ``region.reached`` is how far it has risen there, and there the traces are.
 
@@ -74,8 +75,9 @@ def zone_width(pair: Pair, frame: Frame, origin: Origin, region: Region, directi
         near = PRESSED_SHARP
     for i in range(WIDTH_ITERATIONS):
         width = min(width, limit)
-        gap, rate, bend, curvature = separation(pair, frame, origin, region.station + direction * width,
-                                                tolerance)
+        gap, rate, bend, curvature = separation(
+            pair, frame, origin, region.station + direction * width, tolerance
+        )
         if gap >= NO_GAP:
             # beyond an end the traces are lost
             start_traces(frame, station, abscissa, y)

@@ -19,8 +19,17 @@ from typing import Final
 
 from ..elementary.circle import atan2
 from ..elementary.powers import exp, log
-from ..layout import (CORRECTION_AZIMUTHS, CORRECTION_COLUMNS, CORRECTION_ELEVATIONS, CORRECTION_LINE,
-                      CORRECTION_RADII, CORRECTION_RATIOS, Patch, RollingTable, Tables)
+from ..layout import (
+    CORRECTION_AZIMUTHS,
+    CORRECTION_COLUMNS,
+    CORRECTION_ELEVATIONS,
+    CORRECTION_LINE,
+    CORRECTION_RADII,
+    CORRECTION_RATIOS,
+    Patch,
+    RollingTable,
+    Tables,
+)
 from ..surface.tables import table_cell
 from .tractions import cut_to, kalker_coefficients
 
@@ -29,8 +38,8 @@ RATIO_STRIDE: Final[int] = CORRECTION_ELEVATIONS * ELEVATION_STRIDE
 #: ln 0.1, of the smallest a/b of the table; each one is twice the one before.
 LN_FIRST_RATIO: Final[float] = -2.302585092994045684
 #: Nodes of the elevation are 22.5 degrees apart, with one more in the first interval.
-PER_RADIAN: Final[float] = 2.54647908947032537230        # 8 / pi
-PER_DOUBLING: Final[float] = 1.44269504088896340736        # 1 / ln 2
+PER_RADIAN: Final[float] = 2.54647908947032537230  # 8 / pi
+PER_DOUBLING: Final[float] = 1.44269504088896340736  # 1 / ln 2
 
 
 def correct_force(tables: Tables, patch: Patch):
@@ -38,8 +47,10 @@ def correct_force(tables: Tables, patch: Patch):
     table = tables.rolling
     bound = patch.friction * patch.totals.load
     mean_axis = sqrt(patch.half_length * patch.half_width)
-    ratio, on_ratio = table_cell((log(patch.half_length / patch.half_width) - LN_FIRST_RATIO)
-                                 * PER_DOUBLING, float(CORRECTION_RATIOS - 1))
+    ratio, on_ratio = table_cell(
+        (log(patch.half_length / patch.half_width) - LN_FIRST_RATIO) * PER_DOUBLING,
+        float(CORRECTION_RATIOS - 1),
+    )
     along, across, turning = saturation(tables, patch, ratio, on_ratio)
     sign_x = 1.0
     if along < 0.0:
@@ -54,8 +65,9 @@ def correct_force(tables: Tables, patch: Patch):
     at += ratio * RATIO_STRIDE
     patch.creep_x += sign_x * bound * missing(table, at, on_ratio, on_elevation, on_azimuth, on_radius)
     patch.creep_y += sign_y * bound * missing(table, at + 1, on_ratio, on_elevation, on_azimuth, on_radius)
-    patch.creep_moment += (sign_y * bound * mean_axis
-                           * missing(table, at + 2, on_ratio, on_elevation, on_azimuth, on_radius))
+    patch.creep_moment += (
+        sign_y * bound * mean_axis * missing(table, at + 2, on_ratio, on_elevation, on_azimuth, on_radius)
+    )
     patch.stick_share += missing(table, at + 3, on_ratio, on_elevation, on_azimuth, on_radius)
     patch.stick_share = min(max(patch.stick_share, 0.0), 1.0)
     force_x, force_y = cut_to(patch.creep_x, patch.creep_y, bound)
@@ -72,9 +84,11 @@ def saturation(tables: Tables, patch: Patch, cell: int, share: float):
     scale = -area * tables.shear_modulus / (patch.friction * patch.totals.load)
     wide = sqrt(1.0 + 0.66 * exp(-2.7 * log(ratio)))
     at = 3 * cell
-    return (scale * first * scale_at(tables.rolling, at, share) * patch.creepage_x,
-            scale * second * scale_at(tables.rolling, at + 1, share) * patch.creepage_y,
-            scale * sqrt(area) * third * scale_at(tables.rolling, at + 2, share) * patch.spin * wide)
+    return (
+        scale * first * scale_at(tables.rolling, at, share) * patch.creepage_x,
+        scale * second * scale_at(tables.rolling, at + 1, share) * patch.creepage_y,
+        scale * sqrt(area) * third * scale_at(tables.rolling, at + 2, share) * patch.spin * wide,
+    )
 
 
 def scale_at(table: RollingTable, at: int, share: float):
@@ -89,8 +103,9 @@ def node_at(table: RollingTable, along: float, across: float, turning: float):
     radius = sqrt(flat * flat + along * along)
     place = atan2(along, flat) * PER_RADIAN
     elevation, on_elevation = table_cell(place + min(place, 1.0), float(CORRECTION_ELEVATIONS - 1))
-    azimuth, on_azimuth = table_cell(atan2(fabs(turning), across) / pi * float(CORRECTION_AZIMUTHS - 1),
-                                     float(CORRECTION_AZIMUTHS - 1))
+    azimuth, on_azimuth = table_cell(
+        atan2(fabs(turning), across) / pi * float(CORRECTION_AZIMUTHS - 1), float(CORRECTION_AZIMUTHS - 1)
+    )
     cell, on_radius = radius_cell(table, radius / (1.0 + radius))
     at = elevation * ELEVATION_STRIDE + azimuth * CORRECTION_LINE + cell * CORRECTION_COLUMNS
     return at, on_elevation, on_azimuth, on_radius
@@ -104,8 +119,9 @@ def radius_cell(table: RollingTable, place: float):
     return cell, (place - table.radii[cell]) / (table.radii[cell + 1] - table.radii[cell])
 
 
-def missing(table: RollingTable, at: int, on_ratio: float, on_elevation: float, on_azimuth: float,
-            on_radius: float):
+def missing(
+    table: RollingTable, at: int, on_ratio: float, on_elevation: float, on_azimuth: float, on_radius: float
+):
     """A number of the table, linear along all four coordinates of the cell that begins ``at``."""
     low = on_plane(table, at, on_elevation, on_azimuth, on_radius)
     return low + on_ratio * (on_plane(table, at + RATIO_STRIDE, on_elevation, on_azimuth, on_radius) - low)

@@ -252,6 +252,11 @@ def finish_marches(rolling: Rolling, patch: Patch):
         largest = max(largest, square)
         if unit > 0.0:
             unit *= point_weight(strip)
-            add_strip(patch, strip, unit * marches.sum_x[i], unit * marches.sum_y[i],
-                      unit * strip.half_length * marches.sum_moment[i])
+            add_strip(
+                patch,
+                strip,
+                unit * marches.sum_x[i],
+                unit * marches.sum_y[i],
+                unit * strip.half_length * marches.sum_moment[i],
+            )
     patch.max_shear = sqrt(largest)

@@ -1,7 +1,15 @@
 """The creep force of a patch by the chosen model."""
 
-from ..layout import (ROLLING_STRIP_LIMIT, TANGENTIAL_FASTRIP, TANGENTIAL_FASTSIM, TANGENTIAL_POLACH,
-                      TANGENTIAL_STRIPS, Patch, Rolling, Tables)
+from ..layout import (
+    ROLLING_STRIP_LIMIT,
+    TANGENTIAL_FASTRIP,
+    TANGENTIAL_FASTSIM,
+    TANGENTIAL_POLACH,
+    TANGENTIAL_STRIPS,
+    Patch,
+    Rolling,
+    Tables,
+)
 from .coupled_strips import solve_coupled_strips
 from .cut import clear_creep
 from .fastrip import solve_fastrip

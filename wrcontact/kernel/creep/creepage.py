@@ -34,10 +34,23 @@ def move_patch(motion: Motion, patch: Patch):
     rail = motion.rail
     rolling_x, rolling_y, rolling_z, share = rolling_velocity(motion, x, y, z, patch.rolling_radius)
     along = velocity_along(motion, y, z, rolling_x)
-    lateral = (motion.lateral + motion.track_rate * x + motion.turn_z * x - motion.turn_x * z
-               - rolling_y - rail.lateral + rail.roll * (patch.z_track - rail.z))
-    vertical = (motion.vertical + motion.turn_x * y - motion.turn_y * x
-                - rolling_z - rail.vertical - rail.roll * (patch.y_track - rail.y))
+    lateral = (
+        motion.lateral
+        + motion.track_rate * x
+        + motion.turn_z * x
+        - motion.turn_x * z
+        - rolling_y
+        - rail.lateral
+        + rail.roll * (patch.z_track - rail.z)
+    )
+    vertical = (
+        motion.vertical
+        + motion.turn_x * y
+        - motion.turn_y * x
+        - rolling_z
+        - rail.vertical
+        - rail.roll * (patch.y_track - rail.y)
+    )
     normal_y = -patch.angle_sin
     normal_z = -patch.angle_cos
     speed = reference_speed(motion, rolling_x)
@@ -50,9 +63,13 @@ def move_patch(motion: Motion, patch: Patch):
     if speed > STANDSTILL:
         patch.creepage_x = along / speed
         patch.creepage_y = -(normal_z * lateral - normal_y * vertical) / speed
-        patch.spin = -((motion.turn_y - motion.wheel_rate * motion.axle_y) * normal_y
-                       + (motion.turn_z + motion.track_rate - motion.wheel_rate * motion.axle_z) * normal_z
-                       ) / speed
+        patch.spin = (
+            -(
+                (motion.turn_y - motion.wheel_rate * motion.axle_y) * normal_y
+                + (motion.turn_z + motion.track_rate - motion.wheel_rate * motion.axle_z) * normal_z
+            )
+            / speed
+        )
 
 
 def move_strips(motion: Motion, patch: Patch):
@@ -73,14 +90,28 @@ def move_strip(motion: Motion, strip: RollingStrip, x_track: float, inverse: flo
     turn_z = motion.turn_z + motion.track_rate
     along = motion.speed - motion.track_rate * motion.centre_y - turn_z * y + motion.turn_y * z - rolling_x
     roll = motion.turn_x - rail.roll
-    lateral = (motion.lateral - rail.lateral + rail.roll * (motion.centre_z - rail.z)
-               + turn_z * x - roll * z - rolling_y)
-    vertical = (motion.vertical - rail.vertical - rail.roll * (motion.centre_y - rail.y)
-                + roll * y - motion.turn_y * x - rolling_z)
+    lateral = (
+        motion.lateral
+        - rail.lateral
+        + rail.roll * (motion.centre_z - rail.z)
+        + turn_z * x
+        - roll * z
+        - rolling_y
+    )
+    vertical = (
+        motion.vertical
+        - rail.vertical
+        - rail.roll * (motion.centre_y - rail.y)
+        + roll * y
+        - motion.turn_y * x
+        - rolling_z
+    )
     strip.slip = along * inverse
     strip.lateral = (strip.cos * lateral + strip.sin * vertical) * inverse
-    strip.spin = (strip.cos * (turn_z - motion.wheel_rate * motion.axle_z)
-                  - strip.sin * (motion.turn_y - motion.wheel_rate * motion.axle_y)) * inverse
+    strip.spin = (
+        strip.cos * (turn_z - motion.wheel_rate * motion.axle_z)
+        - strip.sin * (motion.turn_y - motion.wheel_rate * motion.axle_y)
+    ) * inverse
     strip.radius_share = share
 
 
@@ -97,8 +128,13 @@ def rolling_velocity(motion: Motion, x: float, y: float, z: float, radius: float
 
 def velocity_along(motion: Motion, y: float, z: float, rolling_x: float):
     """Velocity of the wheel's surface along the track [m/s] at a place y, z from the wheelset's centre."""
-    return (motion.speed - motion.track_rate * (y + motion.centre_y) + motion.turn_y * z - motion.turn_z * y
-            - rolling_x)
+    return (
+        motion.speed
+        - motion.track_rate * (y + motion.centre_y)
+        + motion.turn_y * z
+        - motion.turn_z * y
+        - rolling_x
+    )
 
 
 def reference_speed(motion: Motion, rolling_x: float):
@@ -114,8 +150,18 @@ def approach_rate(motion: Motion, patch: Patch):
     rail = motion.rail
     y = patch.y_track - motion.centre_y
     z = patch.z_track - motion.centre_z
-    lateral = (motion.lateral + motion.turn_z * patch.x_track - motion.turn_x * z - rail.lateral
-               + rail.roll * (patch.z_track - rail.z))
-    vertical = (motion.vertical + motion.turn_x * y - motion.turn_y * patch.x_track - rail.vertical
-                - rail.roll * (patch.y_track - rail.y))
+    lateral = (
+        motion.lateral
+        + motion.turn_z * patch.x_track
+        - motion.turn_x * z
+        - rail.lateral
+        + rail.roll * (patch.z_track - rail.z)
+    )
+    vertical = (
+        motion.vertical
+        + motion.turn_x * y
+        - motion.turn_y * patch.x_track
+        - rail.vertical
+        - rail.roll * (patch.y_track - rail.y)
+    )
     return patch.angle_sin * lateral + patch.angle_cos * vertical

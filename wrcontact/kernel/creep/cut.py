@@ -115,16 +115,25 @@ def cut_strips(patch: Patch, strips: SolvedStrips):
         inside = node.station > low and node.station < patch.totals.stop
         loaded = node.half_length_square > 0.0 and node.line_load > 0.0
         if inside and loaded and node.width > 0.0:
-            at = add_piece(patch, at, low, low_square, low_load, node.station, node.half_length_square,
-                           node.line_load)
+            at = add_piece(
+                patch, at, low, low_square, low_load, node.station, node.half_length_square, node.line_load
+            )
             low = node.station
             low_square = node.half_length_square
             low_load = node.line_load
     add_piece(patch, at, low, low_square, low_load, patch.totals.stop, 0.0, 0.0)
 
 
-def add_piece(patch: Patch, at: int, low: float, low_square: float, low_load: float, high: float,
-              high_square: float, high_load: float):
+def add_piece(
+    patch: Patch,
+    at: int,
+    low: float,
+    low_square: float,
+    low_load: float,
+    high: float,
+    high_square: float,
+    high_load: float,
+):
     """Add a piece between two stations [m], over which a^2 and the line load follow straight lines, to the
     strips from ``at`` on; the strip in which it ends."""
     width = high - low

@@ -16,8 +16,16 @@ The force is not continuous: strips begin to slip all over while their stick zon
 
 from math import pi, sqrt
 
-from ..layout import (POINT_LIMIT, ROLLING_STRIP_LIMIT, Patch, Rolling, RollingMarch, RollingStrip,
-                      RollingTable, Tables)
+from ..layout import (
+    POINT_LIMIT,
+    ROLLING_STRIP_LIMIT,
+    Patch,
+    Rolling,
+    RollingMarch,
+    RollingStrip,
+    RollingTable,
+    Tables,
+)
 from .fastsim import stiffnesses, strip_push
 from .tractions import add_strip, bound_rate, cut_to, kalker_coefficients, patch_area, point_weight
 
@@ -61,8 +69,9 @@ def longitudinal(tables: Tables, rolling: Rolling, patch: Patch, strip: RollingS
     march = rolling.march
     push = march.along * strip.slip
     if rolling.published:
-        push = (march.along * patch.creepage_x + march.turning * (strip.slip - patch.creepage_x)
-                / (1.0 - tables.parameters.poisson_ratio))
+        push = march.along * patch.creepage_x + march.turning * (strip.slip - patch.creepage_x) / (
+            1.0 - tables.parameters.poisson_ratio
+        )
     return push
 
 
@@ -130,8 +139,9 @@ def next_traction(march: RollingMarch, x: float, bound: float):
     inner = reach * reach - (x - march.depth) * (x - march.depth)
     if inner > 0.0:
         root = march.rate * sqrt(inner)
-        p_x, p_y = cut_to(march.stick_x * (bound - root),
-                          march.stick_y * (bound - root) + march.twist * root, bound)
+        p_x, p_y = cut_to(
+            march.stick_x * (bound - root), march.stick_y * (bound - root) + march.twist * root, bound
+        )
     else:
         size = sqrt(p_x * p_x + p_y * p_y)
         if size > 0.0:

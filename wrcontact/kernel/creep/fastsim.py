@@ -40,8 +40,11 @@ def stiffnesses(tables: Tables, patch: Patch):
     ratio = a / patch.half_width
     first, second, third = kalker_coefficients(tables.rolling, ratio)
     modulus = tables.shear_modulus
-    return (3.0 * first * modulus / (8.0 * a), 3.0 * second * modulus / (8.0 * a),
-            4.0 * third * modulus / (pi * a * sqrt(ratio)))
+    return (
+        3.0 * first * modulus / (8.0 * a),
+        3.0 * second * modulus / (8.0 * a),
+        4.0 * third * modulus / (pi * a * sqrt(ratio)),
+    )
 
 
 def strip_push(rolling: Rolling, patch: Patch, strip: RollingStrip, along: float, turning: float):
@@ -52,8 +55,15 @@ def strip_push(rolling: Rolling, patch: Patch, strip: RollingStrip, along: float
     return push
 
 
-def march_strip(table: RollingTable, patch: Patch, strip: RollingStrip, rate: float, push: float,
-                across: float, turning: float):
+def march_strip(
+    table: RollingTable,
+    patch: Patch,
+    strip: RollingStrip,
+    rate: float,
+    push: float,
+    across: float,
+    turning: float,
+):
     """Add a strip's force from its tractions; the area that sticks [m^2]."""
     a = strip.half_length
     slanted = strip.spin * strip.x

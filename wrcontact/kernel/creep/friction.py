@@ -67,8 +67,16 @@ def slope_factor(tables: Tables, patch: Patch):
             across = patch.creepage_y + patch.spin * patch.half_length
             creepage = sqrt(patch.creepage_x * patch.creepage_x + across * across)
             c11, c22, c23 = kalker_coefficients(tables.rolling, patch.half_length / patch.half_width)
-            epsilon = (tables.shear_modulus * PI * patch.half_length * patch.half_width * initial * c11
-                       * creepage / (4.0 * limit))
+            epsilon = (
+                tables.shear_modulus
+                * PI
+                * patch.half_length
+                * patch.half_width
+                * initial
+                * c11
+                * creepage
+                / (4.0 * limit)
+            )
             factor = initial * parameters.slope_reduction_floor
             factor = factor + (initial - factor) / (1.0 + parameters.slope_reduction_rate * epsilon)
     return factor
@@ -107,12 +115,16 @@ def keep_dissipating(patch: Patch):
 
 def creep_gain(patch: Patch):
     """-P of eq. (W1) [N].  The sum over the strips is zero in a plane patch."""
-    gain = (patch.creepage_x * patch.creep_x + patch.creepage_y * patch.creep_y
-            + patch.spin * patch.creep_moment)
+    gain = (
+        patch.creepage_x * patch.creep_x + patch.creepage_y * patch.creep_y + patch.spin * patch.creep_moment
+    )
     for i in range(ROLLING_STRIP_LIMIT):
         strip = patch.strips[i]
         plane = patch.creepage_x - patch.spin * strip.y
         lateral = strip.lateral - strip.spin * strip.x - patch.creepage_y
-        gain += ((strip.slip - plane) * strip.force_x + lateral * strip.force_y
-                 + (strip.spin - patch.spin) * strip.moment) * strip.width
+        gain += (
+            (strip.slip - plane) * strip.force_x
+            + lateral * strip.force_y
+            + (strip.spin - patch.spin) * strip.moment
+        ) * strip.width
     return gain

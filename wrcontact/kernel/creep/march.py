@@ -59,8 +59,9 @@ def open_marches(marches: RollingMarches, ratio: float):
     marches.share = SHARE / (1.0 + square * square)
 
 
-def set_pushes(march: RollingMarch, marches: RollingMarches, number: int, plane: float, spinning: float,
-               ratio: float):
+def set_pushes(
+    march: RollingMarch, marches: RollingMarches, number: int, plane: float, spinning: float, ratio: float
+):
     """What both marches of strip ``number`` lose per way, eqs. (M1) to (M4); ``plane`` = i1/K1 = i2/K2 and
     ``spinning`` = i3/K3 [1/m] of the patch, ``ratio`` its a/b."""
     i1 = march.along * plane
@@ -270,8 +271,9 @@ def leave_edge(marches: RollingMarches, i: int, x: float, bound: float):
     marches.sum_y[i] += bound * slip_y
     marches.sum_moment[i] += bound * x * slip_y
     weight *= (1.0 - share) * bound
-    note_largest(marches, i, p_x + weight * marches.stick_x[i] + slip_x,
-                 p_y + weight * marches.stick_y[i] + slip_y)
+    note_largest(
+        marches, i, p_x + weight * marches.stick_x[i] + slip_x, p_y + weight * marches.stick_y[i] + slip_y
+    )
     marches.slips[i] = 1.0
     marches.noted[i] = 1.0
 

@@ -18,8 +18,22 @@ Each wheel has its equation in its own frame, in which the left side is mirrored
 from math import fabs
 
 from ..elementary.circle import sine_cosine
-from ..layout import (CURVATURE_LIMIT, RATE_LIMIT, SPEED_LIMIT, VELOCITY_LIMIT, WHEEL_LIMIT, ContactPoint,
-                      Deflection, Forces, Inputs, Motion, Pair, RailMotion, Tables, Wheelset)
+from ..layout import (
+    CURVATURE_LIMIT,
+    RATE_LIMIT,
+    SPEED_LIMIT,
+    VELOCITY_LIMIT,
+    WHEEL_LIMIT,
+    ContactPoint,
+    Deflection,
+    Forces,
+    Inputs,
+    Motion,
+    Pair,
+    RailMotion,
+    Tables,
+    Wheelset,
+)
 
 
 def is_moderate(inputs: Inputs) -> bool:
@@ -33,11 +47,15 @@ def is_moderate(inputs: Inputs) -> bool:
         moderate = False
     if fabs(inputs.track_curvature) > CURVATURE_LIMIT:
         moderate = False
-    if not is_rail_moderate(inputs.left_rail_lateral_velocity, inputs.left_rail_vertical_velocity,
-                            inputs.left_rail_roll_velocity):
+    if not is_rail_moderate(
+        inputs.left_rail_lateral_velocity, inputs.left_rail_vertical_velocity, inputs.left_rail_roll_velocity
+    ):
         moderate = False
-    if not is_rail_moderate(inputs.right_rail_lateral_velocity, inputs.right_rail_vertical_velocity,
-                            inputs.right_rail_roll_velocity):
+    if not is_rail_moderate(
+        inputs.right_rail_lateral_velocity,
+        inputs.right_rail_vertical_velocity,
+        inputs.right_rail_roll_velocity,
+    ):
         moderate = False
     return moderate
 
@@ -173,17 +191,28 @@ def known_part(motion: Motion):
     constraint = motion.constraint
     rail = motion.rail
     # of the force about the point about which the rail rolls
-    rail_moment = (constraint.moment_x + (motion.centre_y - rail.y) * constraint.z
-                   - (motion.centre_z - rail.z) * constraint.y)
-    return (constraint.y * (motion.lateral - rail.lateral) + constraint.moment_z * motion.turn_z
-            - constraint.z * rail.vertical - rail_moment * rail.roll)
+    rail_moment = (
+        constraint.moment_x
+        + (motion.centre_y - rail.y) * constraint.z
+        - (motion.centre_z - rail.z) * constraint.y
+    )
+    return (
+        constraint.y * (motion.lateral - rail.lateral)
+        + constraint.moment_z * motion.turn_z
+        - constraint.z * rail.vertical
+        - rail_moment * rail.roll
+    )
 
 
 def constraint_residual(motion: Motion):
     """How much faster than the wheelset the wheel of a side comes down [m/s], if it stays on its rail."""
     constraint = motion.constraint
-    power = (known_part(motion) + constraint.z * motion.vertical + constraint.moment_x * motion.turn_x
-             + constraint.moment_y * motion.turn_y)
+    power = (
+        known_part(motion)
+        + constraint.z * motion.vertical
+        + constraint.moment_x * motion.turn_x
+        + constraint.moment_y * motion.turn_y
+    )
     return -power / constraint.z
 
 

@@ -42,8 +42,10 @@ def solve_polach(tables: Tables, patch: Patch):
     if whole > SMALLEST:
         first, second, third = kalker_coefficients(tables.rolling, a / patch.half_width)
         if slip > SMALLEST:
-            push = creep_force(tables.shear_modulus, patch, mean_coefficient(patch, first, second, slip),
-                               whole) / whole
+            push = (
+                creep_force(tables.shear_modulus, patch, mean_coefficient(patch, first, second, slip), whole)
+                / whole
+            )
             patch.creep_x = -push * patch.creepage_x
             patch.creep_y = -push * patch.creepage_y
         patch.creep_y += spin_force(tables.shear_modulus, patch, third, whole)
@@ -83,7 +85,7 @@ def spin_force(shear_modulus: float, patch: Patch, coefficient: float, whole: fl
 def spin_share(e: float):
     """K of eq. (P4), written in c = 1 - d so that nothing cancels where e is large."""
     c = 2.0 / (1.0 + e * e)
-    root = e * c                    # sqrt(1 - d^2)
+    root = e * c  # sqrt(1 - d^2)
     # d^3/3 - d^2/2 + 1/6 = c^2/2 - c^3/3
     return 0.5 * e * c * c * (1.0 - 2.0 / 3.0 * c) - root * root * root / 3.0
 

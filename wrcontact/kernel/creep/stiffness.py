@@ -29,8 +29,19 @@ from math import fabs, sqrt
 from typing import Final
 
 from ..elementary.powers import log
-from ..layout import (BLOCK_COUNT, REACH_CELLS, REACH_PER_UNIT, REACH_ROW, BlockMatrix, Patch, Rolling,
-                      RollingBlock, RollingBlocks, RollingTable, Tables)
+from ..layout import (
+    BLOCK_COUNT,
+    REACH_CELLS,
+    REACH_PER_UNIT,
+    REACH_ROW,
+    BlockMatrix,
+    Patch,
+    Rolling,
+    RollingBlock,
+    RollingBlocks,
+    RollingTable,
+    Tables,
+)
 from .tractions import shape_place, shape_value
 
 #: Pairs of strips are at least as long as this share of the ellipse.
@@ -40,8 +51,8 @@ SOFTEST: Final[float] = 0.02
 #: In place of no distance, whose roots have no slope.
 NEAREST: Final[float] = 1e-12
 #: ln(a/b) from where on spin's stiffness is no longer that of each strip, and where it is the mean.
-OWN_UNTIL: Final[float] = 0.405465108108164381978      # ln 1.5
-MEAN_FROM: Final[float] = 1.098612288668109691395      # ln 3
+OWN_UNTIL: Final[float] = 0.405465108108164381978  # ln 1.5
+MEAN_FROM: Final[float] = 1.098612288668109691395  # ln 3
 
 
 def find_stiffnesses(tables: Tables, rolling: Rolling, patch: Patch):
@@ -75,8 +86,9 @@ def join_strips(rolling: Rolling, patch: Patch):
         high = patch.strips[2 * i + 1]
         block.start = low.start
         block.stop = high.stop
-        square = (low.half_length * low.half_length * low.width
-                  + high.half_length * high.half_length * high.width) / (block.stop - block.start)
+        square = (
+            low.half_length * low.half_length * low.width + high.half_length * high.half_length * high.width
+        ) / (block.stop - block.start)
         least = SHORT * patch.half_length
         block.half_length = sqrt(square + least * least)
         block.slip = 0.5 * (low.slip + high.slip)
@@ -99,8 +111,9 @@ def fill_equations(table: RollingTable, rolling: Rolling):
         along[BLOCK_COUNT + 1] = block.slip
         for j in range(i + 1, BLOCK_COUNT):
             other = rolling.blocks[j]
-            scale = 1.0 / sqrt(0.5 * (block.half_length * block.half_length
-                                      + other.half_length * other.half_length))
+            scale = 1.0 / sqrt(
+                0.5 * (block.half_length * block.half_length + other.half_length * other.half_length)
+            )
             middle = 0.5 * (block.start + block.stop)
             reach_beside(table, rolling, i, j, (other.start - middle) * scale, (other.stop - middle) * scale)
             middle = 0.5 * (other.start + other.stop)

@@ -10,12 +10,20 @@ from math import pi, sqrt
 from typing import Final
 
 from ..elementary.powers import log
-from ..layout import (ROLLING_STRIP_LIMIT, SHAPE_CELLS, SHAPE_PER_UNIT, SHAPE_ROW, SHAPE_START, Patch,
-                      RollingStrip, RollingTable)
+from ..layout import (
+    ROLLING_STRIP_LIMIT,
+    SHAPE_CELLS,
+    SHAPE_PER_UNIT,
+    SHAPE_ROW,
+    SHAPE_START,
+    Patch,
+    RollingStrip,
+    RollingTable,
+)
 from ..surface.tables import table_cell
 
 #: Weight of a point, over a sin(...).
-WEIGHT: Final[float] = 0.18479956785822313167        # pi / (POINT_LIMIT + 1)
+WEIGHT: Final[float] = 0.18479956785822313167  # pi / (POINT_LIMIT + 1)
 #: Strips with a bound below this, of the patch's mean bound, carry nothing.
 SLIGHT: Final[float] = 1e-12
 
@@ -36,8 +44,11 @@ def shape_value(table: RollingTable, column: int, place: float):
 def kalker_coefficients(table: RollingTable, axis_ratio: float):
     """Kalker's creepage coefficients C11, C22, C23 of an ellipse with this a/b, length over width."""
     place = shape_place(axis_ratio)
-    return (1.0 / shape_value(table, 0, place), 1.0 / shape_value(table, 1, place),
-            1.0 / shape_value(table, 2, place))
+    return (
+        1.0 / shape_value(table, 0, place),
+        1.0 / shape_value(table, 1, place),
+        1.0 / shape_value(table, 2, place),
+    )
 
 
 def bound_rate(patch: Patch, strip: RollingStrip):

@@ -18,8 +18,9 @@ from ..surface.tables import height_slope_bend
 from .intrinsics import differentiated, held, moving, nonzero, rate_of, seeded, common_rate
 
 
-def width_rule(pair: Pair, frame: Frame, origin: Origin, region: Region, direction: float, level: float,
-               estimate: float):
+def width_rule(
+    pair: Pair, frame: Frame, origin: Origin, region: Region, direction: float, level: float, estimate: float
+):
     """``zone_width``: its Newton steps are followed as they are. A width that halving has found ends where a
     profile ends, and stays on that point; or else where the gap has risen by ``level``."""
     width = differentiated(zone_width(pair, frame, origin, region, direction, level, estimate))
@@ -49,13 +50,15 @@ def width_rule(pair: Pair, frame: Frame, origin: Origin, region: Region, directi
     return width
 
 
-def width_jet(pair: Pair, frame: Frame, origin: Origin, region: Region, direction: float, width: float,
-              tolerance: float):
+def width_jet(
+    pair: Pair, frame: Frame, origin: Origin, region: Region, direction: float, width: float, tolerance: float
+):
     """Gap [m] and its rate [-] at a distance ``width`` from a region's minimum, as
     ``zone_width`` measures it."""
     start_traces(frame, region.station, region.rail, region.wheel)
-    gap, rate, bend, curvature = separation(pair, frame, origin, region.station + direction * width,
-                                            tolerance)
+    gap, rate, bend, curvature = separation(
+        pair, frame, origin, region.station + direction * width, tolerance
+    )
     return gap, rate
 
 
@@ -69,8 +72,9 @@ def arc_rule(pair: Pair, frame: Frame, origin: Origin, curve: int, length: float
         if u == start:
             place = start + place
         else:
-            place -= arc_length(pair, frame, origin, curve, start,
-                                u) / held(curve_speed(pair, frame, origin, curve, u))
+            place -= arc_length(pair, frame, origin, curve, start, u) / held(
+                curve_speed(pair, frame, origin, curve, u)
+            )
         frame.traces[curve].abscissa = moving(u, place)
     return exists
 
@@ -101,8 +105,7 @@ def across_rule(pair: Pair, frame: Frame, origin: Origin, lateral: float) -> boo
     return exists
 
 
-def meet_rule(pair: Pair, place: Place, abscissa: float, y: float, height: float,
-              tolerance: float) -> bool:
+def meet_rule(pair: Pair, place: Place, abscissa: float, y: float, height: float, tolerance: float) -> bool:
     """``meet_wheel``: the wheel's point lies on the rail's normal."""
     found = meet_wheel(pair, place, abscissa, y, height, tolerance)
     if found:
@@ -148,15 +151,17 @@ def overlaps_rule(pair: Pair, overlap: Overlap, side: SideSearch, height: float)
     for entry in range(count - 1):
         point = overlap.points[entry]
         following = overlap.points[entry + 1]
-        x, y, depth = turning_rule(pair, side.place, point.saddle, 0.5 * (point.wheel + following.wheel),
-                                   height)
+        x, y, depth = turning_rule(
+            pair, side.place, point.saddle, 0.5 * (point.wheel + following.wheel), height
+        )
         point.saddle = moving(point.saddle, x)
         point.between = moving(point.between, depth)
     return count
 
 
-def penetrations_rule(work: Work, tables: Tables, count: int, force: float, penetration: float,
-                      prescribed: bool):
+def penetrations_rule(
+    work: Work, tables: Tables, count: int, force: float, penetration: float, prescribed: bool
+):
     """``solve_penetrations`` as it is lowered: of each region local penetration = turn penetration - gap -
     sum of pushes, and of all the load is the force.
 

@@ -19,8 +19,9 @@ def atan_rule(x: float):
 
 def atan2_rule(up: float, along: float):
     """Angle of a direction."""
-    return seeded(atan2(held(up), held(along)),
-                  (along * rate_of(up) - up * rate_of(along)) / (along * along + up * up))
+    return seeded(
+        atan2(held(up), held(along)), (along * rate_of(up) - up * rate_of(along)) / (along * along + up * up)
+    )
 
 
 def exp_rule(x: float):

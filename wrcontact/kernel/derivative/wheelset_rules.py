@@ -89,8 +89,9 @@ def follow_roll(tables: Tables, work: Work):
     right = held(work.sides[1].best_y)
     gap_left, mismatch_left, rate_left = vertical_gap(tables.pairs[0], work.sides[0].place, left)
     gap_right, mismatch_right, rate_right = vertical_gap(tables.pairs[1], work.sides[1].place, right)
-    lever = (gap_per_roll(tables.pairs[1], work.sides[1].place, right)
-             + gap_per_roll(tables.pairs[0], work.sides[0].place, left))
+    lever = gap_per_roll(tables.pairs[1], work.sides[1].place, right) + gap_per_roll(
+        tables.pairs[0], work.sides[0].place, left
+    )
     return moving(roll, -(gap_right - gap_left) / held(lever))
 
 
@@ -327,10 +328,12 @@ def follow_load(tables: Tables, work: Work) -> bool:
     if not side_force(work, 1) > 0.0:
         right_right = 1.0
     determinant = left_left * right_right - left_right * right_left
-    left.friction_load = seeded(left.friction_load, (missing_right * left_right - missing_left * right_right)
-                                / determinant)
-    right.friction_load = seeded(right.friction_load, (missing_left * right_left - missing_right * left_left)
-                                 / determinant)
+    left.friction_load = seeded(
+        left.friction_load, (missing_right * left_right - missing_left * right_right) / determinant
+    )
+    right.friction_load = seeded(
+        right.friction_load, (missing_left * right_left - missing_right * left_left) / determinant
+    )
     return follow_wheelset(tables, work)
 
 

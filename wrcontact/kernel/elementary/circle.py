@@ -19,7 +19,7 @@ QUARTER_SQUARE: Final[float] = 0.6168502750680849
 TINY: Final[float] = 1e-20
 #: Angles beyond this [rad] have no sine here: TURN_0 and TURN_1 leave room for 2^20 quarter turns.
 LARGEST_ANGLE: Final[float] = 1e6
-PER_QUARTER: Final[float] = 0.6366197723675814      # 2/pi
+PER_QUARTER: Final[float] = 0.6366197723675814  # 2/pi
 #: pi/2 in three parts.
 TURN_0: Final[float] = 1.5707963267341256
 TURN_1: Final[float] = 6.077100506303966e-11
@@ -128,8 +128,7 @@ def rest_sine_cosine(x: float, rest: float):
     odd, even = circle_series(z)
     half = 0.5 * z
     near = 1.0 - half
-    return (x + (x * z * odd + rest * near),
-            near + (((1.0 - near) - half) + (z * z * even - x * rest)))
+    return (x + (x * z * odd + rest * near), near + (((1.0 - near) - half) + (z * z * even - x * rest)))
 
 
 @inlined

@@ -44,9 +44,9 @@ LOGARITHM_6: Final[float] = 0.14616832997057724
 #: What is within these sizes has a power of two for each of its own; FAR takes what is not there.
 SMALL: Final[float] = 1e-300
 LARGE: Final[float] = 1e300
-FAR: Final[float] = 1.2379400392853803e+27            # 2^90
+FAR: Final[float] = 1.2379400392853803e27  # 2^90
 LN_FAR: Final[int] = 90
-ROOT_FAR: Final[float] = 1073741824.0                  # 2^30
+ROOT_FAR: Final[float] = 1073741824.0  # 2^30
 ROOT_0: Final[float] = 0.7041619948802007
 ROOT_1: Final[float] = 0.34060036405019106
 ROOT_2: Final[float] = -0.03689713030393742
@@ -110,8 +110,10 @@ def shifted_log(x: float, shift: int):
     s = f / (2.0 + f)
     z = s * s
     w = z * z
-    series = z * ((LOGARITHM_0 + w * (LOGARITHM_2 + w * (LOGARITHM_4 + w * LOGARITHM_6)))
-                  + z * (LOGARITHM_1 + w * (LOGARITHM_3 + w * LOGARITHM_5)))
+    series = z * (
+        (LOGARITHM_0 + w * (LOGARITHM_2 + w * (LOGARITHM_4 + w * LOGARITHM_6)))
+        + z * (LOGARITHM_1 + w * (LOGARITHM_3 + w * LOGARITHM_5))
+    )
     half = 0.5 * f * f
     return n * LN2 - ((half - (s * (half + series) + n * LN2_REST)) - f)
 

@@ -27,7 +27,9 @@ def digest():
         if name.isupper() and all(isinstance(number, (int, float)) for number in numbers):
             lines.append(f"{name} = {value!r}")
         elif hasattr(value, "_fields_") and hasattr(value, "scalars"):
-            lines += [f"{name}.{field}: {kind.__name__} at {getattr(value, field).offset}"
-                      for field, kind in value._fields_]
+            lines += [
+                f"{name}.{field}: {kind.__name__} at {getattr(value, field).offset}"
+                for field, kind in value._fields_
+            ]
             lines += [f"{name}.{field}: {kind.__name__}" for field, kind in value.scalars.items()]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()

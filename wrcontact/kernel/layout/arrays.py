@@ -10,12 +10,35 @@
 
 from typing import Final
 
-from .contact import (CubicTable, CurvatureTable, DeepPoints, FirstWidths, Frame, KeptFrames, Origin, Overlap,
-                      Profile, Regions)
+from .contact import (
+    CubicTable,
+    CurvatureTable,
+    DeepPoints,
+    FirstWidths,
+    Frame,
+    KeptFrames,
+    Origin,
+    Overlap,
+    Profile,
+    Regions,
+)
 from .creep import Rolling, RollingTable
 from .interface import PATCH_LIMIT, Inputs, Outputs, Parameters, PatchOutputs, Resolution, SideOutputs
-from .patch import (Equations, Forces, HertzTable, InfluenceTable, NodesOfRegions, Outline, Patch,
-                    PatchTotals, SolvedStrips, StripOutputs, StripProblem, Waves, WearRuns)
+from .patch import (
+    Equations,
+    Forces,
+    HertzTable,
+    InfluenceTable,
+    NodesOfRegions,
+    Outline,
+    Patch,
+    PatchTotals,
+    SolvedStrips,
+    StripOutputs,
+    StripProblem,
+    Waves,
+    WearRuns,
+)
 from .record import WIDTH, Float, To, record, size
 from .search import ContactPoint, RollTrials, Scan, Sides, Starts
 
@@ -24,11 +47,11 @@ from .search import ContactPoint, RollTrials, Scan, Sides, Starts
 class Wheelset:
     """Where the wheelset stands, and the forces on it."""
 
-    roll: float                     # [rad]
-    vertical_shift: float           # [m]
-    vertical_velocity: float        # and how fast both grow in elastic contact [m/s, rad/s],
+    roll: float  # [rad]
+    vertical_shift: float  # [m]
+    vertical_velocity: float  # and how fast both grow in elastic contact [m/s, rad/s],
     roll_rate: float
-    settled: bool                   # with what the depth adds (wheelset/depth_rates.py)
+    settled: bool  # with what the depth adds (wheelset/depth_rates.py)
     forces: Forces
 
 
@@ -36,19 +59,19 @@ class Wheelset:
 class Support:
     """How a side carries its load."""
 
-    approach: float                 # how far the wheel is estimated to come down below its smallest gap [m]
-    height: float                   # the vertical shift at which it carries its load [m]
-    lever: float                    # how that follows the roll [m]
-    friction_load: float            # what its normal forces are to carry, over the load of the inputs [-]
-    load_before: float              # the one before [-],
-    share_before: float             # and what share of the wanted force it has given [-]
-    low_load: float                 # loads that give less and more than that [-]; 0 where none is known
+    approach: float  # how far the wheel is estimated to come down below its smallest gap [m]
+    height: float  # the vertical shift at which it carries its load [m]
+    lever: float  # how that follows the roll [m]
+    friction_load: float  # what its normal forces are to carry, over the load of the inputs [-]
+    load_before: float  # the one before [-],
+    share_before: float  # and what share of the wanted force it has given [-]
+    low_load: float  # loads that give less and more than that [-]; 0 where none is known
     high_load: float
-    turns: float                    # in which these were found
-    residual: float                 # how much faster than the wheelset it comes down where it moves [m/s]
-    point: ContactPoint             # what is kept of the side while it is displaced
+    turns: float  # in which these were found
+    residual: float  # how much faster than the wheelset it comes down where it moves [m/s]
+    point: ContactPoint  # what is kept of the side while it is displaced
     totals: PatchTotals
-    penetration: float              # [m]
+    penetration: float  # [m]
     patch_count: int
 
 
@@ -61,13 +84,13 @@ class Broyden:
     """Broyden's method for the height and roll of an elastic wheelset; rolls count in
     metres at the wheels."""
 
-    left: float                     # residuals: how much lower each side carries its load [m]
+    left: float  # residuals: how much lower each side carries its load [m]
     right: float
-    left_height: float              # their derivatives with respect to height and roll [-]
+    left_height: float  # their derivatives with respect to height and roll [-]
     left_roll: float
     right_height: float
     right_roll: float
-    move_height: float              # the last move [m]
+    move_height: float  # the last move [m]
     move_roll: float
 
 
@@ -75,9 +98,9 @@ class Broyden:
 class Bracket:
     """Two places between which a value changes its sign."""
 
-    low: float                      # height [m] or roll [rad]
+    low: float  # height [m] or roll [rad]
     high: float
-    at_low: float                   # the value there [m]
+    at_low: float  # the value there [m]
     at_high: float
 
 
@@ -98,19 +121,19 @@ class Settling:
     Over a step in time a damper is a spring, too, from another place.
     """
 
-    lateral_stiffness: float        # of both together [N/m]; 0: rigid
+    lateral_stiffness: float  # of both together [N/m]; 0: rigid
     vertical_stiffness: float
-    lateral_rest: float             # where the rail stands without forces [m]
+    lateral_rest: float  # where the rail stands without forces [m]
     vertical_rest: float
-    lateral_before: float           # and where it stood before the step in time [m]
+    lateral_before: float  # and where it stood before the step in time [m]
     vertical_before: float
-    lateral: float                  # residuals: what the springs carry more than the wheel presses [N]
+    lateral: float  # residuals: what the springs carry more than the wheel presses [N]
     vertical: float
-    lateral_lateral: float          # their derivatives with respect to both deflections [N/m]
+    lateral_lateral: float  # their derivatives with respect to both deflections [N/m]
     lateral_vertical: float
     vertical_lateral: float
     vertical_vertical: float
-    move_lateral: float             # the last move [m]
+    move_lateral: float  # the last move [m]
     move_vertical: float
 
 
@@ -118,13 +141,13 @@ class Settling:
 class Reference:
     """The vertical shift for which wheels are placed over rolled rails, while it is sought."""
 
-    height: float                   # the last one [m]
-    low_load: float                 # loads that give less and more than that [-]; 0 where none is known
+    height: float  # the last one [m]
+    low_load: float  # loads that give less and more than that [-]; 0 where none is known
     high_load: float
-    residual: float                 # how much lower the contact was found [m]
-    slope: float                    # how that follows the height [-]
-    contacts: float                 # how many were found
-    within: Bracket                 # heights below and above the one that is sought, and their residuals
+    residual: float  # how much lower the contact was found [m]
+    slope: float  # how that follows the height [-]
+    contacts: float  # how many were found
+    within: Bracket  # heights below and above the one that is sought, and their residuals
 
 
 @record
@@ -132,11 +155,11 @@ class State:
     """What one step leaves for the next; the head of its array."""
 
     array = "state"
-    roll: float                     # last valid roll [rad]
-    warm: bool                      # whether there is one
-    y_left: float                   # wheel abscissae of the last contacts [m]
+    roll: float  # last valid roll [rad]
+    warm: bool  # whether there is one
+    y_left: float  # wheel abscissae of the last contacts [m]
     y_right: float
-    shift: float                    # and the lateral shift [m]
+    shift: float  # and the lateral shift [m]
 
 
 @record
@@ -144,76 +167,76 @@ class Setup:
     array = "setup"
     parameters: Parameters
     resolution: Resolution
-    left_radius: float              # nominal radius of the left wheel [m]
-    left_inclination: float         # of the left rail [1]
-    left_spring: Spring             # below it
-    absent: float                   # not a number
-    side: int                       # whose profiles cannot be used: 0 left, 1 right; the rest says why
-    reached: float                  # where the inner side of the rail ends [m]
-    depth: float                    # how deep the gauge is measured, in the same frame [m]
-    width: float                    # of the wheel [m]
+    left_radius: float  # nominal radius of the left wheel [m]
+    left_inclination: float  # of the left rail [1]
+    left_spring: Spring  # below it
+    absent: float  # not a number
+    side: int  # whose profiles cannot be used: 0 left, 1 right; the rest says why
+    reached: float  # where the inner side of the rail ends [m]
+    depth: float  # how deep the gauge is measured, in the same frame [m]
+    width: float  # of the wheel [m]
 
 
 @record
 class Pair:
     """A wheel over its rail, both as those of a right side."""
 
-    tables: To("Tables")            # which it is in
-    radius: float                   # nominal radius of the wheel [m]
+    tables: To("Tables")  # which it is in
+    radius: float  # nominal radius of the wheel [m]
     wheel: To(Profile)
     wheel_curvature: To(CurvatureTable)
-    rail_y: float                   # track coordinate of the rail's highest point [m]
+    rail_y: float  # track coordinate of the rail's highest point [m]
     rail: To(Profile)
     rail_curvature: To(CurvatureTable)
-    rail_arc: To(CubicTable)        # arc length of the rail from its start [m] over its abscissa
-    rail_at_arc: To(CubicTable)     # and the abscissa over the arc length
-    scan: To(Scan)                  # raster over both
+    rail_arc: To(CubicTable)  # arc length of the rail from its start [m] over its abscissa
+    rail_at_arc: To(CubicTable)  # and the abscissa over the arc length
+    scan: To(Scan)  # raster over both
 
 
 @record
 class Tables:
     array = "tables"
-    pairs: Pair * 2                 # left and right side
-    height: float                   # of the wheelset's centre, the mean of both nominal radii [m]
-    arm: float                      # half the distance of the running circles [m]
-    springs: Spring * 2             # below both rails
-    sprung: bool                    # whether there are any
-    contact_modulus: float          # E* [Pa]
-    lateral_limit: float            # largest |lateral shift| [m]
-    yaw_limit: float                # largest |yaw| [rad]
+    pairs: Pair * 2  # left and right side
+    height: float  # of the wheelset's centre, the mean of both nominal radii [m]
+    arm: float  # half the distance of the running circles [m]
+    springs: Spring * 2  # below both rails
+    sprung: bool  # whether there are any
+    contact_modulus: float  # E* [Pa]
+    lateral_limit: float  # largest |lateral shift| [m]
+    yaw_limit: float  # largest |yaw| [rad]
     hertz: To(HertzTable)
-    normal_model: int               # one of MODEL_...
-    longitudinal: int               # one of LONGITUDINAL_...
-    penetration: Float * 2          # prescribed, left and right [m]; not a number: the force is prescribed
-    nodes: int                      # nodes per half-width of the interpenetration, a multiple of five
-    stride: int                     # every so many of them are traced on the profiles
-    waves: To(Waves)                # what the strips of a run have from their number alone
-    sweeps: int                     # how often their half-lengths and edges are corrected
-    influence: To(InfluenceTable)   # how they displace the half-space beside them
+    normal_model: int  # one of MODEL_...
+    longitudinal: int  # one of LONGITUDINAL_...
+    penetration: Float * 2  # prescribed, left and right [m]; not a number: the force is prescribed
+    nodes: int  # nodes per half-width of the interpenetration, a multiple of five
+    stride: int  # every so many of them are traced on the profiles
+    waves: To(Waves)  # what the strips of a run have from their number alone
+    sweeps: int  # how often their half-lengths and edges are corrected
+    influence: To(InfluenceTable)  # how they displace the half-space beside them
     starts: To(Starts)
-    sides: int                      # which sides are wanted, one of SIDES_...
-    depth: int                      # what is wanted of them, one of DEPTH_...
-    absent: float                   # what stands in outputs that are not wanted: not a number
-    stations: int                   # stations of an outline; where it then lies is told in outline.py
-    separation: int                 # one of SEPARATION_...
-    lateral: int                    # one of LATERAL_...
-    mode: int                       # one of MODE_...
-    load: int                       # one of LOAD_...
-    tangential: int                 # one of TANGENTIAL_...
-    wear: bool                      # whether outputs of wear follow the others
-    fatigue: bool                   # whether those of fatigue are computed
-    shear_modulus: float            # G of wheel and rail [Pa]
-    rolling: To(RollingTable)       # what the models of creep forces read; 0 where none is chosen
-    parameters: Parameters          # all of the setup's
+    sides: int  # which sides are wanted, one of SIDES_...
+    depth: int  # what is wanted of them, one of DEPTH_...
+    absent: float  # what stands in outputs that are not wanted: not a number
+    stations: int  # stations of an outline; where it then lies is told in outline.py
+    separation: int  # one of SEPARATION_...
+    lateral: int  # one of LATERAL_...
+    mode: int  # one of MODE_...
+    load: int  # one of LOAD_...
+    tangential: int  # one of TANGENTIAL_...
+    wear: bool  # whether outputs of wear follow the others
+    fatigue: bool  # whether those of fatigue are computed
+    shear_modulus: float  # G of wheel and rail [Pa]
+    rolling: To(RollingTable)  # what the models of creep forces read; 0 where none is chosen
+    parameters: Parameters  # all of the setup's
 
 
 @record
 class Contact:
     """The contact of one wheel while it is solved, from its frame to the strips of its normal model."""
 
-    filling: bool                   # whether patches are filled in, or only the penetration is wanted
-    coarse: bool                    # whether an approximate penetration is enough
-    following: bool                 # whether deepest points may be followed from the trial before
+    filling: bool  # whether patches are filled in, or only the penetration is wanted
+    coarse: bool  # whether an approximate penetration is enough
+    following: bool  # whether deepest points may be followed from the trial before
     frame: Frame
     first_widths: FirstWidths
     regions: Regions
@@ -224,7 +247,7 @@ class Contact:
     origin: Origin
     frames: KeptFrames
     overlap: Overlap
-    deep_points: DeepPoints * 2     # of the left and right wheel, as the last search has left them
+    deep_points: DeepPoints * 2  # of the left and right wheel, as the last search has left them
 
 
 #: What follows the runs of wear in a row: strips of the patches of both sides, and a number that makes rows
@@ -237,17 +260,17 @@ WEAR_END: Final[int] = 2 * WEAR_STRIPS + 1
 class Work:
     array = "work"
     inputs: Inputs
-    known: bool                     # whether the outputs are those of the inputs, and with which status
+    known: bool  # whether the outputs are those of the inputs, and with which status
     status: int
     outputs: Outputs
-    outlines: Outline * 2           # with another number of stations than STATION_COUNT
-    wear_runs: WearRuns * 2         # room for what follows with wear_outputs, where stations leave off
+    outlines: Outline * 2  # with another number of stations than STATION_COUNT
+    wear_runs: WearRuns * 2  # room for what follows with wear_outputs, where stations leave off
     wear_strips: StripOutputs * (2 * PATCH_LIMIT)
     wear_end: float
     sides: Sides
     contact: Contact
     supports: Supports
-    displaced: Inputs               # those of a wheelset that has moved on
+    displaced: Inputs  # those of a wheelset that has moved on
     broyden: Broyden
     height_bracket: Bracket
     roll_bracket: Bracket
@@ -256,7 +279,7 @@ class Work:
     settling: Settling
     wheelset: Wheelset
     rolling: Rolling
-    patch: Patch                    # a patch by itself, apart from a step
+    patch: Patch  # a patch by itself, apart from a step
 
 
 INPUT_COUNT: Final[int] = size(Inputs)
@@ -273,5 +296,6 @@ OUT_RIGHT = Outputs.left.offset // WIDTH + SIDE_SIZE
 
 # where inputs and outputs are, for what reads their arrays by index: IN_YAW, OUT_ROLL, SIDE_AREA
 for _prefix, _kind in (("IN", Inputs), ("OUT", Outputs), ("SIDE", SideOutputs)):
-    globals().update({f"{_prefix}_{name.upper()}": getattr(_kind, name).offset // WIDTH
-                      for name, _ in _kind._fields_})
+    globals().update(
+        {f"{_prefix}_{name.upper()}": getattr(_kind, name).offset // WIDTH for name, _ in _kind._fields_}
+    )

@@ -5,7 +5,7 @@ from typing import Final
 
 from .record import OPEN, WIDTH, Float, To, record, run, size
 
-REGION_LIMIT: Final[int] = 3         # loaded regions of one wheel
+REGION_LIMIT: Final[int] = 3  # loaded regions of one wheel
 #: The two profiles, where there is something for each of them.
 RAIL: Final[int] = 0
 WHEEL: Final[int] = 1
@@ -15,7 +15,7 @@ WHEEL: Final[int] = 1
 class Piece:
     """One quintic of a profile: height c0 + c1 u + ... + c5 u^5 at u = y - start."""
 
-    start: float                    # where it begins [m]; not a number in the piece after the last
+    start: float  # where it begins [m]; not a number in the piece after the last
     c0: float
     c1: float
     c2: float
@@ -31,12 +31,12 @@ PIECE_SIZE: Final[int] = size(Piece)
 class Profile:
     """A profile as the kernel reads it: quintic pieces found through uniform bins."""
 
-    start: float                    # first and last abscissa [m]
+    start: float  # first and last abscissa [m]
     stop: float
     bins_per_metre: float
     bin_count: float
-    pieces: To(Piece)               # the first of them
-    bins: Float * OPEN              # how far from here the first piece begins that reaches into a bin
+    pieces: To(Piece)  # the first of them
+    bins: Float * OPEN  # how far from here the first piece begins that reaches into a bin
 
 
 #: Numbers of a profile's table before its bins.
@@ -49,9 +49,9 @@ class CurvatureTable:
     other body."""
 
     count: float
-    start: float                    # abscissa of the first value [m]
+    start: float  # abscissa of the first value [m]
     per_metre: float
-    curvatures: Float * OPEN        # [1/m]
+    curvatures: Float * OPEN  # [1/m]
 
 
 @record
@@ -72,8 +72,8 @@ CUBIC_SIZE: Final[int] = size(Cubic)
 class CubicTable:
     """A function as cubics over even cells, with the function's own slope at their ends."""
 
-    count: float                    # of cells
-    start: float                    # of the first cell
+    count: float  # of cells
+    start: float  # of the first cell
     cells_per_unit: float
     cells: Cubic * OPEN
 
@@ -82,11 +82,11 @@ class CubicTable:
 class Meeting:
     """Where a normal of the rail meets the wheel."""
 
-    wheel: float                    # wheel abscissa [m]
-    overlap: float                  # there [m]; 0 where they do not meet, and the rest is of no use,
-    rise: float                     # and its derivatives along the rail's arc [-, 1/m]
+    wheel: float  # wheel abscissa [m]
+    overlap: float  # there [m]; 0 where they do not meet, and the rest is of no use,
+    rise: float  # and its derivatives along the rail's arc [-, 1/m]
     rate: float
-    z: float                        # height, slope and second derivative of the wheel's profile [m, -, 1/m]
+    z: float  # height, slope and second derivative of the wheel's profile [m, -, 1/m]
     slope: float
     bend: float
 
@@ -96,30 +96,30 @@ class Place:
     """Where a right wheel is placed over its rail, as :mod:`locus` reads it: in the frame that moves with the
     rail, in which the rail is in its nominal place."""
 
-    shift: float                    # lateral shift of the wheelset against the rail's nominal place [m]
+    shift: float  # lateral shift of the wheelset against the rail's nominal place [m]
     sin_yaw: float
     cos_yaw: float
     sin_roll: float
     cos_roll: float
-    t: float                        # tan(yaw) sin(roll) [-]
-    w_per_slope: float              # w over the profile's slope [-]
-    cos_t: float                    # 1 / sqrt(1 + t^2)
-    radius: float                   # nominal radius of the wheel [m]
-    height: float                   # the wheelset's centre at vertical shift zero above the rail [m]
-    arm: float                      # half the distance of the running circles [m]
+    t: float  # tan(yaw) sin(roll) [-]
+    w_per_slope: float  # w over the profile's slope [-]
+    cos_t: float  # 1 / sqrt(1 + t^2)
+    radius: float  # nominal radius of the wheel [m]
+    height: float  # the wheelset's centre at vertical shift zero above the rail [m]
+    arm: float  # half the distance of the running circles [m]
     yawed: bool
-    rail_lateral: float             # displacement of its rail, to the field side [m]
-    rail_vertical: float            # and down
-    leaning: bool                   # whether its rail has a roll; the rest counts only then, but rail_sin
-    rail_roll: float                # field side down [rad]
-    rail_sin: float                 # and its sine, else zero
+    rail_lateral: float  # displacement of its rail, to the field side [m]
+    rail_vertical: float  # and down
+    leaning: bool  # whether its rail has a roll; the rest counts only then, but rail_sin
+    rail_roll: float  # field side down [rad]
+    rail_sin: float  # and its sine, else zero
     rail_cos: float
-    track_sin_yaw: float            # of the wheelset's yaw in the track
+    track_sin_yaw: float  # of the wheelset's yaw in the track
     track_cos_yaw: float
-    reference: float                # the vertical shift for which the place holds [m]
-    gap_count: float                # evaluations of its vertical gap since the workspace was made
-    node_count: float               # and of the gap along a normal
-    meeting: Meeting                # the last one
+    reference: float  # the vertical shift for which the place holds [m]
+    gap_count: float  # evaluations of its vertical gap since the workspace was made
+    node_count: float  # and of the gap along a normal
+    meeting: Meeting  # the last one
 
 
 PLACE_SIZE: Final[int] = size(Place)
@@ -127,7 +127,7 @@ PLACE_SIZE: Final[int] = size(Place)
 
 @record
 class Point:
-    y: float                        # lateral and vertical coordinate [m]
+    y: float  # lateral and vertical coordinate [m]
     z: float
 
 
@@ -141,8 +141,8 @@ class Direction:
 class Trace:
     """Where a profile is at one station; Newton's method for the next station starts from it."""
 
-    abscissa: float                 # [m]
-    rate: float                     # its first and second derivative over the stations [-, 1/m]
+    abscissa: float  # [m]
+    rate: float  # its first and second derivative over the stations [-, 1/m]
     bend: float
 
 
@@ -150,24 +150,24 @@ class Trace:
 class Frame:
     """The contact plane of the side at work, and where wheel and rail are traced along it."""
 
-    rail: Point                     # the contact point on the rail's profile
-    wheel: Point                    # and on the wheel's
-    plane: Direction                # the plane's inclination on the track
-    wheel_plane: Direction          # and in the wheelset's frame
-    place: To(Place)                # of the wheel
-    aside: float                    # lateral shift that lets the wheel just touch [m]; 0 if rigid
-    shift: float                    # and the vertical shift [m]
-    lift: float                     # of the wheel's point below the rail's [m]; zero but for rounding
-    raised: float                   # what is added to the gap of a region with a plane of its own [m]
-    station: float                  # to which the traces belong [m]
-    traces: Trace * 2               # of RAIL and WHEEL
-    pressed: bool                   # whether the wheel is pressed into the rail, rather than just touching it
-    sunk: bool                      # whether it is pressed straight down from where it just touched
-    height: float                   # vertical shift at which a pressed wheelset stands [m]
-    depth: float                    # how deep a pressed wheel is, along the normal [m]
-    bend: float                     # second derivative of the gap at the contact point [1/m]
-    curvature: float                # and the wheel's 1/R_x there [1/m]
-    blur: float                     # half the length over which r'' of a pressed wheel is averaged [m]
+    rail: Point  # the contact point on the rail's profile
+    wheel: Point  # and on the wheel's
+    plane: Direction  # the plane's inclination on the track
+    wheel_plane: Direction  # and in the wheelset's frame
+    place: To(Place)  # of the wheel
+    aside: float  # lateral shift that lets the wheel just touch [m]; 0 if rigid
+    shift: float  # and the vertical shift [m]
+    lift: float  # of the wheel's point below the rail's [m]; zero but for rounding
+    raised: float  # what is added to the gap of a region with a plane of its own [m]
+    station: float  # to which the traces belong [m]
+    traces: Trace * 2  # of RAIL and WHEEL
+    pressed: bool  # whether the wheel is pressed into the rail, rather than just touching it
+    sunk: bool  # whether it is pressed straight down from where it just touched
+    height: float  # vertical shift at which a pressed wheelset stands [m]
+    depth: float  # how deep a pressed wheel is, along the normal [m]
+    bend: float  # second derivative of the gap at the contact point [1/m]
+    curvature: float  # and the wheel's 1/R_x there [1/m]
+    blur: float  # half the length over which r'' of a pressed wheel is averaged [m]
 
 
 #: The numbers of a frame that is set aside while another one is open: one for each region, and the contact
@@ -180,52 +180,52 @@ KeptFrames = KeptFrame * (REGION_LIMIT + 1)
 class Origin:
     """The pair of points from which the separation of a region is measured."""
 
-    station: float                  # [m]
-    gap: float                      # the normal gap there [m]
-    points: Point * 2               # of RAIL: abscissa and height; of WHEEL: its outline's coordinates
-    spacing: float                  # length of a chord [m]; 0: true arc length
+    station: float  # [m]
+    gap: float  # the normal gap there [m]
+    points: Point * 2  # of RAIL: abscissa and height; of WHEEL: its outline's coordinates
+    spacing: float  # length of a chord [m]; 0: true arc length
 
 
 @record
 class Region:
-    station: float                  # of the minimum [m]
-    gap: float                      # there [m]
-    rail: float                     # rail and wheel abscissa there [m]
+    station: float  # of the minimum [m]
+    gap: float  # there [m]
+    rail: float  # rail and wheel abscissa there [m]
     wheel: float
-    low: float                      # stations that bound it [m]
+    low: float  # stations that bound it [m]
     high: float
-    width_low: float                # half-widths of the interpenetration [m]
+    width_low: float  # half-widths of the interpenetration [m]
     width_high: float
-    spacing: float                  # of its nodes [m]
-    first: int                      # first and last node
+    spacing: float  # of its nodes [m]
+    first: int  # first and last node
     last: int
-    local_penetration: float        # its share, less its gap and what other regions displace [m]
-    load: float                     # [N]
-    stiffness: float                # rate of the load over it [N/m]
-    bend: float                     # second derivative of the gap at the minimum [1/m]
-    curvature: float                # the wheel's 1/R_x at the minimum [1/m]
-    middle: float                   # station that stands for its load in the interaction [m]
-    residual: float                 # of the local penetration during the force solve [m]
-    slope: float                    # its change per change of the total penetration [-]
-    move: float                     # its change that closes the residual [m]
-    width_penetration: float        # local penetration that the half-widths were measured at [m]
-    square: float                   # square of its half-length as estimated [m^2]
-    reached: float                  # rise of the gap where the last half-width ends [m]
-    side_low: float                 # lateral curvature on either side, rise / half-width^2 [1/m]
+    local_penetration: float  # its share, less its gap and what other regions displace [m]
+    load: float  # [N]
+    stiffness: float  # rate of the load over it [N/m]
+    bend: float  # second derivative of the gap at the minimum [1/m]
+    curvature: float  # the wheel's 1/R_x at the minimum [1/m]
+    middle: float  # station that stands for its load in the interaction [m]
+    residual: float  # of the local penetration during the force solve [m]
+    slope: float  # its change per change of the total penetration [-]
+    move: float  # its change that closes the residual [m]
+    width_penetration: float  # local penetration that the half-widths were measured at [m]
+    square: float  # square of its half-length as estimated [m^2]
+    reached: float  # rise of the gap where the last half-width ends [m]
+    side_low: float  # lateral curvature on either side, rise / half-width^2 [1/m]
     side_high: float
-    slant: float                    # dx/ds of the line of smallest gap [-]; of a yawed wheel only
-    own: bool                       # Whether it has a plane of its own
-    alignment: float                # cosine between its normal and the contact point's [-]
-    offset: float                   # from its own stations to those of the outputs [m]
-    cos: float                      # of the angle of its force: the rail's at its minimum, or a mean
+    slant: float  # dx/ds of the line of smallest gap [-]; of a yawed wheel only
+    own: bool  # Whether it has a plane of its own
+    alignment: float  # cosine between its normal and the contact point's [-]
+    offset: float  # from its own stations to those of the outputs [m]
+    cos: float  # of the angle of its force: the rail's at its minimum, or a mean
     sin: float
-    share: float                    # of its load that counts for the prescribed force
-    moment: float                   # of the load that it carries, over the stations of the outputs [N m]
-    carried: float                  # that load [N]
-    inclination: float              # slope of the rail at its minimum [-]
-    x_track: float                  # track coordinate x of the minimum [m]
-    strip: int                      # the strip of the solved patches at its minimum
-    solve_count: float              # of the first region: iterations of the force solve
+    share: float  # of its load that counts for the prescribed force
+    moment: float  # of the load that it carries, over the stations of the outputs [N m]
+    carried: float  # that load [N]
+    inclination: float  # slope of the rail at its minimum [-]
+    x_track: float  # track coordinate x of the minimum [m]
+    strip: int  # the strip of the solved patches at its minimum
+    solve_count: float  # of the first region: iterations of the force solve
 
 
 @record
@@ -233,16 +233,16 @@ class FirstWidths:
     """Half-widths of the interpenetration about the contact point, from which those of a region beside it are
     sought."""
 
-    penetration: float              # at which they were measured [m]; 0 if they were not
-    low: float                      # [m]
+    penetration: float  # at which they were measured [m]; 0 if they were not
+    low: float  # [m]
     high: float
 
 
 #: The loaded regions of a wheel.
 Regions = Region * REGION_LIMIT
 
-OVERLAP_LIMIT: Final[int] = 200      # samples of the overlap of a pressed wheel to either side
-DEEP_LIMIT: Final[int] = 9           # deepest points that are listed
+OVERLAP_LIMIT: Final[int] = 200  # samples of the overlap of a pressed wheel to either side
+DEEP_LIMIT: Final[int] = 9  # deepest points that are listed
 SampleRun = run(2 * OVERLAP_LIMIT)
 
 
@@ -250,18 +250,18 @@ SampleRun = run(2 * OVERLAP_LIMIT)
 class DeepPoint:
     """A local maximum of the overlap."""
 
-    rail: float                     # rail and wheel abscissa [m]
+    rail: float  # rail and wheel abscissa [m]
     wheel: float
-    depth: float                    # the overlap there [m]
-    saddle: float                   # rail abscissa of the smallest overlap between it and the next one [m]
-    between: float                  # the overlap there [m]; negative where wheel and rail are apart
+    depth: float  # the overlap there [m]
+    saddle: float  # rail abscissa of the smallest overlap between it and the next one [m]
+    between: float  # the overlap there [m]; negative where wheel and rail are apart
 
 
 @record
 class DeepPoints:
     """Deepest points of one wheel that the next trial may follow, in the order of the rail."""
 
-    count: int                      # 0 if none are known
+    count: int  # 0 if none are known
     points: DeepPoint * REGION_LIMIT
 
 
@@ -269,25 +269,25 @@ class DeepPoints:
 class Samples:
     """The overlap at scan nodes, in the order of the wheel's abscissae."""
 
-    rail: SampleRun                 # rail and wheel abscissa [m]
+    rail: SampleRun  # rail and wheel abscissa [m]
     wheel: SampleRun
-    rise: SampleRun                 # slope of the overlap [-]
-    turn: SampleRun                 # what the rail's turning normal has taken from it [-]
-    node: SampleRun                 # its scan node
-    gap: SampleRun                  # vertical gap before the wheel has come down [m]
-    aside: SampleRun                # how far the normal through the wheel's point begins beside it [m]
-    rail_slope: SampleRun           # of the rail [-]
-    rail_bend: SampleRun            # and its second derivative [1/m]
-    adjacent: SampleRun             # Whether no scan node lies between it and the sample before it
+    rise: SampleRun  # slope of the overlap [-]
+    turn: SampleRun  # what the rail's turning normal has taken from it [-]
+    node: SampleRun  # its scan node
+    gap: SampleRun  # vertical gap before the wheel has come down [m]
+    aside: SampleRun  # how far the normal through the wheel's point begins beside it [m]
+    rail_slope: SampleRun  # of the rail [-]
+    rail_bend: SampleRun  # and its second derivative [1/m]
+    adjacent: SampleRun  # Whether no scan node lies between it and the sample before it
 
 
 @record
 class RisePoint:
     """The rise of the overlap at a place of the rail."""
 
-    x: float                        # rail abscissa [m]
-    rise: float                     # derivative of the overlap along the rail [-]
-    rate: float                     # its own derivative by x [1/m]; 0 where it was not measured
+    x: float  # rail abscissa [m]
+    rise: float  # derivative of the overlap along the rail [-]
+    rate: float  # its own derivative by x [1/m]; 0 where it was not measured
 
 
 @record
@@ -296,16 +296,16 @@ class Stretch:
 
     first: RisePoint
     last: RisePoint
-    before: RisePoint               # ends of the part that is open
+    before: RisePoint  # ends of the part that is open
     after: RisePoint
-    low: RisePoint                  # of the part of it where a hump is sought
+    low: RisePoint  # of the part of it where a hump is sought
     high: RisePoint
     middle: RisePoint
-    end: RisePoint                  # of the last stretch that was measured
-    known: int                      # sample that it belongs to
-    wheel: float                    # a wheel abscissa that belongs to it [m]
-    width: float                    # how far the wheel's reach [m]
-    least: float                    # bounds of the bend of the gap [1/m]
+    end: RisePoint  # of the last stretch that was measured
+    known: int  # sample that it belongs to
+    wheel: float  # a wheel abscissa that belongs to it [m]
+    width: float  # how far the wheel's reach [m]
+    least: float  # bounds of the bend of the gap [1/m]
     most: float
 
 
@@ -313,25 +313,25 @@ class Stretch:
 class TurnCell:
     """How the slope of the gap along the rail's normals runs from one sample to the next one."""
 
-    width: float                    # on the wheel [m]
-    first: float                    # the slope at both ends [-]
+    width: float  # on the wheel [m]
+    first: float  # the slope at both ends [-]
     last: float
-    error: float                    # by which either may be wrong [-]
-    first_bend: float               # and its derivatives [1/m]
+    error: float  # by which either may be wrong [-]
+    first_bend: float  # and its derivatives [1/m]
     last_bend: float
-    departure: float                # how far that may depart from a straight line between, but for a joint
-    joint: float                    # where a joint of the rail is, as a share of the width; 1 without one
-    share: float                    # x' at the first end [-]
-    rail_jump: float                # by how much the rail's second derivative jumps there [1/m]
-    jump: float                     # and the bend
+    departure: float  # how far that may depart from a straight line between, but for a joint
+    joint: float  # where a joint of the rail is, as a share of the width; 1 without one
+    share: float  # x' at the first end [-]
+    rail_jump: float  # by how much the rail's second derivative jumps there [1/m]
+    jump: float  # and the bend
 
 
 @record
 class Overlap:
     """Where a pressed wheel overlaps its rail."""
 
-    count: int                      # of the deepest points, in the order of the rail
-    height: float                   # vertical shift of the wheel [m]
+    count: int  # of the deepest points, in the order of the rail
+    height: float  # vertical shift of the wheel [m]
     points: DeepPoint * DEEP_LIMIT
     samples: Samples
     cell: TurnCell

@@ -9,12 +9,12 @@ from .record import Float, record, run
 SHAPE_START: Final[float] = -3.0
 SHAPE_PER_UNIT: Final[float] = 4.0
 SHAPE_CELLS: Final[int] = 28
-SHAPE_COLUMNS: Final[int] = 6        # 1/C11, 1/C22, 1/C23 and the factors of strips' stiffnesses
+SHAPE_COLUMNS: Final[int] = 6  # 1/C11, 1/C22, 1/C23 and the factors of strips' stiffnesses
 SHAPE_ROW: Final[int] = 4 * SHAPE_COLUMNS
 # how strips of tractions reach beside themselves, over the fourth root of distance / half-length, likewise
 REACH_PER_UNIT: Final[float] = 32.0
 REACH_CELLS: Final[int] = 90
-REACH_COLUMNS: Final[int] = 3        # longitudinal, lateral, spin
+REACH_COLUMNS: Final[int] = 3  # longitudinal, lateral, spin
 REACH_ROW: Final[int] = 4 * REACH_COLUMNS
 # what exact forces of ellipses differ from the strips' by, over ln(a/b) and the saturation in polar
 # coordinates; the last ones are r / (1 + r) with 0 and 1
@@ -22,23 +22,24 @@ CORRECTION_RATIOS: Final[int] = 9
 CORRECTION_ELEVATIONS: Final[int] = 6
 CORRECTION_AZIMUTHS: Final[int] = 13
 CORRECTION_RADII: Final[int] = 12
-CORRECTION_COLUMNS: Final[int] = 4   # force_x, force_y over mu N, moment over mu N sqrt(ab), stick share
+CORRECTION_COLUMNS: Final[int] = 4  # force_x, force_y over mu N, moment over mu N sqrt(ab), stick share
 CORRECTION_SCALES: Final[int] = 3 * CORRECTION_RATIOS
 CORRECTION_LINE: Final[int] = CORRECTION_RADII * CORRECTION_COLUMNS
-CORRECTION_SIZE: Final[int] = (CORRECTION_RATIOS * CORRECTION_ELEVATIONS * CORRECTION_AZIMUTHS
-                               * CORRECTION_LINE)
+CORRECTION_SIZE: Final[int] = (
+    CORRECTION_RATIOS * CORRECTION_ELEVATIONS * CORRECTION_AZIMUTHS * CORRECTION_LINE
+)
 
-POINT_LIMIT: Final[int] = 16         # points of a strip, from its leading edge
+POINT_LIMIT: Final[int] = 16  # points of a strip, from its leading edge
 
 
 @record
 class RailMotion:
     """How a rail moves, and the place about which it rolls."""
 
-    lateral: float                  # velocity to the right [m/s]
-    vertical: float                 # and down
-    roll: float                     # rotation, right side down [rad/s]
-    y: float                        # track coordinates of its highest point [m]
+    lateral: float  # velocity to the right [m/s]
+    vertical: float  # and down
+    roll: float  # rotation, right side down [rad/s]
+    y: float  # track coordinates of its highest point [m]
     z: float
 
 
@@ -46,9 +47,9 @@ class RailMotion:
 class Constraint:
     """What keeps a wheel on its rail: a force on it does no work as the wheelset moves."""
 
-    y: float                        # the force in the track frame, in any unit
+    y: float  # the force in the track frame, in any unit
     z: float
-    moment_x: float                 # its moment about the wheelset's centre, in this unit times m
+    moment_x: float  # its moment about the wheelset's centre, in this unit times m
     moment_y: float
     moment_z: float
 
@@ -57,20 +58,20 @@ class Constraint:
 class Motion:
     """How the wheelset and the rail of one side move in the track frame; the left side's is mirrored."""
 
-    speed: float                    # of its centre along the track [m/s]
-    lateral: float                  # to the right
-    vertical: float                 # and down
-    turn_x: float                   # its rotation but for that about the axle [rad/s]
+    speed: float  # of its centre along the track [m/s]
+    lateral: float  # to the right
+    vertical: float  # and down
+    turn_x: float  # its rotation but for that about the axle [rad/s]
     turn_y: float
     turn_z: float
-    wheel_rate: float               # rotation about the axle, positive when it rolls forward [rad/s]
-    track_rate: float               # rotation of the track frame in space, about z [rad/s]
-    ahead_x: float                  # direction of the axis about which the wheelset rolls, forward
+    wheel_rate: float  # rotation about the axle, positive when it rolls forward [rad/s]
+    track_rate: float  # rotation of the track frame in space, about z [rad/s]
+    ahead_x: float  # direction of the axis about which the wheelset rolls, forward
     ahead_y: float
-    axle_x: float                   # direction of the axle, to the right
+    axle_x: float  # direction of the axle, to the right
     axle_y: float
     axle_z: float
-    centre_y: float                 # the wheelset's centre [m]
+    centre_y: float  # the wheelset's centre [m]
     centre_z: float
     rail: RailMotion
     constraint: Constraint
@@ -80,27 +81,27 @@ class Motion:
 class RollingTable:
     """What the models of creep forces read, for one Poisson's ratio (binding/rolling_table.py)."""
 
-    cosines: Float * POINT_LIMIT    # points of a strip x/a = cos(q pi / (n + 1)), q = 1 ... n,
-    sines: Float * POINT_LIMIT      # and sqrt(1 - (x/a)^2) there
+    cosines: Float * POINT_LIMIT  # points of a strip x/a = cos(q pi / (n + 1)), q = 1 ... n,
+    sines: Float * POINT_LIMIT  # and sqrt(1 - (x/a)^2) there
     shapes: Float * (SHAPE_ROW * SHAPE_CELLS)
-    reaches: Float * (REACH_ROW * (REACH_CELLS + 1))    # the last row is what stays beyond the cells
+    reaches: Float * (REACH_ROW * (REACH_CELLS + 1))  # the last row is what stays beyond the cells
     radii: Float * CORRECTION_RADII
     scales: Float * CORRECTION_SCALES
     corrections: Float * CORRECTION_SIZE
 
 
-BLOCK_COUNT: Final[int] = 8          # pairs of strips, for which stiffnesses are found
+BLOCK_COUNT: Final[int] = 8  # pairs of strips, for which stiffnesses are found
 
 
 @record
 class RollingBlock:
     """A pair of strips."""
 
-    start: float                    # stations of its edges [m]
+    start: float  # stations of its edges [m]
     stop: float
-    half_length: float              # [m]
-    slip: float                     # mean longitudinal creepage [-]
-    along: float                    # its stiffnesses K1, K2, K3 [Pa], eq. (K3)
+    half_length: float  # [m]
+    slip: float  # mean longitudinal creepage [-]
+    along: float  # its stiffnesses K1, K2, K3 [Pa], eq. (K3)
     across: float
     turning: float
 
@@ -116,32 +117,32 @@ RollingBlocks = RollingBlock * BLOCK_COUNT
 class RollingMarch:
     """A strip while its stick zone is found, and FaStrip's tractions; equations of coupled_strips.py."""
 
-    half_length: float              # a [m]
-    rate: float                     # m, bound of the traction over sqrt(a^2 - x^2) [Pa/m]
-    slip: float                     # w_x [-]
-    lateral: float                  # w_y on its middle [-]
-    spin: float                     # [1/m]
-    along: float                    # stiffnesses K1, K2, K3 [Pa]
+    half_length: float  # a [m]
+    rate: float  # m, bound of the traction over sqrt(a^2 - x^2) [Pa/m]
+    slip: float  # w_x [-]
+    lateral: float  # w_y on its middle [-]
+    spin: float  # [1/m]
+    along: float  # stiffnesses K1, K2, K3 [Pa]
     across: float
     turning: float
-    spread: float                   # s^2 [m^2] of eq. (Z3)
-    carried: float                  # its share of the force of linear theory
-    weight: float                   # c, how much the stick zone counts; 0: the strip slips all over
-    depth: float                    # d, half the length of the slip zone [m]
-    stick_x: float                  # e, direction of the stick zone's traction
+    spread: float  # s^2 [m^2] of eq. (Z3)
+    carried: float  # its share of the force of linear theory
+    weight: float  # c, how much the stick zone counts; 0: the strip slips all over
+    depth: float  # d, half the length of the slip zone [m]
+    stick_x: float  # e, direction of the stick zone's traction
     stick_y: float
-    twist: float                    # k, share of spin in it
-    edge: float                     # where the stick zone begins, -a + 2 d [m]
-    push_x: float                   # FaStrip: what the traction loses per way [Pa/m]: along,
-    push_y: float                   # across on the middle,
-    push_turn: float                # and across per distance from it [Pa/m^2]
-    x: float                        # where it has come to [m]
-    first_x: float                  # traction there, as if nothing stuck [Pa]
+    twist: float  # k, share of spin in it
+    edge: float  # where the stick zone begins, -a + 2 d [m]
+    push_x: float  # FaStrip: what the traction loses per way [Pa/m]: along,
+    push_y: float  # across on the middle,
+    push_turn: float  # and across per distance from it [Pa/m^2]
+    x: float  # where it has come to [m]
+    first_x: float  # traction there, as if nothing stuck [Pa]
     first_y: float
-    sum_x: float                    # sums of tractions over the points,
+    sum_x: float  # sums of tractions over the points,
     sum_y: float
-    sum_moment: float               # and of x p_y
-    largest: float                  # square of the largest traction [Pa^2]
+    sum_moment: float  # and of x p_y
+    largest: float  # square of the largest traction [Pa^2]
 
 
 #: A number for each strip.
@@ -153,46 +154,46 @@ class RollingMarches:
     """All strips side by side while their tractions are followed; equations of march.py.  Places are
     over a and tractions over m a."""
 
-    push_x: StripRow                # what the traction of march A loses per way: along,
-    push_y: StripRow                # across on the middle,
-    push_turn: StripRow             # and across per distance from it
-    centre_x: StripRow              # the same of march B
+    push_x: StripRow  # what the traction of march A loses per way: along,
+    push_y: StripRow  # across on the middle,
+    push_turn: StripRow  # and across per distance from it
+    centre_x: StripRow  # the same of march B
     centre_y: StripRow
     centre_turn: StripRow
-    lag: StripRow                   # where in a step the spin is taken, of the step
-    slips: StripRow                 # how much the traction of slip counts,
-    noted: StripRow                 # and the square of it in the largest traction
-    first_x: StripRow               # tractions of both marches
+    lag: StripRow  # where in a step the spin is taken, of the step
+    slips: StripRow  # how much the traction of slip counts,
+    noted: StripRow  # and the square of it in the largest traction
+    first_x: StripRow  # tractions of both marches
     first_y: StripRow
     second_x: StripRow
     second_y: StripRow
-    sum_x: StripRow                 # sums of tractions over the points,
+    sum_x: StripRow  # sums of tractions over the points,
     sum_y: StripRow
-    sum_moment: StripRow            # and of x p_y
-    largest: StripRow               # square of the largest traction
-    sticks: StripRow                # c, how much the stick zone counts; 0: the strip slips all over
-    stick_x: StripRow               # e, direction of the stick zone's traction
+    sum_moment: StripRow  # and of x p_y
+    largest: StripRow  # square of the largest traction
+    sticks: StripRow  # c, how much the stick zone counts; 0: the strip slips all over
+    stick_x: StripRow  # e, direction of the stick zone's traction
     stick_y: StripRow
-    edge: StripRow                  # where the stick zone begins
-    edge_x: StripRow                # traction there
+    edge: StripRow  # where the stick zone begins
+    edge_x: StripRow  # traction there
     edge_y: StripRow
-    edge_share: StripRow            # its way to the next point, of the step between the points around it
-    next: StripRow                  # the next strip whose stick zone ends before the same point; -1: none
-    at_point: Float * POINT_LIMIT   # the first of them
-    share: float                    # W, of march B in the direction of slip
+    edge_share: StripRow  # its way to the next point, of the step between the points around it
+    next: StripRow  # the next strip whose stick zone ends before the same point; -1: none
+    at_point: Float * POINT_LIMIT  # the first of them
+    share: float  # W, of march B in the direction of slip
 
 
 @record
 class Rolling:
     """What the models of creep forces work with, one patch after the other."""
 
-    bare: bool                      # whether only the sum over the strips is asked for
-    published: bool                 # FASTSIM and FaStrip: both parts of spin as they were published
+    bare: bool  # whether only the sum over the strips is asked for
+    published: bool  # FASTSIM and FaStrip: both parts of spin as they were published
     blocks: RollingBlocks
-    shift: float                    # of longitudinal creepages where strips begin to slip [-], eq. (K6)
-    equations_x: BlockMatrix        # of the blocks, for longitudinal and lateral creepage and for spin
+    shift: float  # of longitudinal creepages where strips begin to slip [-], eq. (K6)
+    equations_x: BlockMatrix  # of the blocks, for longitudinal and lateral creepage and for spin
     equations_y: BlockMatrix
     equations_spin: BlockMatrix
-    march: RollingMarch             # of FaStrip, one strip after the other
+    march: RollingMarch  # of FaStrip, one strip after the other
     begun: RollingMarch * ROLLING_STRIP_LIMIT
     marches: RollingMarches

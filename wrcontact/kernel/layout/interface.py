@@ -8,9 +8,20 @@ from typing import Final
 
 from ...interface import inputs as _inputs, outputs as _outputs, rows as _rows, variables as _variables
 from ...interface.friction import FRICTION_LIMIT
-from ...interface.inputs import (CURVATURE_LIMIT, INPUT_NOMINALS, LATERAL_LIMIT, RAIL_LIMIT, RAIL_ROLL_LIMIT,
-                                 RATE_LIMIT, ROLL_LIMIT, SPEED_LIMIT, TIME_LIMIT, VELOCITY_LIMIT, WHEEL_LIMIT,
-                                 YAW_LIMIT)
+from ...interface.inputs import (
+    CURVATURE_LIMIT,
+    INPUT_NOMINALS,
+    LATERAL_LIMIT,
+    RAIL_LIMIT,
+    RAIL_ROLL_LIMIT,
+    RATE_LIMIT,
+    ROLL_LIMIT,
+    SPEED_LIMIT,
+    TIME_LIMIT,
+    VELOCITY_LIMIT,
+    WHEEL_LIMIT,
+    YAW_LIMIT,
+)
 from ...interface.outputs import PATCH_LIMIT, STATION_COUNT, STATION_LEAST, STATION_LIMIT
 from ...interface.parameters import KERNEL_PARAMETERS
 from ...methods import FAMILIES as _FAMILIES
@@ -23,9 +34,9 @@ Vector = run(len(_rows.AXES))
 SIDES_BOTH: Final[int] = 0
 SIDES_LEFT: Final[int] = 1
 SIDES_RIGHT: Final[int] = 2
-DEPTH_GEOMETRY: Final[int] = 0       # contact point, angle, radius, curvatures
-DEPTH_PATCHES: Final[int] = 1        # and penetration, patches
-DEPTH_ALL: Final[int] = 2            # and the outline
+DEPTH_GEOMETRY: Final[int] = 0  # contact point, angle, radius, curvatures
+DEPTH_PATCHES: Final[int] = 1  # and penetration, patches
+DEPTH_ALL: Final[int] = 2  # and the outline
 
 # outcome of a step ---------------------------------------------------------------------------------
 VALID: Final[int] = 0
@@ -43,19 +54,25 @@ def _record_of(name, fields, words):
 def _fields_of(rows, blocks):
     """{field: type} of rows of inputs or outputs; ``blocks`` are the classes of their blocks by name."""
     kinds = {_rows.Vector: Vector, _rows.Run: Float * STATION_COUNT}
-    return {row.name if isinstance(row, _rows.Blocks) else row.field:
-            blocks[row.name] * row.count if isinstance(row, _rows.Blocks) else kinds.get(type(row), float)
-            for row in rows}
+    return {
+        row.name if isinstance(row, _rows.Blocks) else row.field: blocks[row.name] * row.count
+        if isinstance(row, _rows.Blocks)
+        else kinds.get(type(row), float)
+        for row in rows
+    }
 
 
 Inputs = _record_of("Inputs", _fields_of(_inputs.INPUTS, {}), "What moves.")
 PatchOutputs = _record_of("PatchOutputs", _fields_of(_outputs.PATCH, {}), "Outputs of one patch.")
-SideOutputs = _record_of("SideOutputs", _fields_of(_outputs.SIDE, {"patch": PatchOutputs}),
-                         "Outputs of one wheel.")
-Outputs = _record_of("Outputs", _fields_of(_outputs.WHEELSET, {}) | {"left": SideOutputs * 2},
-                     "Outputs of a wheelset.")
-Parameters = _record_of("Parameters", {name: float for name in KERNEL_PARAMETERS},
-                       "All parameters, methods by their numbers.")
+SideOutputs = _record_of(
+    "SideOutputs", _fields_of(_outputs.SIDE, {"patch": PatchOutputs}), "Outputs of one wheel."
+)
+Outputs = _record_of(
+    "Outputs", _fields_of(_outputs.WHEELSET, {}) | {"left": SideOutputs * 2}, "Outputs of a wheelset."
+)
+Parameters = _record_of(
+    "Parameters", {name: float for name in KERNEL_PARAMETERS}, "All parameters, methods by their numbers."
+)
 Resolution = _record_of("Resolution", {name: float for name in _Resolution._fields}, "Nodes and strips.")
 
 #: Runs of an outline.
@@ -64,9 +81,17 @@ RUN_COUNT = sum(isinstance(row, _rows.Run) for row in _outputs.SIDE)
 WEAR_RUN_COUNT = len(_outputs.WEAR)
 
 if size(Outputs) != _variables.FIRST_WEAR - _variables.FIRST_OUTPUT:
-    raise TypeError(f"the record of outputs has {size(Outputs)} numbers, the table of variables "
-                    f"{_variables.FIRST_WEAR - _variables.FIRST_OUTPUT}")
+    raise TypeError(
+        f"the record of outputs has {size(Outputs)} numbers, the table of variables "
+        f"{_variables.FIRST_WEAR - _variables.FIRST_OUTPUT}"
+    )
 
 # numbers of the methods: MODE_RIGID, SEPARATION_NORMAL, ...
-globals().update({f"{family.constant}_{method.name.upper()}": method.kernel_number
-                  for family in _FAMILIES for method in family.methods if not method.python_only})
+globals().update(
+    {
+        f"{family.constant}_{method.name.upper()}": method.kernel_number
+        for family in _FAMILIES
+        for method in family.methods
+        if not method.python_only
+    }
+)

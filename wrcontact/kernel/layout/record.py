@@ -67,17 +67,31 @@ def record(cls):
     kinds = cls.__annotations__
     targets = {name: kind.kind for name, kind in kinds.items() if isinstance(kind, To)}
     scalars = {name: kind for name, kind in kinds.items() if kind in (float, int, bool)}
-    fields = [("_" + name if kind in READ or name in targets else name, Float if name in scalars
-               or name in targets else kind)
-              for name, kind in kinds.items()]
+    fields = [
+        (
+            "_" + name if kind in READ or name in targets else name,
+            Float if name in scalars or name in targets else kind,
+        )
+        for name, kind in kinds.items()
+    ]
     names = {name: converted("_" + name, READ[kind]) for name, kind in scalars.items() if kind in READ}
     names |= {name: pointed("_" + name, kind) for name, kind in targets.items()}
     ends = [kind for _, kind in fields[-1:]]
-    made = type(cls.__name__, (Record,),
-                {"__slots__": ("raw",) if hasattr(cls, "array") else (), "__doc__": cls.__doc__,
-                 "__module__": cls.__module__, "array": getattr(cls, "array", None),
-                 "scalars": scalars, "targets": targets, "_fields_": fields, **names,
-                 "open_ended": any(getattr(kind, "_length_", 0) >= OPEN for kind in ends)})
+    made = type(
+        cls.__name__,
+        (Record,),
+        {
+            "__slots__": ("raw",) if hasattr(cls, "array") else (),
+            "__doc__": cls.__doc__,
+            "__module__": cls.__module__,
+            "array": getattr(cls, "array", None),
+            "scalars": scalars,
+            "targets": targets,
+            "_fields_": fields,
+            **names,
+            "open_ended": any(getattr(kind, "_length_", 0) >= OPEN for kind in ends),
+        },
+    )
     CLASSES[cls.__name__] = made
     return made
 
@@ -92,14 +106,17 @@ class To:
 
 def pointed(name, kind):
     """A field that reads as the record at the offset that it holds, and is written as an offset."""
+
     def pointed_at(self):
         found = CLASSES[kind] if isinstance(kind, str) else kind
         return found.from_address(ctypes.addressof(self) + WIDTH * int(getattr(self, name)))
 
-    return property(pointed_at,
-                    lambda self, value: setattr(self, name,
-                                                float(offset(value, self) if isinstance(value, Record)
-                                                      else value)))
+    return property(
+        pointed_at,
+        lambda self, value: setattr(
+            self, name, float(offset(value, self) if isinstance(value, Record) else value)
+        ),
+    )
 
 
 def run(length):
@@ -111,16 +128,24 @@ def centred(length, middle):
     """The type of ``length`` numbers that are counted from the one in their
     ``middle``: -1 is the one before it."""
     base = ctypes.Array
-    return type("Centred", (base,), {"_type_": Float, "_length_": length, "middle": middle,
-                                     "__getitem__": lambda self, k: base.__getitem__(self, middle + k),
-                                     "__setitem__": lambda self, k,
-                                     value: base.__setitem__(self, middle + k, value)})
+    return type(
+        "Centred",
+        (base,),
+        {
+            "_type_": Float,
+            "_length_": length,
+            "middle": middle,
+            "__getitem__": lambda self, k: base.__getitem__(self, middle + k),
+            "__setitem__": lambda self, k, value: base.__setitem__(self, middle + k, value),
+        },
+    )
 
 
 def converted(name, read):
     """A field that reads as another type than the float that it is kept as."""
-    return property(lambda self: read(getattr(self, name)), lambda self,
-                    value: setattr(self, name, float(value)))
+    return property(
+        lambda self: read(getattr(self, name)), lambda self, value: setattr(self, name, float(value))
+    )
 
 
 def size(kind):

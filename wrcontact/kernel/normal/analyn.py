@@ -117,8 +117,9 @@ def region_load(region: Region, nodes: Nodes, local_penetration: float):
                     if k == last - 1:
                         stop = clip_to_bound(region, outward * k, outward, stop)
                     if stop > start:
-                        load += (quadratic_integral(c_before * d_before, f_low, f_high, stop)
-                                 - quadratic_integral(c_before * d_before, f_low, f_high, start))
+                        load += quadratic_integral(
+                            c_before * d_before, f_low, f_high, stop
+                        ) - quadratic_integral(c_before * d_before, f_low, f_high, start)
                         stiffness += (stop - start) * (c_low + 0.5 * (stop + start) * (c_high - c_low))
                 d_before = d_low
                 c_before = c_low
@@ -140,8 +141,15 @@ def load_regions(regions: Regions, nodes: NodesOfRegions, count: int):
     return total
 
 
-def solve_penetrations(tables: Tables, regions: Regions, nodes: NodesOfRegions, count: int, force: float,
-                       penetration: float, prescribed: bool):
+def solve_penetrations(
+    tables: Tables,
+    regions: Regions,
+    nodes: NodesOfRegions,
+    count: int,
+    force: float,
+    penetration: float,
+    prescribed: bool,
+):
     """Penetration [m] at which the regions carry ``force`` [N] (or the given one where ``prescribed``), by
     Newton's method on all local penetrations together; these and the loads stay in the regions.  Second
     value: whether the force is satisfied.
@@ -185,8 +193,9 @@ def solve_penetrations(tables: Tables, regions: Regions, nodes: NodesOfRegions, 
     return penetration, False
 
 
-def penetration_move(force: float, total: float, slope: float, rest: float, penetration: float, low: float,
-                     high: float):
+def penetration_move(
+    force: float, total: float, slope: float, rest: float, penetration: float, low: float, high: float
+):
     """Move of the penetration [m] towards the ``force`` [N], from the ``total`` load that the regions carry
     now [N].
 

@@ -49,8 +49,9 @@ def solve_analyn(pair: Pair, contact: Contact, side: SideSearch, force: float, p
         by_penetration = True
     contact.first_widths.penetration = 0.0
     if contact.frame.pressed:
-        penetration, count, satisfied = solve_estimated(pair, contact, contact.frame.depth, force,
-                                                        by_penetration)
+        penetration, count, satisfied = solve_estimated(
+            pair, contact, contact.frame.depth, force, by_penetration
+        )
         return penetration, count, satisfied
     if not by_penetration:
         penetration = first_penetration(pair, contact, force)
@@ -93,8 +94,9 @@ def gather_regions(pair: Pair, contact: Contact, penetration: float):
     return count
 
 
-def solve_fine(pair: Pair, contact: Contact, count: int, force: float, penetration: float,
-               by_penetration: bool):
+def solve_fine(
+    pair: Pair, contact: Contact, count: int, force: float, penetration: float, by_penetration: bool
+):
     """Penetration [m] on fine nodes over the regions, laid again where the patch outgrows them; and whether
     the force is satisfied."""
     start = penetration
@@ -102,8 +104,9 @@ def solve_fine(pair: Pair, contact: Contact, count: int, force: float, penetrati
     satisfied = False
     for repeat in range(COVER_REPEATS):
         prepare_regions(pair, contact, count, enlarge)
-        penetration, satisfied = solve_penetrations(pair.tables, contact.regions, contact.nodes, count, force,
-                                                    start, by_penetration)
+        penetration, satisfied = solve_penetrations(
+            pair.tables, contact.regions, contact.nodes, count, force, start, by_penetration
+        )
         if not satisfied:
             return start, satisfied
         if covered(contact.frame, contact.regions, contact.nodes, count):

@@ -28,8 +28,17 @@ from math import fabs, sqrt
 from typing import Final
 
 from ..elementary.binary import exponent, power_of_two
-from ..layout import (HERTZ_CELLS, HERTZ_OCTAVES, HERTZ_ROW, LATERAL_ADAPTIVE, HertzTable, NodeRun, Nodes,
-                      Region, Tables)
+from ..layout import (
+    HERTZ_CELLS,
+    HERTZ_OCTAVES,
+    HERTZ_ROW,
+    LATERAL_ADAPTIVE,
+    HertzTable,
+    NodeRun,
+    Nodes,
+    Region,
+    Tables,
+)
 
 #: Principal curvatures closer than this share are one: the ellipse is a circle.
 TILTED: Final[float] = 1e-12
@@ -153,8 +162,9 @@ def windowed_curvature(averaged: float, secant: float, share: float):
     return sqrt(averaged * grown)
 
 
-def adaptive_curvatures(region: Region, gaps: NodeRun, k: int, window: int, middle: float, mean: float,
-                        least: float):
+def adaptive_curvatures(
+    region: Region, gaps: NodeRun, k: int, window: int, middle: float, mean: float, least: float
+):
     """The three lateral curvatures [1/m] at node ``k``, for 1 + alpha, 1 + beta and n r: secant, side and
     window; none below ``least``."""
     spacing = region.spacing

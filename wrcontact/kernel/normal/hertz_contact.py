@@ -35,8 +35,9 @@ def hertz_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
     region.x_track = point.x_track
     A = 0.5 * point.curvature_x
     B = max(FLOOR * A, 0.5 * point.curvature_y)
-    half_length, half_width, stiffness, penetration = press_ellipse(pair.tables, region, A, B, force,
-                                                                    prescribed)
+    half_length, half_width, stiffness, penetration = press_ellipse(
+        pair.tables, region, A, B, force, prescribed
+    )
     low, high = profile_ends(pair, region)
     # no station is nearer than its abscissa
     widest = min(region.rail - low, high - region.rail)
@@ -44,8 +45,9 @@ def hertz_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
         widest = widest_ellipse(pair, contact.frame, region, low, high)
     if half_width > widest:
         B = narrow_ellipse(pair.tables, region, A, B, force, prescribed, widest)
-        half_length, half_width, stiffness, penetration = press_ellipse(pair.tables, region, A, B, force,
-                                                                        prescribed)
+        half_length, half_width, stiffness, penetration = press_ellipse(
+            pair.tables, region, A, B, force, prescribed
+        )
     region.stiffness = 1.5 * stiffness * sqrt(penetration)
     region.carried = stiffness * penetration * sqrt(penetration)
     region.moment = 0.0
@@ -104,8 +106,9 @@ def widest_ellipse(pair: Pair, frame: Frame, region: Region, low: float, high: f
 
 
 @seldom
-def narrow_ellipse(tables: Tables, region: Region, A: float, B: float, force: float, prescribed: float,
-                   widest: float):
+def narrow_ellipse(
+    tables: Tables, region: Region, A: float, B: float, force: float, prescribed: float, widest: float
+):
     """The lateral curvature [1/m] whose ellipse is ``widest`` [m] to either side, if it is not sharper than
     SHARPEST A; the arguments are those of :func:`press_ellipse`.
 
@@ -113,8 +116,9 @@ def narrow_ellipse(tables: Tables, region: Region, A: float, B: float, force: fl
     by 1, also under a force.
     """
     for narrowing in range(NARROWINGS):
-        half_length, half_width, stiffness, penetration = press_ellipse(tables, region, A, B, force,
-                                                                        prescribed)
+        half_length, half_width, stiffness, penetration = press_ellipse(
+            tables, region, A, B, force, prescribed
+        )
         share = half_width / widest
         B = min(B * share * share, SHARPEST * A)
     return B

@@ -78,8 +78,9 @@ def add_cell(contact: Contact, side: SideSearch, number: int, k: int):
         low = k + 1
     before = low - outward
     high = low + outward
-    start, stop = cell_part(deepest - nodes.rise[before], deepest - nodes.rise[low],
-                            deepest - nodes.rise[high])
+    start, stop = cell_part(
+        deepest - nodes.rise[before], deepest - nodes.rise[low], deepest - nodes.rise[high]
+    )
     if k == region.first or k == region.last - 1:
         stop = clip_to_bound(region, low, outward, stop)
     strip = region.strip
@@ -97,8 +98,9 @@ def add_cell(contact: Contact, side: SideSearch, number: int, k: int):
         patch = side.patches[index]
         patch.totals.stop = end
         patch.last = strip + k + 1
-        load, moment = add_part(patch, region, strips[strip + before], inner, outer, start, stop,
-                                spacing * float(outward))
+        load, moment = add_part(
+            patch, region, strips[strip + before], inner, outer, start, stop, spacing * float(outward)
+        )
         add_load(patch, number, load, moment)
         keep_largest(patch, strips, strip + low)
 
@@ -133,8 +135,16 @@ def patch_from(side: SideSearch, region: Region, start: float, strip: int):
     return index
 
 
-def add_part(patch: Patch, region: Region, before: SolvedStrip, low: SolvedStrip, high: SolvedStrip,
-             start: float, stop: float, step: float):
+def add_part(
+    patch: Patch,
+    region: Region,
+    before: SolvedStrip,
+    low: SolvedStrip,
+    high: SolvedStrip,
+    start: float,
+    stop: float,
+    step: float,
+):
     """Add load and moment of the loaded part [start, stop] of a cell to its region, and its area to its
     patch; the load [N] and the moment [N m].
 
@@ -148,8 +158,9 @@ def add_part(patch: Patch, region: Region, before: SolvedStrip, low: SolvedStrip
         load -= quadratic_integral(before.line_load, low.line_load, high.line_load, start)
         moment -= quadratic_moment(before.line_load, low.line_load, high.line_load, start)
     load *= width
-    area = root_integral(before.half_length_square, low.half_length_square, high.half_length_square, start,
-                         stop)
+    area = root_integral(
+        before.half_length_square, low.half_length_square, high.half_length_square, start, stop
+    )
     moment = low.station * load + width * step * moment
     region.carried += load
     region.moment += moment
@@ -164,8 +175,9 @@ def keep_largest(patch: Patch, strips: SolvedStrips, strip: int):
     here = strips[strip]
     high = strips[strip + 1]
     if here.half_length_square > patch.half_length_square:
-        patch.half_length_square = peak_square(low.half_length_square, here.half_length_square,
-                                                high.half_length_square)
+        patch.half_length_square = peak_square(
+            low.half_length_square, here.half_length_square, high.half_length_square
+        )
     if here.pressure_square > patch.pressure_square:
         patch.pressure_square = peak_square(low.pressure_square, here.pressure_square, high.pressure_square)
 

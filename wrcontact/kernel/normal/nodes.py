@@ -14,9 +14,25 @@ from ..contact.frame import BEYOND, NO_GAP, enter_plane, is_yawed, leave_plane
 from ..contact.separation import separation
 from ..contact.traces import start_traces
 from ..contact.widths import measure_widths
-from ..layout import (LATERAL_ADAPTIVE, LOAD_VERTICAL, NODE_LIMIT, NODE_MIDDLE, RAIL,
-                      SEPARATION_EQUIDISTANT_CHORD, SEPARATION_VERTICAL, WHEEL, Contact, Frame, NodeRun,
-                      Nodes, NodesOfRegions, Pair, Region, Regions, Tables)
+from ..layout import (
+    LATERAL_ADAPTIVE,
+    LOAD_VERTICAL,
+    NODE_LIMIT,
+    NODE_MIDDLE,
+    RAIL,
+    SEPARATION_EQUIDISTANT_CHORD,
+    SEPARATION_VERTICAL,
+    WHEEL,
+    Contact,
+    Frame,
+    NodeRun,
+    Nodes,
+    NodesOfRegions,
+    Pair,
+    Region,
+    Regions,
+    Tables,
+)
 from ..surface.curvature import relative_curvature
 from ..surface.tables import height_slope
 from .coefficients import FLOOR, table_value, weigh_nodes
@@ -42,7 +58,7 @@ SPREAD: Final[float] = 1.25
 #: Smallest mean half-width, as a share of the half-length sqrt(penetration R_x), of a region that an end
 #: nearly closes.
 NARROWEST: Final[float] = 0.01
-NODE_ROOM: Final[float] = 110.0         # nodes that a region has room for on one side
+NODE_ROOM: Final[float] = 110.0  # nodes that a region has room for on one side
 
 
 def window_nodes(tables: Tables):
@@ -72,8 +88,9 @@ def trace_tolerance(spacing: float):
     return tolerance
 
 
-def lay_nodes(pair: Pair, contact: Contact, region: Region, nodes: Nodes, low_reach: float,
-              high_reach: float):
+def lay_nodes(
+    pair: Pair, contact: Contact, region: Region, nodes: Nodes, low_reach: float, high_reach: float
+):
     """Gap and A at the nodes of a region, until the gap has risen above ``low_reach`` or ``high_reach`` [m]
     on that side or the bound is passed, and so many nodes further as the window of the lateral curvature
     needs.
@@ -83,14 +100,16 @@ def lay_nodes(pair: Pair, contact: Contact, region: Region, nodes: Nodes, low_re
     """
     start_traces(contact.frame, region.station, region.rail, region.wheel)
     open_origin(pair, contact.frame, contact.origin, region, region.spacing)
-    gap, rate, bend, curvature = separation(pair, contact.frame, contact.origin, region.station,
-                                            trace_tolerance(region.spacing))
+    gap, rate, bend, curvature = separation(
+        pair, contact.frame, contact.origin, region.station, trace_tolerance(region.spacing)
+    )
     nodes.gap[0] = 0.0
     nodes.A[0] = 0.5 * curvature
     nodes.turn[0] = turn_cosine(pair, contact.frame)
     if pair.tables.lateral != LATERAL_ADAPTIVE:
-        nodes.B[0] = relative_curvature(pair, contact.frame.traces[WHEEL].abscissa,
-                                        contact.frame.traces[RAIL].abscissa)
+        nodes.B[0] = relative_curvature(
+            pair, contact.frame.traces[WHEEL].abscissa, contact.frame.traces[RAIL].abscissa
+        )
     before = lay_side_nodes(pair, contact, region, nodes, -1, low_reach, rate)
     region.first = -before
     after = lay_side_nodes(pair, contact, region, nodes, 1, high_reach, rate)
@@ -120,20 +139,23 @@ def trace_node(pair: Pair, contact: Contact, region: Region, nodes: Nodes, at: i
     """Trace node ``at`` on the profiles; its gap [m], NO_GAP where a profile has ended, and the gap's rate
     [-]."""
     station = region.station + region.spacing * float(at)
-    gap, rate, bend, curvature = separation(pair, contact.frame, contact.origin, station,
-                                            trace_tolerance(region.spacing))
+    gap, rate, bend, curvature = separation(
+        pair, contact.frame, contact.origin, station, trace_tolerance(region.spacing)
+    )
     if gap < NO_GAP:
         nodes.gap[at] = gap - region.gap
         nodes.A[at] = 0.5 * curvature
         nodes.turn[at] = turn_cosine(pair, contact.frame)
         if pair.tables.lateral != LATERAL_ADAPTIVE:
-            nodes.B[at] = relative_curvature(pair, contact.frame.traces[WHEEL].abscissa,
-                                             contact.frame.traces[RAIL].abscissa)
+            nodes.B[at] = relative_curvature(
+                pair, contact.frame.traces[WHEEL].abscissa, contact.frame.traces[RAIL].abscissa
+            )
     return gap, rate
 
 
-def lay_side_nodes(pair: Pair, contact: Contact, region: Region, nodes: Nodes, direction: int, reach: float,
-                   rate: float):
+def lay_side_nodes(
+    pair: Pair, contact: Contact, region: Region, nodes: Nodes, direction: int, reach: float, rate: float
+):
     """Nodes in ``direction`` from the minimum, where the gap has this ``rate``; how many until the gap has
     risen above ``reach`` [m] or the bound is passed.
 
@@ -193,8 +215,9 @@ def fill_straight(values: NodeRun, start: int, stop: int, count: int):
         values[start + inward * i] = values[start] + rise * float(i)
 
 
-def fill_between(nodes: Nodes, start: int, stop: int, count: int, spacing: float, start_rate: float,
-                 stop_rate: float):
+def fill_between(
+    nodes: Nodes, start: int, stop: int, count: int, spacing: float, start_rate: float, stop_rate: float
+):
     """Gap (cubic of Hermite) and A (linear) at the ``count`` - 1 nodes between two traced ones, ``start`` and
     ``stop``, with their slopes.
 

@@ -9,8 +9,18 @@ from math import sqrt
 
 from ..contact.curves import rail_abscissa
 from ..elementary.circle import atan
-from ..layout import (LOAD_VERTICAL, REGION_LIMIT, ROLLING_STRIP_LIMIT, Contact, Frame, Nodes, Pair, Patch,
-                      Region, SideSearch)
+from ..layout import (
+    LOAD_VERTICAL,
+    REGION_LIMIT,
+    ROLLING_STRIP_LIMIT,
+    Contact,
+    Frame,
+    Nodes,
+    Pair,
+    Patch,
+    Region,
+    SideSearch,
+)
 from ..surface.rails import on_track, upright_share
 from ..surface.tables import height_slope, read_cubic
 
@@ -93,8 +103,9 @@ def place_load(pair: Pair, frame: Frame, region: Region, patch: Patch, number: i
     patch.normal_moment[1] -= x * force_z
     patch.normal_moment[2] += x * force_y
     wheel_height, wheel_slope = height_slope(pair.wheel, region.wheel)
-    wheel_height, wheel_slope = height_slope(pair.wheel, region.wheel
-                                             + away / sqrt(1.0 + wheel_slope * wheel_slope))
+    wheel_height, wheel_slope = height_slope(
+        pair.wheel, region.wheel + away / sqrt(1.0 + wheel_slope * wheel_slope)
+    )
     patch.x_track += load * x
     patch.y_track += load * y
     patch.z_track += load * z

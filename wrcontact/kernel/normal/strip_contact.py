@@ -78,8 +78,9 @@ def strip_contact(pair: Pair, contact: Contact, side: SideSearch, force: float, 
     return penetration, count, satisfied
 
 
-def sink_strips(pair: Pair, contact: Contact, side: SideSearch, force: float, estimate: float,
-                by_penetration: bool):
+def sink_strips(
+    pair: Pair, contact: Contact, side: SideSearch, force: float, estimate: float, by_penetration: bool
+):
     """Penetration [m] and number of regions of a wheel that is sunk to an ``estimate`` [m] of it, and then to
     the one that ANALYN's levels have there; no region where it overlaps most at the end of a profile."""
     penetration = estimate

@@ -7,8 +7,24 @@ the pressure comes what the fine part of the gap adds, eq. (S13).
 from math import pi, sqrt
 from typing import Final
 
-from ..layout import (FINE_WAVES, LOAD_VERTICAL, RULE_STRAIGHT, SOLVED_PATCH_LIMIT, Contact, Equations, Frame,
-                      Region, Regions, SideSearch, SolvedStrips, Strip, StripProblem, StripRun, Tables, Waves)
+from ..layout import (
+    FINE_WAVES,
+    LOAD_VERTICAL,
+    RULE_STRAIGHT,
+    SOLVED_PATCH_LIMIT,
+    Contact,
+    Equations,
+    Frame,
+    Region,
+    Regions,
+    SideSearch,
+    SolvedStrips,
+    Strip,
+    StripProblem,
+    StripRun,
+    Tables,
+    Waves,
+)
 from ..patch.filling import add_load, begin_patch, clear_patches, finish_patch, finish_patches
 from ..surface.rails import upright_share
 from .strip_surfaces import TOUCHING, between
@@ -64,10 +80,12 @@ def fill_run(tables: Tables, contact: Contact, side: SideSearch, k: int):
     patch.totals.stop = run.next_stop
     patch.last = (k + 1) * fine - 1
     fill_fine_strips(tables, problem, contact.strips, k)
-    patch.pressure_square = max(patch.pressure_square,
-                                largest_square(contact.strips, k * fine, patch.last, True))
-    patch.half_length_square = max(patch.half_length_square,
-                                   largest_square(contact.strips, k * fine, patch.last, False))
+    patch.pressure_square = max(
+        patch.pressure_square, largest_square(contact.strips, k * fine, patch.last, True)
+    )
+    patch.half_length_square = max(
+        patch.half_length_square, largest_square(contact.strips, k * fine, patch.last, False)
+    )
     finish_patch(side)
 
 

@@ -9,8 +9,17 @@ the distance of the strips alone, eq. (S12).
 from math import fabs, pi, sqrt
 from typing import Final
 
-from ..layout import (INFLUENCE_CELLS, INFLUENCE_COLUMN, INFLUENCE_COLUMNS, INFLUENCE_MAP, SPACING_CELLS,
-                      Equations, InfluenceTable, StripProblem, Tables)
+from ..layout import (
+    INFLUENCE_CELLS,
+    INFLUENCE_COLUMN,
+    INFLUENCE_COLUMNS,
+    INFLUENCE_MAP,
+    SPACING_CELLS,
+    Equations,
+    InfluenceTable,
+    StripProblem,
+    Tables,
+)
 
 #: Displacement and gap are compared in the middle of a strip and at this share of its half-length.
 TESTED: Final[float] = 0.9
@@ -159,8 +168,9 @@ def write_equations(tables: Tables, problem: StripProblem, equations: Equations,
             strip = strips[first + own]
             for j in range(waves.count):
                 row[first + j] -= singular[j] * facing[first + j]
-            row[first + own] = strip.width * own_influence(tables, strip.slender, own, 1.0, MIDDLE_CONSTANT,
-                                                           INFLUENCE_MAP)
+            row[first + own] = strip.width * own_influence(
+                tables, strip.slender, own, 1.0, MIDDLE_CONSTANT, INFLUENCE_MAP
+            )
 
 
 def local_displacement(tables: Tables, problem: StripProblem, first: int, own: int):
@@ -172,8 +182,9 @@ def local_displacement(tables: Tables, problem: StripProblem, first: int, own: i
     left = 0.0
     for j in range(tables.waves.count):
         left += singular[j] * facing[first + j] * problem.strips[first + j].y
-    influence = own_influence(tables, strip.slender, own, TESTED_HEIGHT, TESTED_CONSTANT,
-                              INFLUENCE_MAP + 3 * SPACING_CELLS)
+    influence = own_influence(
+        tables, strip.slender, own, TESTED_HEIGHT, TESTED_CONSTANT, INFLUENCE_MAP + 3 * SPACING_CELLS
+    )
     return strip.width * strip.y * influence - TESTED_HEIGHT * left
 
 
@@ -203,8 +214,14 @@ def tested_displacements(tables: Tables, problem: StripProblem, i: int, away: fl
     return front, back
 
 
-def solve_pressures(tables: Tables, problem: StripProblem, equations: Equations, force: float,
-                    by_penetration: bool, yawed: bool):
+def solve_pressures(
+    tables: Tables,
+    problem: StripProblem,
+    equations: Equations,
+    force: float,
+    by_penetration: bool,
+    yawed: bool,
+):
     """y of all strips under ``force`` [N], or at the problem's penetration where ``by_penetration``; the
     penetration [m]."""
     penetration = problem.penetration

@@ -12,7 +12,7 @@ from typing import Final
 
 from ..contact.pressed import limited
 from ..elementary.powers import log
-from ..layout import (FINE_WAVES, STRIP_RUN_LIMIT, Strip, StripProblem, StripRun, TracedStation, Waves, copy)
+from ..layout import FINE_WAVES, STRIP_RUN_LIMIT, Strip, StripProblem, StripRun, TracedStation, Waves, copy
 from .strip_surfaces import between, interval, rest_gap, way_through
 
 #: A first run is where ANALYN's level is above zero, and reaches this share of its zone's depth.
@@ -304,8 +304,13 @@ def part_run(problem: StripProblem, waves: Waves, k: int, largest: float):
                 while last < count - 1 and problem.strips[first + last + 1].y >= limit:
                     last += 1
                 if last > i or problem.strips[first + i].y > SINGLE * largest:
-                    add_run(problem, run.low, run.high, pressed_end(problem, waves, k, i, -1),
-                            pressed_end(problem, waves, k, last, 1))
+                    add_run(
+                        problem,
+                        run.low,
+                        run.high,
+                        pressed_end(problem, waves, k, i, -1),
+                        pressed_end(problem, waves, k, last, 1),
+                    )
             i = last + 1
 
 

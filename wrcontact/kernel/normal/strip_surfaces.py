@@ -12,8 +12,21 @@ from ..contact.frame import NO_GAP, enter_plane, is_yawed, leave_plane
 from ..contact.separation import separation
 from ..contact.traces import start_traces
 from ..contact.widths import zone_width
-from ..layout import (LOAD_VERTICAL, LONGITUDINAL_BASIC, RAIL, WHEEL, Contact, Frame, Pair, Place, Region,
-                      StripProblem, StripZone, Tables, TracedStation)
+from ..layout import (
+    LOAD_VERTICAL,
+    LONGITUDINAL_BASIC,
+    RAIL,
+    WHEEL,
+    Contact,
+    Frame,
+    Pair,
+    Place,
+    Region,
+    StripProblem,
+    StripZone,
+    Tables,
+    TracedStation,
+)
 from ..surface.curvature import longitudinal_curvature
 from ..surface.locus import outline_x
 from ..surface.rails import upright_share
@@ -139,8 +152,9 @@ def trace_zones(pair: Pair, contact: Contact, count: int):
 def trace_station(pair: Pair, contact: Contact, region: Region, at: TracedStation):
     """Wheel and rail at a station of ``region``, whose frame is open."""
     frame = contact.frame
-    gap, rate, bend, curvature = separation(pair, frame, contact.origin, at.station - region.offset,
-                                            STRIP_TRACE)
+    gap, rate, bend, curvature = separation(
+        pair, frame, contact.origin, at.station - region.offset, STRIP_TRACE
+    )
     at.rise = 0.0
     at.overlap = 0.0
     if gap < NO_GAP:

@@ -6,8 +6,18 @@ patches that are far from each other, both abscissae run alike from the point of
 """
 
 from ..contact.pressed import NODE_SHARP, meet_wheel
-from ..layout import (REGION_LIMIT, ROLLING_STRIP_LIMIT, Contact, Frame, Pair, Patch, Region, SideSearch,
-                      StripOutputs, seldom)
+from ..layout import (
+    REGION_LIMIT,
+    ROLLING_STRIP_LIMIT,
+    Contact,
+    Frame,
+    Pair,
+    Patch,
+    Region,
+    SideSearch,
+    StripOutputs,
+    seldom,
+)
 from .patch_places import abscissa_at
 
 
@@ -60,7 +70,8 @@ def first_region(patch: Patch):
 @seldom
 def nearest_patch(side: SideSearch, index: int, station: float):
     """The patch, from ``index`` on, that a ``station`` [m] lies in or is nearest to."""
-    while index < side.patch_count - 1 and (station - side.patches[index].totals.stop
-                                            > side.patches[index + 1].totals.start - station):
+    while index < side.patch_count - 1 and (
+        station - side.patches[index].totals.stop > side.patches[index + 1].totals.start - station
+    ):
         index += 1
     return index

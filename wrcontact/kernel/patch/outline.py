@@ -10,9 +10,23 @@ Half-length and pressure between the strips of a patch follow by the rule of the
 
 from math import sqrt
 
-from ..layout import (OUTPUT_COUNT, RULE_ELLIPSE, RULE_QUADRATIC, RUN_COUNT, STATION_COUNT, WEAR_END,
-                      WEAR_RUN_COUNT, Outline, Patch, PatchTotals, Region, Regions, SideSearch, SolvedStrips,
-                      Tables)
+from ..layout import (
+    OUTPUT_COUNT,
+    RULE_ELLIPSE,
+    RULE_QUADRATIC,
+    RUN_COUNT,
+    STATION_COUNT,
+    WEAR_END,
+    WEAR_RUN_COUNT,
+    Outline,
+    Patch,
+    PatchTotals,
+    Region,
+    Regions,
+    SideSearch,
+    SolvedStrips,
+    Tables,
+)
 from .quadrature import quadratic_value
 
 
@@ -51,8 +65,9 @@ def between_strips(region: Region, strips: SolvedStrips, own: float):
         before = strips[inner - outward]
         here = strips[inner]
         after = strips[inner + outward]
-        length = quadratic_value(before.half_length_square, here.half_length_square,
-                                 after.half_length_square, x)
+        length = quadratic_value(
+            before.half_length_square, here.half_length_square, after.half_length_square, x
+        )
         square = quadratic_value(before.pressure_square, here.pressure_square, after.pressure_square, x)
         if length > 0.0 and square > 0.0:
             half_length = sqrt(length)
@@ -102,8 +117,9 @@ def wear_place(tables: Tables):
     return size
 
 
-def write_outline(outline: Outline, stations: int, side: SideSearch, strips: SolvedStrips, regions: Regions,
-                  count: int):
+def write_outline(
+    outline: Outline, stations: int, side: SideSearch, strips: SolvedStrips, regions: Regions, count: int
+):
     """The outline of the patches of a side at ``stations`` stations, from the ``strips`` that its normal
     model has laid in ``count`` regions; without shear and slip."""
     if side.patch_count > 0:
@@ -133,8 +149,9 @@ def write_ellipse(outline: Outline, stations: int, totals: PatchTotals):
         outline.numbers[2 * stations + last - j] = pressure * height
 
 
-def write_quadratic(outline: Outline, stations: int, totals: PatchTotals, strips: SolvedStrips,
-                    regions: Regions, count: int):
+def write_quadratic(
+    outline: Outline, stations: int, totals: PatchTotals, strips: SolvedStrips, regions: Regions, count: int
+):
     """The outline of patches with RULE_QUADRATIC.  The quadratics can rise above the largest values where the
     surfaces have a kink; they are cut there."""
     start = totals.start

@@ -126,5 +126,6 @@ def bent_integral(low: float, slope: float, bend: float, start: float, stop: flo
         angle = atan(up / along)
     else:
         angle = atan2(up, along)
-    return ((last_rate * last_root - first_rate * first_root) / (4.0 * bend)
-            + spread / (8.0 * -bend * across) * angle)
+    return (last_rate * last_root - first_rate * first_root) / (4.0 * bend) + spread / (
+        8.0 * -bend * across
+    ) * angle

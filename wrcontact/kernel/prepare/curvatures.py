@@ -13,8 +13,17 @@ from typing import Final
 
 from ..elementary.circle import atan2
 from ..elementary.whole import rounded_up
-from ..layout import (CUBIC_SIZE, LATERAL_ROUGH, LATERAL_SMOOTH, PIECE_SIZE, CubicTable, CurvatureTable,
-                      Profile, Tables, offset)
+from ..layout import (
+    CUBIC_SIZE,
+    LATERAL_ROUGH,
+    LATERAL_SMOOTH,
+    PIECE_SIZE,
+    CubicTable,
+    CurvatureTable,
+    Profile,
+    Tables,
+    offset,
+)
 from ..surface.tables import height_slope
 from .pieces import FULL
 from .scan import first_piece, piece_count, piece_width
@@ -23,16 +32,17 @@ from .scan import first_piece, piece_count, piece_width
 RASTER_SHARE: Final[float] = 0.25
 FINEST: Final[float] = 0.01e-3
 COARSEST: Final[float] = 0.05e-3
-SAMPLES: Final[int] = 61             # points of a profile that a circle is fitted to
+SAMPLES: Final[int] = 61  # points of a profile that a circle is fitted to
 GAUSS_POINTS: Final[int] = 10
 ARC_ITERATIONS: Final[int] = 30
-ARC_SHARP: Final[float] = 1e-15      # last Newton step to a node [m]
+ARC_SHARP: Final[float] = 1e-15  # last Newton step to a node [m]
 #: Longest cell of either table [m].
 ARC_STEP: Final[float] = 1e-4
 
 
-def circle_curvature(n00: float, n01: float, n02: float, n11: float, n12: float, n22: float, r0: float,
-                     r1: float, r2: float):
+def circle_curvature(
+    n00: float, n01: float, n02: float, n11: float, n12: float, n22: float, r0: float, r1: float, r2: float
+):
     """Curvature of the circle c (u^2 + v^2) + b u + a = v from its normal equations, by
     symmetric elimination.
 
@@ -50,7 +60,7 @@ def circle_curvature(n00: float, n01: float, n02: float, n11: float, n12: float,
     return 2.0 * c / sqrt(1.0 + b * b - 4.0 * a * c)
 
 
-def fitted_curvature(tables: 'float[:]', profile: int, y: float, reach: float):
+def fitted_curvature(tables: "float[:]", profile: int, y: float, reach: float):
     """Curvature [1/m] of the circle fitted to the profile over y - reach ... y + reach, at ``y`` [m]."""
     low = max(y - reach, Profile.at(tables, profile).start)
     high = min(y + reach, Profile.at(tables, profile).stop)
@@ -79,7 +89,7 @@ def fitted_curvature(tables: 'float[:]', profile: int, y: float, reach: float):
     return circle_curvature(n00, n01, n02, n11, n12, n22, r0, r1, r2) / reach
 
 
-def write_gauss(work: 'float[:]', scratch: int):
+def write_gauss(work: "float[:]", scratch: int):
     """Nodes and weights of Gauss's formula into scratch."""
     work[scratch + 0] = -0.9739065285171717
     work[scratch + GAUSS_POINTS + 0] = 0.06667134430868814
@@ -103,7 +113,7 @@ def write_gauss(work: 'float[:]', scratch: int):
     work[scratch + GAUSS_POINTS + 9] = 0.06667134430868814
 
 
-def arc_panel(tables: 'float[:]', profile: int, low: float, high: float, work: 'float[:]', scratch: int):
+def arc_panel(tables: "float[:]", profile: int, low: float, high: float, work: "float[:]", scratch: int):
     """Arc length [m] from ``low`` to ``high`` [m], which lie in one piece."""
     half = 0.5 * (high - low)
     total = 0.0
@@ -113,7 +123,7 @@ def arc_panel(tables: 'float[:]', profile: int, low: float, high: float, work: '
     return half * total
 
 
-def write_lengths(tables: 'float[:]', profile: int, work: 'float[:]', scratch: int):
+def write_lengths(tables: "float[:]", profile: int, work: "float[:]", scratch: int):
     """Gauss's formula and the arc length at the start of each piece and at the end of all into
     scratch; the end's [m]."""
     write_gauss(work, scratch)
@@ -123,13 +133,14 @@ def write_lengths(tables: 'float[:]', profile: int, work: 'float[:]', scratch: i
     work[lengths] = 0.0
     for i in range(piece_count(tables, profile)):
         at = first + PIECE_SIZE * i
-        total += arc_panel(tables, profile, tables[at], tables[at] + piece_width(tables, profile, at), work,
-                           scratch)
+        total += arc_panel(
+            tables, profile, tables[at], tables[at] + piece_width(tables, profile, at), work, scratch
+        )
         work[lengths + i + 1] = total
     return total
 
 
-def length_at(tables: 'float[:]', profile: int, y: float, work: 'float[:]', scratch: int):
+def length_at(tables: "float[:]", profile: int, y: float, work: "float[:]", scratch: int):
     """Arc length [m] at ``y`` [m]."""
     first = first_piece(tables, profile)
     low = 0
@@ -140,11 +151,12 @@ def length_at(tables: 'float[:]', profile: int, y: float, work: 'float[:]', scra
             low = middle
         else:
             high = middle
-    return (work[scratch + 2 * GAUSS_POINTS + low]
-            + arc_panel(tables, profile, tables[first + PIECE_SIZE * low], y, work, scratch))
+    return work[scratch + 2 * GAUSS_POINTS + low] + arc_panel(
+        tables, profile, tables[first + PIECE_SIZE * low], y, work, scratch
+    )
 
 
-def place_at_length(tables: 'float[:]', profile: int, length: float, work: 'float[:]', scratch: int):
+def place_at_length(tables: "float[:]", profile: int, length: float, work: "float[:]", scratch: int):
     """Abscissa [m] at arc length ``length`` [m]: Newton's method within the piece that holds it."""
     lengths = scratch + 2 * GAUSS_POINTS
     piece = 0
@@ -172,8 +184,9 @@ def place_at_length(tables: 'float[:]', profile: int, length: float, work: 'floa
     return y
 
 
-def turned_curvature(tables: 'float[:]', profile: int, y: float, step: float, total: float, work: 'float[:]',
-                     scratch: int):
+def turned_curvature(
+    tables: "float[:]", profile: int, y: float, step: float, total: float, work: "float[:]", scratch: int
+):
     """Change of the profile's angle per arc length [1/m] from chord to chord between nodes ``step`` [m]
     before ``y`` [m], at it and after it; ``total`` is the whole arc length [m]."""
     step = min(step, 0.5 * total)
@@ -187,7 +200,7 @@ def turned_curvature(tables: 'float[:]', profile: int, y: float, step: float, to
     return (atan2(z_2 - z_1, y_2 - y_1) - atan2(z_1 - z_0, y_1 - y_0)) / step
 
 
-def write_curvatures(tables: Tables, base: int, profile: int, sign: float, work: 'float[:]', scratch: int):
+def write_curvatures(tables: Tables, base: int, profile: int, sign: float, work: "float[:]", scratch: int):
     """What the chosen lateral curvature reads of a profile, at ``base``; the offset after it, or FULL."""
     kind = int(tables.parameters.lateral_curvature)
     step = tables.parameters.curvature_step
@@ -238,8 +251,9 @@ def open_table(tables: Tables, base: int, start: float, length: float):
     return cells, end
 
 
-def write_cubic(tables: Tables, base: int, cell: int, low: float, high: float, low_rise: float,
-                high_rise: float):
+def write_cubic(
+    tables: Tables, base: int, cell: int, low: float, high: float, low_rise: float, high_rise: float
+):
     """Cell ``cell`` of the table at ``base``, with these values at its ends, and slopes per cell."""
     cubic = CubicTable.at(tables.raw, base).cells[cell]
     rise = high - low
@@ -255,7 +269,7 @@ def rail_speed(tables: Tables, rail: int, abscissa: float):
     return sqrt(1.0 + slope * slope)
 
 
-def write_arcs(tables: Tables, base: int, rail: int, work: 'float[:]', scratch: int):
+def write_arcs(tables: Tables, base: int, rail: int, work: "float[:]", scratch: int):
     """The arc length of the rail over its abscissa, at ``base``; the offset after it, or FULL."""
     start = Profile.at(tables.raw, rail).start
     width = Profile.at(tables.raw, rail).stop - start
@@ -278,7 +292,7 @@ def write_arcs(tables: Tables, base: int, rail: int, work: 'float[:]', scratch: 
     return end
 
 
-def write_abscissae(tables: Tables, base: int, rail: int, work: 'float[:]', scratch: int):
+def write_abscissae(tables: Tables, base: int, rail: int, work: "float[:]", scratch: int):
     """The abscissa of the rail over its arc length, at ``base``; the offset after it, or FULL."""
     start = Profile.at(tables.raw, rail).start
     total = write_lengths(tables.raw, rail, work, scratch)

@@ -18,13 +18,13 @@ from .zones import DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, ZONE_STAR
 PIECE_ERROR: Final[float] = 1e-9
 #: Permitted error of the second derivative between the ends [1/mm]; 1e-6 of a curvature of 1/10 mm.
 PIECE_BEND_ERROR: Final[float] = 1e-7
-LONGEST_PIECE: Final[float] = 1.0         # [mm]
-SHORTEST_PIECE: Final[float] = 1e-3       # [mm]; measured profiles have knots this close
+LONGEST_PIECE: Final[float] = 1.0  # [mm]
+SHORTEST_PIECE: Final[float] = 1e-3  # [mm]; measured profiles have knots this close
 #: Distance from a joint over which a height step of the published coefficients is smoothed [mm]. On UIC60
 #: 1:40 the step at y = -35 mm would hold the contact for 1 um of lateral shift. Half a millimetre changes the
 #: curvature by at most 2 %.
 REPAIR_WIDTH: Final[float] = 0.5
-REPAIRED_STEP: Final[float] = 1e-6        # [mm]; smaller height steps are not repaired
+REPAIRED_STEP: Final[float] = 1e-6  # [mm]; smaller height steps are not repaired
 #: Width of the bins of pieces [mm], so fine that few hold two: mispredicted branches cost more than bins.
 BIN_WIDTH: Final[float] = 0.03125
 BINS_EACH_METRE: Final[float] = 32000.0
@@ -37,11 +37,21 @@ SCALE_5: Final[float] = 999999999999.9999
 #: Between the ends of a piece its error is seen at this many even parts.
 SEEN_PARTS: Final[int] = 10
 HALVINGS: Final[int] = 24
-FULL: Final[int] = -1                # in place of an offset: the tables are full
+FULL: Final[int] = -1  # in place of an offset: the tables are full
 
 
-def write_quintic(tables: 'float[:]', at: int, low: float, high: float, z_low: float, slope_low: float,
-                  bend_low: float, z_high: float, slope_high: float, bend_high: float):
+def write_quintic(
+    tables: "float[:]",
+    at: int,
+    low: float,
+    high: float,
+    z_low: float,
+    slope_low: float,
+    bend_low: float,
+    z_high: float,
+    slope_high: float,
+    bend_high: float,
+):
     """The quintic with given height, slope and second derivative at both ends, into
     the piece at ``at`` [mm].
 
@@ -62,7 +72,7 @@ def write_quintic(tables: 'float[:]', at: int, low: float, high: float, z_low: f
     tables[at + 6] = (6.0 * rest - 3.0 * slope + 0.5 * bend) / (cube * h * h)
 
 
-def follows_zone(tables: 'float[:]', at: int, zones: 'float[:]', row: int, low: float, high: float) -> bool:
+def follows_zone(tables: "float[:]", at: int, zones: "float[:]", row: int, low: float, high: float) -> bool:
     """Whether the piece at ``at`` follows the zone closely enough between ``low`` and ``high`` [mm]."""
     c0 = tables[at + 1]
     c1 = tables[at + 2]
@@ -85,8 +95,16 @@ def follows_zone(tables: 'float[:]', at: int, zones: 'float[:]', row: int, low: 
     return good
 
 
-def write_refined(tables: 'float[:]', at: int, zones: 'float[:]', row: int, start: float, stop: float,
-                  work: 'float[:]', scratch: int):
+def write_refined(
+    tables: "float[:]",
+    at: int,
+    zones: "float[:]",
+    row: int,
+    start: float,
+    stop: float,
+    work: "float[:]",
+    scratch: int,
+):
     """Pieces between ``start`` and ``stop`` [mm], halved until they follow the zone; the
     offset after them, or FULL."""
     low = start
@@ -99,8 +117,11 @@ def write_refined(tables: 'float[:]', at: int, zones: 'float[:]', row: int, star
         z_low, slope_low, bend_low = zone_jet(zones, row, low)
         z_high, slope_high, bend_high = zone_jet(zones, row, high)
         write_quintic(tables, at, low, high, z_low, slope_low, bend_low, z_high, slope_high, bend_high)
-        if (high - low < 2.0 * SHORTEST_PIECE or waiting == HALVINGS
-                or follows_zone(tables, at, zones, row, low, high)):
+        if (
+            high - low < 2.0 * SHORTEST_PIECE
+            or waiting == HALVINGS
+            or follows_zone(tables, at, zones, row, low, high)
+        ):
             at += PIECE_SIZE
             low = high
             waiting -= 1
@@ -110,7 +131,7 @@ def write_refined(tables: 'float[:]', at: int, zones: 'float[:]', row: int, star
     return at
 
 
-def steps(zones: 'float[:]', before: int, after: int) -> bool:
+def steps(zones: "float[:]", before: int, after: int) -> bool:
     """Whether the heights of two zones differ where the second starts."""
     y = zones[after + ZONE_START]
     z_before, slope, bend = zone_jet(zones, before, y)
@@ -118,8 +139,9 @@ def steps(zones: 'float[:]', before: int, after: int) -> bool:
     return fabs(z_before - z_after) > REPAIRED_STEP
 
 
-def write_repair(tables: 'float[:]', at: int, zones: 'float[:]', before: int, after: int, low: float,
-                 high: float):
+def write_repair(
+    tables: "float[:]", at: int, zones: "float[:]", before: int, after: int, low: float, high: float
+):
     """A piece that leads from the mean of two zones into the second, or from the first into the mean; the
     offset after it, or FULL."""
     if at + 2 * PIECE_SIZE > tables.shape[0]:
@@ -129,16 +151,37 @@ def write_repair(tables: 'float[:]', at: int, zones: 'float[:]', before: int, af
     z_2, slope_2, bend_2 = zone_jet(zones, after, low)
     z_3, slope_3, bend_3 = zone_jet(zones, after, high)
     if low == zones[after + ZONE_START]:
-        write_quintic(tables, at, low, high, 0.5 * (z_0 + z_2), 0.5 * (slope_0 + slope_2),
-                      0.5 * (bend_0 + bend_2), z_3, slope_3, bend_3)
+        write_quintic(
+            tables,
+            at,
+            low,
+            high,
+            0.5 * (z_0 + z_2),
+            0.5 * (slope_0 + slope_2),
+            0.5 * (bend_0 + bend_2),
+            z_3,
+            slope_3,
+            bend_3,
+        )
     else:
-        write_quintic(tables, at, low, high, z_0, slope_0, bend_0,
-                      0.5 * (z_1 + z_3), 0.5 * (slope_1 + slope_3), 0.5 * (bend_1 + bend_3))
+        write_quintic(
+            tables,
+            at,
+            low,
+            high,
+            z_0,
+            slope_0,
+            bend_0,
+            0.5 * (z_1 + z_3),
+            0.5 * (slope_1 + slope_3),
+            0.5 * (bend_1 + bend_3),
+        )
     return at + PIECE_SIZE
 
 
-def write_zone(tables: 'float[:]', at: int, zones: 'float[:]', base: int, index: int, work: 'float[:]',
-               scratch: int):
+def write_zone(
+    tables: "float[:]", at: int, zones: "float[:]", base: int, index: int, work: "float[:]", scratch: int
+):
     """Pieces of zone ``index``; the offset after them, or FULL."""
     size = int(zones[base + DEFINITION_ROW])
     row = base + DEFINITION_ZONES + index * size
@@ -168,13 +211,21 @@ def write_zone(tables: 'float[:]', at: int, zones: 'float[:]', base: int, index:
     return at
 
 
-def write_profile(tables: 'float[:]', base: int, zones: 'float[:]', definition: int, nowhere: float,
-                  work: 'float[:]', scratch: int):
+def write_profile(
+    tables: "float[:]",
+    base: int,
+    zones: "float[:]",
+    definition: int,
+    nowhere: float,
+    work: "float[:]",
+    scratch: int,
+):
     """The table of a definition at ``base``; the offset after it, or FULL.  ``nowhere`` is not a number."""
     count = int(zones[definition + DEFINITION_COUNT])
     start = zones[definition + DEFINITION_ZONES + ZONE_START]
-    stop = zones[definition + DEFINITION_ZONES + (count - 1) * int(zones[definition + DEFINITION_ROW])
-                 + ZONE_STOP]
+    stop = zones[
+        definition + DEFINITION_ZONES + (count - 1) * int(zones[definition + DEFINITION_ROW]) + ZONE_STOP
+    ]
     bins = rounded_up((stop - start) / BIN_WIDTH)
     profile = Profile.at(tables, base)
     first = offset(profile.bins, tables) + bins
@@ -203,7 +254,7 @@ def write_profile(tables: 'float[:]', base: int, zones: 'float[:]', definition: 
     return at + PIECE_SIZE
 
 
-def to_metres(tables: 'float[:]', first: int, end: int):
+def to_metres(tables: "float[:]", first: int, end: int):
     """Pieces from millimetres to metres."""
     at = first
     while at < end:

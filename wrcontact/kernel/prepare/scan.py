@@ -8,34 +8,47 @@ from math import fabs
 from typing import Final
 
 from ..elementary.whole import rounded_up
-from ..layout import (EXPONENTS, PIECE_SIZE, RAIL_CELL_SIZE, SCAN_LIMIT, SCAN_NODE_SIZE, Pair, Profile,
-                      Scan, Setup, Tables, offset)
+from ..layout import (
+    EXPONENTS,
+    PIECE_SIZE,
+    RAIL_CELL_SIZE,
+    SCAN_LIMIT,
+    SCAN_NODE_SIZE,
+    Pair,
+    Profile,
+    Scan,
+    Setup,
+    Tables,
+    offset,
+)
 from ..search.bounds import STEEP, WIDEST
 from ..surface.tables import find_piece, height_slope, height_slope_bend
 from .pieces import FULL
 
-COARSE_STEP: Final[float] = 1.0e-3        # [m]
-FINE_STEP: Final[float] = 0.5e-3          # [m]
-FLAT_BEND: Final[float] = 20.0             # the coarse step does where the wheel bends less [1/m]
-TOO_STEEP: Final[float] = 1e9             # [1/m]
+COARSE_STEP: Final[float] = 1.0e-3  # [m]
+FINE_STEP: Final[float] = 0.5e-3  # [m]
+FLAT_BEND: Final[float] = 20.0  # the coarse step does where the wheel bends less [1/m]
+TOO_STEEP: Final[float] = 1e9  # [1/m]
 # samples of the second derivative in a piece, a cubic there, and of levers in a cell
 LAST_SAMPLE: Final[int] = 16
-TOO_WIDE: Final[int] = -2                 # in place of an offset: the wheel is wider than the raster
+TOO_WIDE: Final[int] = -2  # in place of an offset: the wheel is wider than the raster
 FAR: Final[float] = 1e300
 
 
-def first_piece(tables: 'float[:]', base: int):
+def first_piece(tables: "float[:]", base: int):
     """Offset of a profile's first piece."""
     return offset(Profile.at(tables, base).pieces, tables)
 
 
-def piece_count(tables: 'float[:]', base: int):
+def piece_count(tables: "float[:]", base: int):
     """How many pieces a profile has."""
-    return (offset(find_piece(Profile.at(tables, base), Profile.at(tables, base).stop), tables)
-            - first_piece(tables, base)) // PIECE_SIZE + 1
+    return (
+        offset(find_piece(Profile.at(tables, base), Profile.at(tables, base).stop), tables)
+        - first_piece(tables, base)
+    ) // PIECE_SIZE + 1
 
 
-def piece_width(tables: 'float[:]', base: int, at: int):
+def piece_width(tables: "float[:]", base: int, at: int):
     """Width of the piece at ``at`` [m]."""
     stop = tables[at + PIECE_SIZE]
     if not stop < Profile.at(tables, base).stop:
@@ -43,7 +56,7 @@ def piece_width(tables: 'float[:]', base: int, at: int):
     return stop - tables[at]
 
 
-def slope_bend(tables: 'float[:]', at: int, u: float):
+def slope_bend(tables: "float[:]", at: int, u: float):
     """Slope [-] and second derivative [1/m] of the piece at ``at``, ``u`` [m] from its start."""
     c1 = tables[at + 2]
     c2 = tables[at + 3]
@@ -55,7 +68,7 @@ def slope_bend(tables: 'float[:]', at: int, u: float):
     return slope, bend
 
 
-def piece_range(tables: 'float[:]', at: int, width: float, low: float, high: float):
+def piece_range(tables: "float[:]", at: int, width: float, low: float, high: float):
     """Smallest and largest second derivative and largest absolute slope of a piece's samples between
     ``low`` and ``high``."""
     least = FAR
@@ -72,7 +85,7 @@ def piece_range(tables: 'float[:]', at: int, width: float, low: float, high: flo
     return least, most, steepest
 
 
-def sample_pieces(tables: 'float[:]', base: int, work: 'float[:]', scratch: int):
+def sample_pieces(tables: "float[:]", base: int, work: "float[:]", scratch: int):
     """The ranges of all pieces of a profile into scratch."""
     first = first_piece(tables, base)
     for i in range(piece_count(tables, base)):
@@ -83,7 +96,7 @@ def sample_pieces(tables: 'float[:]', base: int, work: 'float[:]', scratch: int)
         work[scratch + 3 * i + 2] = steepest
 
 
-def bend_range(tables: 'float[:]', base: int, work: 'float[:]', scratch: int, low: float, high: float):
+def bend_range(tables: "float[:]", base: int, work: "float[:]", scratch: int, low: float, high: float):
     """Smallest and largest second derivative [1/m] and largest absolute slope [-] between ``low`` and
     ``high`` [m], clipped to the profile; every piece counts with both its ends, so that a jump of curvature
     counts with both its sides."""
@@ -101,7 +114,7 @@ def bend_range(tables: 'float[:]', base: int, work: 'float[:]', scratch: int, lo
     first = first_piece(tables, base)
     last = offset(find_piece(Profile.at(tables, base), high), tables)
     begin = offset(find_piece(Profile.at(tables, base), low), tables)
-    at = max(begin - PIECE_SIZE, first)          # whose last sample may lie at ``low``
+    at = max(begin - PIECE_SIZE, first)  # whose last sample may lie at ``low``
     while at <= last:
         piece_least = FAR
         piece_most = -FAR
@@ -112,8 +125,9 @@ def bend_range(tables: 'float[:]', base: int, work: 'float[:]', scratch: int, lo
             piece_most = work[scratch + 3 * i + 1]
             piece_steepest = work[scratch + 3 * i + 2]
         else:
-            piece_least, piece_most, piece_steepest = piece_range(tables, at, piece_width(tables, base, at),
-                                                                  low, high)
+            piece_least, piece_most, piece_steepest = piece_range(
+                tables, at, piece_width(tables, base, at), low, high
+            )
         least = min(least, piece_least)
         most = max(most, piece_most)
         steepest = max(steepest, piece_steepest)
@@ -134,7 +148,7 @@ def raster_place(start: float, stop: float, count: int, i: int):
     return y
 
 
-def write_raster(tables: Tables, pair: Pair, scan: Scan, work: 'float[:]', scratch: int, firsts: int):
+def write_raster(tables: Tables, pair: Pair, scan: Scan, work: "float[:]", scratch: int, firsts: int):
     """Abscissae of the scan nodes, no more than COARSE_STEP apart from one end of the wheel to the other,
     half as much where it is not nearly straight; the number of the first node in each coarse step goes to
     ``work`` at ``firsts``. How many nodes, or TOO_WIDE or FULL."""
@@ -152,8 +166,9 @@ def write_raster(tables: Tables, pair: Pair, scan: Scan, work: 'float[:]', scrat
         work[firsts + i] = float(node)
         node += 1
         if i < count:
-            least, most, steepest = bend_range(tables.raw, offset(wheel, tables), work, scratch, y,
-                                               raster_place(start, stop, count, i + 1))
+            least, most, steepest = bend_range(
+                tables.raw, offset(wheel, tables), work, scratch, y, raster_place(start, stop, count, i + 1)
+            )
             if max(fabs(least), fabs(most)) > FLAT_BEND:
                 scan.nodes[node].y = y + 0.5 * step
                 node += 1
@@ -162,7 +177,7 @@ def write_raster(tables: Tables, pair: Pair, scan: Scan, work: 'float[:]', scrat
     return node
 
 
-def write_wheel_bounds(tables: Tables, pair: Pair, scan: Scan, count: int, work: 'float[:]', scratch: int):
+def write_wheel_bounds(tables: Tables, pair: Pair, scan: Scan, count: int, work: "float[:]", scratch: int):
     """Height, slope and bounds of the nodes; stretches end with the table.
 
     Stretches that are steeper than the search's bounds allow get a second derivative with
@@ -178,8 +193,9 @@ def write_wheel_bounds(tables: Tables, pair: Pair, scan: Scan, count: int, work:
         cells = 1
         for exponent in range(EXPONENTS):
             end = min(i + cells, count - 1)
-            least, most, steepest = bend_range(tables.raw, offset(wheel, tables), work, scratch, y,
-                                               scan.nodes[end].y)
+            least, most, steepest = bend_range(
+                tables.raw, offset(wheel, tables), work, scratch, y, scan.nodes[end].y
+            )
             node.steepest_bends[exponent] = max(fabs(least), fabs(most))
             if not steepest < STEEP:
                 most = TOO_STEEP
@@ -205,7 +221,7 @@ def write_levers(pair: Pair, scan: Scan, count: int):
         node.lever = largest
 
 
-def write_rail_bounds(tables: Tables, pair: Pair, scan: Scan, work: 'float[:]', scratch: int):
+def write_rail_bounds(tables: Tables, pair: Pair, scan: Scan, work: "float[:]", scratch: int):
     """Bounds of the rail's raster.
 
     A stretch starts in a raster cell and is as long as 1, 2, 4 ... FINE_STEPs of the
@@ -215,20 +231,22 @@ def write_rail_bounds(tables: Tables, pair: Pair, scan: Scan, work: 'float[:]', 
     for i in range(scan.rail_count):
         cell = scan.rail[i]
         edge = pair.rail.start + FINE_STEP * float(i)
-        least, most, steepest = bend_range(tables.raw, rail, work, scratch, edge - FINE_STEP,
-                                           edge + FINE_STEP + 1.5 * COARSE_STEP)
+        least, most, steepest = bend_range(
+            tables.raw, rail, work, scratch, edge - FINE_STEP, edge + FINE_STEP + 1.5 * COARSE_STEP
+        )
         cell.least_bend = least
         cell.most_bend = most
         cells = 1.0
         for exponent in range(EXPONENTS + 1):
             length = FINE_STEP * (1.01 + (1.0 + WIDEST) * 1.01 * cells)
-            least, most, steepest = bend_range(tables.raw, rail, work, scratch, edge - 0.01 * FINE_STEP,
-                                               edge + length)
+            least, most, steepest = bend_range(
+                tables.raw, rail, work, scratch, edge - 0.01 * FINE_STEP, edge + length
+            )
             cell.least_bends[exponent] = least
             cells += cells
 
 
-def write_scan(setup: Setup, tables: Tables, pair: Pair, at: int, work: 'float[:]'):
+def write_scan(setup: Setup, tables: Tables, pair: Pair, at: int, work: "float[:]"):
     """The raster over wheel and rail at ``at``, and where the pair finds it; the offset after it, or
     TOO_WIDE or FULL."""
     scratch = 0
@@ -236,8 +254,9 @@ def write_scan(setup: Setup, tables: Tables, pair: Pair, at: int, work: 'float[:
     scan = pair.scan
     wheel = pair.wheel
     rail = pair.rail
-    pieces = max(piece_count(tables.raw, offset(wheel, tables)),
-                 piece_count(tables.raw, offset(rail, tables)))
+    pieces = max(
+        piece_count(tables.raw, offset(wheel, tables)), piece_count(tables.raw, offset(rail, tables))
+    )
     firsts = scratch + 3 * pieces
     sample_pieces(tables.raw, offset(wheel, tables), work, scratch)
     count = write_raster(tables, pair, scan, work, scratch, firsts)
@@ -260,8 +279,9 @@ def write_scan(setup: Setup, tables: Tables, pair: Pair, at: int, work: 'float[:
         return FULL
     write_wheel_bounds(tables, pair, scan, count, work, scratch)
     write_levers(pair, scan, count)
-    least, most, steepest = bend_range(tables.raw, offset(wheel, tables), work, scratch, wheel.start,
-                                       wheel.stop)
+    least, most, steepest = bend_range(
+        tables.raw, offset(wheel, tables), work, scratch, wheel.start, wheel.stop
+    )
     scan.steepest = steepest
     sample_pieces(tables.raw, offset(rail, tables), work, scratch)
     write_rail_bounds(tables, pair, scan, work, scratch)

@@ -25,14 +25,14 @@ LEAST_JUMP: Final[float] = 1e-3
 DEPARTURE_PARTS: Final[int] = 8
 
 
-def third_fourth(tables: 'float[:]', at: int, u: float):
+def third_fourth(tables: "float[:]", at: int, u: float):
     """Third and fourth derivative [1/m^2, 1/m^3] of the piece at ``at``, ``u`` [m] from its start."""
     c4 = tables[at + 5]
     c5 = tables[at + 6]
     return 6.0 * tables[at + 4] + u * (24.0 * c4 + u * 60.0 * c5), 24.0 * c4 + u * 120.0 * c5
 
 
-def largest_fourth(tables: 'float[:]', at: int, low: float, high: float):
+def largest_fourth(tables: "float[:]", at: int, low: float, high: float):
     """Largest absolute fourth derivative [1/m^3] between two places [m] of the piece at ``at``: it is
     straight."""
     third, first = third_fourth(tables, at, low - tables[at])
@@ -40,7 +40,7 @@ def largest_fourth(tables: 'float[:]', at: int, low: float, high: float):
     return max(fabs(first), fabs(last))
 
 
-def piece_departure(tables: 'float[:]', at: int, low: float, high: float, value: float, rise: float):
+def piece_departure(tables: "float[:]", at: int, low: float, high: float, value: float, rise: float):
     """Largest departure [1/m] of the second derivative of the piece at ``at``, between ``low`` and ``high``
     [m], from the straight line that has the ``value`` at ``low`` and this ``rise`` [1/m^2]."""
     part = (high - low) / float(DEPARTURE_PARTS)
@@ -75,7 +75,7 @@ def write_departures(tables: Tables, pair: Pair, scan: Scan):
             at += PIECE_SIZE
 
 
-def jumps_after(tables: 'float[:]', base: int, at: int):
+def jumps_after(tables: "float[:]", base: int, at: int):
     """By how much second and third derivative [1/m, 1/m^2] jump at the end of the piece at ``at``."""
     width = piece_width(tables, base, at)
     slope, bend = slope_bend(tables, at, width)

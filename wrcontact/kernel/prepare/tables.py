@@ -14,21 +14,56 @@ with the sizes of its tables: Hertz's, that of influences, and that of rolling f
 from typing import Final
 
 from ..elementary.circle import atan
-from ..layout import (CORRECTION_RADII, CORRECTION_SCALES, CORRECTION_SIZE, DEPTH_ALL, LATERAL_LIMIT,
-                      MODEL_ANALYN_STRIP, POINT_LIMIT, REACH_CELLS, REACH_COLUMNS, REACH_ROW,
-                      ROLLING_TABLE_SIZE, SETTING_COUNT,
-                      SHAPE_CELLS, SHAPE_ROW, SIDES_BOTH, STARTS_SIZE, START_COUNT, STATION_COUNT,
-                      TANGENTIAL_NONE, UNLOADED, WAVES_SIZE, YAW_LIMIT, CubicTable, CurvatureTable,
-                      Outputs, Pair,
-                      Profile, RollingTable, Setup, Tables, clear, copy, offset)
+from ..layout import (
+    CORRECTION_RADII,
+    CORRECTION_SCALES,
+    CORRECTION_SIZE,
+    DEPTH_ALL,
+    LATERAL_LIMIT,
+    MODEL_ANALYN_STRIP,
+    POINT_LIMIT,
+    REACH_CELLS,
+    REACH_COLUMNS,
+    REACH_ROW,
+    ROLLING_TABLE_SIZE,
+    SETTING_COUNT,
+    SHAPE_CELLS,
+    SHAPE_ROW,
+    SIDES_BOTH,
+    STARTS_SIZE,
+    START_COUNT,
+    STATION_COUNT,
+    TANGENTIAL_NONE,
+    UNLOADED,
+    WAVES_SIZE,
+    YAW_LIMIT,
+    CubicTable,
+    CurvatureTable,
+    Outputs,
+    Pair,
+    Profile,
+    RollingTable,
+    Setup,
+    Tables,
+    clear,
+    copy,
+    offset,
+)
 from ..surface.rails import is_sprung
 from .curvatures import write_abscissae, write_arcs, write_curvatures
 from .pieces import FULL, MM, write_profile
 from .scan import write_scan
 from .scan_bends import write_scan_bends
 from .waves import write_waves
-from .zones import (DEFINITION_COUNT, DEFINITION_ROW, DEFINITION_ZONES, highest_point, inner_face,
-                    keep_around_top, turn_zones)
+from .zones import (
+    DEFINITION_COUNT,
+    DEFINITION_ROW,
+    DEFINITION_ZONES,
+    highest_point,
+    inner_face,
+    keep_around_top,
+    turn_zones,
+)
 
 FIXED_HERTZ: Final[int] = 0
 FIXED_INFLUENCE: Final[int] = 1
@@ -44,14 +79,14 @@ FIRST_CORRECTION: Final[float] = 0.25
 SECOND_CORRECTION: Final[float] = 0.28
 THIRD_CORRECTION: Final[float] = 0.30
 # in place of an offset, beside FULL (pieces.py) and TOO_WIDE (scan.py)
-GAUGE_TOO_DEEP: Final[int] = -3      # the rail's inner side ends before the gauge depth
-WITHOUT_HEAD: Final[int] = -4        # a profile has nothing readable at its origin
+GAUGE_TOO_DEEP: Final[int] = -3  # the rail's inner side ends before the gauge depth
+WITHOUT_HEAD: Final[int] = -4  # a profile has nothing readable at its origin
 
-START_STEP: Final[float] = 0.5e-3    # [m] of the lateral shifts for which a start of the roll search is kept
+START_STEP: Final[float] = 0.5e-3  # [m] of the lateral shifts for which a start of the roll search is kept
 STARTS_EACH_METRE: Final[float] = 2000.0
 
 
-def fixed_table(fixed: 'float[:]', index: int):
+def fixed_table(fixed: "float[:]", index: int):
     """Where table ``index`` begins."""
     at = FIXED_COUNT
     for i in range(index):
@@ -59,7 +94,7 @@ def fixed_table(fixed: 'float[:]', index: int):
     return at
 
 
-def append_fixed(tables: 'float[:]', at: int, fixed: 'float[:]', index: int):
+def append_fixed(tables: "float[:]", at: int, fixed: "float[:]", index: int):
     """Copy table ``index`` to ``at``; the offset after it, or FULL."""
     size = int(fixed[index])
     if at + size > tables.shape[0]:
@@ -81,12 +116,14 @@ def append_waves(tables: Tables, at: int, count: int):
 
 def parabola_weights(low: float, middle: float, high: float, x: float):
     """Weights of the values at three nodes in the parabola through them at ``x``."""
-    return ((x - middle) * (x - high) / ((low - middle) * (low - high)),
-            (x - low) * (x - high) / ((middle - low) * (middle - high)),
-            (x - low) * (x - middle) / ((high - low) * (high - middle)))
+    return (
+        (x - middle) * (x - high) / ((low - middle) * (low - high)),
+        (x - low) * (x - high) / ((middle - low) * (middle - high)),
+        (x - low) * (x - middle) / ((high - low) * (high - middle)),
+    )
 
 
-def append_rolling(tables: Tables, at: int, fixed: 'float[:]', poisson_ratio: float):
+def append_rolling(tables: Tables, at: int, fixed: "float[:]", poisson_ratio: float):
     """The table of rolling at ``at`` for a Poisson's ratio, which ``tables`` already point to; the offset
     after it, or FULL."""
     if at + ROLLING_TABLE_SIZE > tables.raw.shape[0]:
@@ -101,17 +138,18 @@ def append_rolling(tables: Tables, at: int, fixed: 'float[:]', poisson_ratio: fl
     return at + ROLLING_TABLE_SIZE
 
 
-def write_shapes(table: RollingTable, fixed: 'float[:]', first: int, poisson_ratio: float):
+def write_shapes(table: RollingTable, fixed: "float[:]", first: int, poisson_ratio: float):
     """The shapes, parabolas of Poisson's ratio, from ``first`` on; the place behind them."""
     size = SHAPE_ROW * SHAPE_CELLS
     low, middle, high = parabola_weights(LOW_RATIO, MIDDLE_RATIO, HIGH_RATIO, poisson_ratio)
     for i in range(size):
-        table.shapes[i] = (low * fixed[first + i] + middle * fixed[first + size + i]
-                           + high * fixed[first + 2 * size + i])
+        table.shapes[i] = (
+            low * fixed[first + i] + middle * fixed[first + size + i] + high * fixed[first + 2 * size + i]
+        )
     return first + 3 * size
 
 
-def write_reaches(table: RollingTable, fixed: 'float[:]', first: int, poisson_ratio: float):
+def write_reaches(table: RollingTable, fixed: "float[:]", first: int, poisson_ratio: float):
     """The reaches, eq. (K5) of binding/rolling_table.py, from ``first`` on; the place behind them."""
     size = REACH_ROW * (REACH_CELLS + 1)
     for i in range(size):
@@ -122,7 +160,7 @@ def write_reaches(table: RollingTable, fixed: 'float[:]', first: int, poisson_ra
     return first + 2 * size
 
 
-def write_corrections(table: RollingTable, fixed: 'float[:]', first: int, poisson_ratio: float):
+def write_corrections(table: RollingTable, fixed: "float[:]", first: int, poisson_ratio: float):
     """The corrections, parabolas of Poisson's ratio, from ``first`` on."""
     ratio = min(max(poisson_ratio, FIRST_CORRECTION), THIRD_CORRECTION)
     for i in range(CORRECTION_RADII):
@@ -130,15 +168,21 @@ def write_corrections(table: RollingTable, fixed: 'float[:]', first: int, poisso
     low, middle, high = parabola_weights(FIRST_CORRECTION, SECOND_CORRECTION, THIRD_CORRECTION, ratio)
     at = first + CORRECTION_RADII
     for i in range(CORRECTION_SCALES):
-        table.scales[i] = (low * fixed[at + i] + middle * fixed[at + CORRECTION_SCALES + i]
-                           + high * fixed[at + 2 * CORRECTION_SCALES + i])
+        table.scales[i] = (
+            low * fixed[at + i]
+            + middle * fixed[at + CORRECTION_SCALES + i]
+            + high * fixed[at + 2 * CORRECTION_SCALES + i]
+        )
     at += 3 * CORRECTION_SCALES
     for i in range(CORRECTION_SIZE):
-        table.corrections[i] = (low * fixed[at + i] + middle * fixed[at + CORRECTION_SIZE + i]
-                                + high * fixed[at + 2 * CORRECTION_SIZE + i])
+        table.corrections[i] = (
+            low * fixed[at + i]
+            + middle * fixed[at + CORRECTION_SIZE + i]
+            + high * fixed[at + 2 * CORRECTION_SIZE + i]
+        )
 
 
-def copy_definition(definition: 'float[:]', work: 'float[:]', at: int):
+def copy_definition(definition: "float[:]", work: "float[:]", at: int):
     """Copy a definition into the workspace; the offset after it."""
     size = DEFINITION_ZONES + int(definition[DEFINITION_COUNT]) * int(definition[DEFINITION_ROW])
     for i in range(size):
@@ -207,8 +251,9 @@ def append_starts(tables: Tables, at: int):
     return at + STARTS_SIZE
 
 
-def write_wheel(setup: Setup, tables: Tables, pair: Pair, radius: float, at: int, definition: 'float[:]',
-                work: 'float[:]'):
+def write_wheel(
+    setup: Setup, tables: Tables, pair: Pair, radius: float, at: int, definition: "float[:]", work: "float[:]"
+):
     """The tables of a wheel of this radius [m] at ``at``, and where the pair finds them; the offset after
     them, or why not."""
     scratch = copy_definition(definition, work, 0)
@@ -224,8 +269,15 @@ def write_wheel(setup: Setup, tables: Tables, pair: Pair, radius: float, at: int
     return end
 
 
-def write_rail(setup: Setup, tables: Tables, pair: Pair, inclination: float, at: int, definition: 'float[:]',
-               work: 'float[:]'):
+def write_rail(
+    setup: Setup,
+    tables: Tables,
+    pair: Pair,
+    inclination: float,
+    at: int,
+    definition: "float[:]",
+    work: "float[:]",
+):
     """The tables of a rail at ``at``, inclined and placed in the track, and where the pair finds them; the
     offset after them, or why not."""
     scratch = copy_definition(definition, work, 0)
@@ -255,7 +307,7 @@ def write_rail(setup: Setup, tables: Tables, pair: Pair, inclination: float, at:
     return end
 
 
-def write_common(setup: Setup, tables: Tables, fixed: 'float[:]'):
+def write_common(setup: Setup, tables: Tables, fixed: "float[:]"):
     """What does not depend on the profiles, behind the settings; the offset after it, or FULL.
 
     ``fixed`` are the tables that are the same for all wheelsets.
@@ -276,8 +328,7 @@ def write_common(setup: Setup, tables: Tables, fixed: 'float[:]'):
     return at
 
 
-def write_right(setup: Setup, tables: Tables, at: int, wheel: 'float[:]', rail: 'float[:]',
-                work: 'float[:]'):
+def write_right(setup: Setup, tables: Tables, at: int, wheel: "float[:]", rail: "float[:]", work: "float[:]"):
     """The right side's wheel, rail and raster from ``at`` on; the offset after them, or why not."""
     pair = tables.pairs[1]
     end = write_wheel(setup, tables, pair, setup.parameters.nominal_radius, at, wheel, work)
@@ -290,8 +341,16 @@ def write_right(setup: Setup, tables: Tables, at: int, wheel: 'float[:]', rail: 
     return end
 
 
-def write_left(setup: Setup, tables: Tables, at: int, wheel: 'float[:]', rail: 'float[:]', work: 'float[:]',
-               equal_wheels: bool, equal_rails: bool):
+def write_left(
+    setup: Setup,
+    tables: Tables,
+    at: int,
+    wheel: "float[:]",
+    rail: "float[:]",
+    work: "float[:]",
+    equal_wheels: bool,
+    equal_rails: bool,
+):
     """The left side's wheel, rail and raster from ``at`` on, as far as they are not the right side's; the
     offset after them, or why not."""
     pair = tables.pairs[0]
@@ -320,8 +379,16 @@ def write_left(setup: Setup, tables: Tables, at: int, wheel: 'float[:]', rail: '
     return end
 
 
-def prepare(setup: Setup, wheel: 'float[:]', rail: 'float[:]', left_wheel: 'float[:]', left_rail: 'float[:]',
-            fixed: 'float[:]', tables: Tables, work: 'float[:]'):
+def prepare(
+    setup: Setup,
+    wheel: "float[:]",
+    rail: "float[:]",
+    left_wheel: "float[:]",
+    left_rail: "float[:]",
+    fixed: "float[:]",
+    tables: Tables,
+    work: "float[:]",
+):
     """Everything but starts and methods into ``tables``; how many numbers of it are used, or why not.
 
     The definitions are those of both sides; the workspace holds one of them and as much again as the tables.
@@ -335,15 +402,17 @@ def prepare(setup: Setup, wheel: 'float[:]', rail: 'float[:]', left_wheel: 'floa
         at = write_right(setup, tables, at, wheel, rail, work)
     if at >= 0:
         setup.side = 0
-        equal_wheels = (setup.left_radius == setup.parameters.nominal_radius
-                        and same_numbers(left_wheel, wheel))
-        equal_rails = (setup.left_inclination == setup.parameters.rail_inclination
-                       and same_numbers(left_rail, rail))
+        equal_wheels = setup.left_radius == setup.parameters.nominal_radius and same_numbers(
+            left_wheel, wheel
+        )
+        equal_rails = setup.left_inclination == setup.parameters.rail_inclination and same_numbers(
+            left_rail, rail
+        )
         at = write_left(setup, tables, at, left_wheel, left_rail, work, equal_wheels, equal_rails)
     return at
 
 
-def same_numbers(one: 'float[:]', other: 'float[:]') -> bool:
+def same_numbers(one: "float[:]", other: "float[:]") -> bool:
     """Whether two definitions are equal; a number that is none equals itself."""
     if one.shape[0] != other.shape[0]:
         return False
@@ -357,8 +426,9 @@ def equal_sides(tables: Tables) -> bool:
     """Whether both sides have the same wheel and rail."""
     left = tables.pairs[0]
     right = tables.pairs[1]
-    return (offset(left.wheel, tables) == offset(right.wheel, tables)
-            and offset(left.rail, tables) == offset(right.rail, tables))
+    return offset(left.wheel, tables) == offset(right.wheel, tables) and offset(left.rail, tables) == offset(
+        right.rail, tables
+    )
 
 
 def start_shift(tables: Tables, row: int):

@@ -19,20 +19,20 @@ DEFINITION_ROW: Final[int] = 1
 DEFINITION_ZONES: Final[int] = 2
 
 # a row
-ZONE_FAMILY: Final[int] = 0          # one of FAMILY_...
-ZONE_START: Final[int] = 1           # abscissae of its ends
+ZONE_FAMILY: Final[int] = 0  # one of FAMILY_...
+ZONE_START: Final[int] = 1  # abscissae of its ends
 ZONE_STOP: Final[int] = 2
-ZONE_ORIGIN: Final[int] = 3          # of a polynomial; lateral centre of an arc
-ZONE_Z_CENTRE: Final[int] = 4        # of an arc
+ZONE_ORIGIN: Final[int] = 3  # of a polynomial; lateral centre of an arc
+ZONE_Z_CENTRE: Final[int] = 4  # of an arc
 ZONE_RADIUS: Final[int] = 5
-ZONE_SIDE: Final[int] = 6            # +1 lower half, -1 upper half
-ZONE_TERMS: Final[int] = 7           # how many coefficients a polynomial has
-ZONE_TURNED: Final[int] = 8          # 1 for a polynomial that is turned and shifted:
+ZONE_SIDE: Final[int] = 6  # +1 lower half, -1 upper half
+ZONE_TERMS: Final[int] = 7  # how many coefficients a polynomial has
+ZONE_TURNED: Final[int] = 8  # 1 for a polynomial that is turned and shifted:
 ZONE_COS: Final[int] = 9
 ZONE_SIN: Final[int] = 10
 ZONE_Y_SHIFT: Final[int] = 11
 ZONE_Z_SHIFT: Final[int] = 12
-ZONE_FIRST: Final[int] = 13          # its ends before that
+ZONE_FIRST: Final[int] = 13  # its ends before that
 ZONE_LAST: Final[int] = 14
 ZONE_COEFFICIENTS: Final[int] = 15
 
@@ -40,8 +40,8 @@ FAMILY_POLYNOMIAL: Final[int] = 0
 FAMILY_ARC: Final[int] = 1
 
 TURNED_ITERATIONS: Final[int] = 60
-TURNED_SHARP: Final[float] = 1e-15   # last Newton step to a place on a turned zone, relative
-VERTICAL: Final[float] = 1e-90       # where an arc is as steep as that it ends [mm]
+TURNED_SHARP: Final[float] = 1e-15  # last Newton step to a place on a turned zone, relative
+VERTICAL: Final[float] = 1e-90  # where an arc is as steep as that it ends [mm]
 #: A profile is read as a function of y where it is not steeper than this [rad], 80 degrees. Flanges of wheels
 #: in use are less steep, 75 degrees at most, so no contact lies beyond.
 STEEPEST: Final[float] = 1.3962634015954636
@@ -49,10 +49,10 @@ STEEPEST: Final[float] = 1.3962634015954636
 SLIVER: Final[float] = 1e-6
 #: Zones this close meet [mm].
 MEETING: Final[float] = 1e-9
-NO_FACE: Final[float] = -1e300       # in place of a depth: the inner face does not reach it
+NO_FACE: Final[float] = -1e300  # in place of a depth: the inner face does not reach it
 
 
-def polynomial_jet(zones: 'float[:]', row: int, t: float):
+def polynomial_jet(zones: "float[:]", row: int, t: float):
     """Height [mm], slope and second derivative [1/mm] of an upright polynomial at ``t`` [mm],
     each by Horner's scheme."""
     u = t - zones[row + ZONE_ORIGIN]
@@ -71,7 +71,7 @@ def polynomial_jet(zones: 'float[:]', row: int, t: float):
     return z, slope, bend
 
 
-def arc_jet(zones: 'float[:]', row: int, y: float):
+def arc_jet(zones: "float[:]", row: int, y: float):
     """The same of an arc at ``y`` [mm]."""
     u = y - zones[row + ZONE_ORIGIN]
     radius = zones[row + ZONE_RADIUS]
@@ -82,7 +82,7 @@ def arc_jet(zones: 'float[:]', row: int, y: float):
     return z, -side * u / root, -side * (radius * radius) / (root * root * root)
 
 
-def upright_jet(zones: 'float[:]', row: int, t: float):
+def upright_jet(zones: "float[:]", row: int, t: float):
     """The same of a zone before it is turned."""
     z, slope, bend = 0.0, 0.0, 0.0
     if int(zones[row + ZONE_FAMILY]) == FAMILY_ARC:
@@ -92,7 +92,7 @@ def upright_jet(zones: 'float[:]', row: int, t: float):
     return z, slope, bend
 
 
-def turned_point(zones: 'float[:]', row: int, t: float, cosine: float, sine: float):
+def turned_point(zones: "float[:]", row: int, t: float, cosine: float, sine: float):
     """Point (y, z) [mm] at ``t`` of a zone that is turned about the origin."""
     z, slope, bend = upright_jet(zones, row, t)
     return cosine * t - sine * z, sine * t + cosine * z
@@ -103,7 +103,7 @@ def clamped(x: float, low: float, high: float):
     return min(max(x, low), high)
 
 
-def turned_jet(zones: 'float[:]', row: int, y: float):
+def turned_jet(zones: "float[:]", row: int, y: float):
     """Height, slope and second derivative of a turned polynomial at its own abscissa ``y``
     [mm], by Newton's method."""
     c = zones[row + ZONE_COS]
@@ -122,11 +122,14 @@ def turned_jet(zones: 'float[:]', row: int, y: float):
             i = TURNED_ITERATIONS
     z, slope, bend = polynomial_jet(zones, row, t)
     stretch = c - s * slope
-    return (s * t + c * z + zones[row + ZONE_Z_SHIFT], (s + c * slope) / stretch,
-            bend / (stretch * stretch * stretch))
+    return (
+        s * t + c * z + zones[row + ZONE_Z_SHIFT],
+        (s + c * slope) / stretch,
+        bend / (stretch * stretch * stretch),
+    )
 
 
-def zone_jet(zones: 'float[:]', row: int, y: float):
+def zone_jet(zones: "float[:]", row: int, y: float):
     """Height [mm], slope and second derivative [1/mm] of any zone at ``y`` [mm]."""
     z, slope, bend = 0.0, 0.0, 0.0
     if zones[row + ZONE_TURNED] == 1.0:
@@ -136,19 +139,21 @@ def zone_jet(zones: 'float[:]', row: int, y: float):
     return z, slope, bend
 
 
-def turned_slope(zones: 'float[:]', row: int, t: float, cosine: float, sine: float):
+def turned_slope(zones: "float[:]", row: int, t: float, cosine: float, sine: float):
     """What has the sign of the slope of a turned zone at ``t`` [mm]."""
     z, slope, bend = upright_jet(zones, row, t)
     return sine + cosine * slope
 
 
-def level_place(zones: 'float[:]', row: int, cosine: float, sine: float):
+def level_place(zones: "float[:]", row: int, cosine: float, sine: float):
     """Where in a zone the turned slope rises through zero [mm], to the last bit; its
     start if that is nowhere."""
     low = zones[row + ZONE_START]
     high = zones[row + ZONE_STOP]
-    if not (turned_slope(zones, row, low, cosine, sine) < 0.0
-            and 0.0 <= turned_slope(zones, row, high, cosine, sine)):
+    if not (
+        turned_slope(zones, row, low, cosine, sine) < 0.0
+        and 0.0 <= turned_slope(zones, row, high, cosine, sine)
+    ):
         return low
     middle = 0.5 * (low + high)
     while low < middle and middle < high:
@@ -160,7 +165,7 @@ def level_place(zones: 'float[:]', row: int, cosine: float, sine: float):
     return middle
 
 
-def highest_point(zones: 'float[:]', base: int, angle: float):
+def highest_point(zones: "float[:]", base: int, angle: float):
     """Point (y, z) [mm] of the turned head where it is level and highest."""
     y_top = 0.0
     z_top = 0.0
@@ -174,7 +179,7 @@ def highest_point(zones: 'float[:]', base: int, angle: float):
     return y_top, z_top
 
 
-def place_at_depth(zones: 'float[:]', row: int, cosine: float, sine: float, depth: float):
+def place_at_depth(zones: "float[:]", row: int, cosine: float, sine: float, depth: float):
     """Lateral coordinate [mm] at which the turned zone's inner part is ``depth`` [mm]
     deep, to the last bit."""
     low = zones[row + ZONE_START]
@@ -191,7 +196,7 @@ def place_at_depth(zones: 'float[:]', row: int, cosine: float, sine: float, dept
     return y
 
 
-def inner_face(zones: 'float[:]', base: int, angle: float, depth: float):
+def inner_face(zones: "float[:]", base: int, angle: float, depth: float):
     """Lateral coordinate [mm] of the turned head's inner side at the height ``depth`` [mm], and the height
     reached, which is less where the side ends before."""
     deepest = NO_FACE
@@ -208,7 +213,7 @@ def inner_face(zones: 'float[:]', base: int, angle: float, depth: float):
     return 0.0, deepest
 
 
-def turn_arc(zones: 'float[:]', row: int, angle: float, y_shift: float, z_shift: float):
+def turn_arc(zones: "float[:]", row: int, angle: float, y_shift: float, z_shift: float):
     """Turn and shift an arc in place, without what is steeper than STEEPEST; 0 if nothing is left, else 1."""
     tilt = -zones[row + ZONE_SIDE] * angle
     y_centre = zones[row + ZONE_ORIGIN]
@@ -230,7 +235,7 @@ def turn_arc(zones: 'float[:]', row: int, angle: float, y_shift: float, z_shift:
     return 1
 
 
-def turn_polynomial(zones: 'float[:]', row: int, angle: float, y_shift: float, z_shift: float):
+def turn_polynomial(zones: "float[:]", row: int, angle: float, y_shift: float, z_shift: float):
     """Turn and shift a polynomial in place; 0 if it is steeper than STEEPEST at an end, else 1."""
     if angle == 0.0 and y_shift == 0.0 and z_shift == 0.0:
         return 1
@@ -255,7 +260,7 @@ def turn_polynomial(zones: 'float[:]', row: int, angle: float, y_shift: float, z
     return 1
 
 
-def turn_zones(zones: 'float[:]', base: int, angle: float, y_shift: float, z_shift: float):
+def turn_zones(zones: "float[:]", base: int, angle: float, y_shift: float, z_shift: float):
     """Turn [rad] and shift [mm] a whole definition in place, without its steep parts;
     how many zones are left."""
     size = int(zones[base + DEFINITION_ROW])
@@ -274,7 +279,7 @@ def turn_zones(zones: 'float[:]', base: int, angle: float, y_shift: float, z_shi
     return kept
 
 
-def keep_around_top(zones: 'float[:]', base: int):
+def keep_around_top(zones: "float[:]", base: int):
     """Keep the unbroken run of zones that holds y = 0; how many that are."""
     size = int(zones[base + DEFINITION_ROW])
     count = int(zones[base + DEFINITION_COUNT])
@@ -287,11 +292,9 @@ def keep_around_top(zones: 'float[:]', base: int):
         else:
             first += 1
     last = first
-    while (found and first > 0
-           and meets_next(zones, base + DEFINITION_ZONES + (first - 1) * size, size)):
+    while found and first > 0 and meets_next(zones, base + DEFINITION_ZONES + (first - 1) * size, size):
         first -= 1
-    while (found and last + 1 < count
-           and meets_next(zones, base + DEFINITION_ZONES + last * size, size)):
+    while found and last + 1 < count and meets_next(zones, base + DEFINITION_ZONES + last * size, size):
         last += 1
     kept = 0
     if found:
@@ -302,6 +305,6 @@ def keep_around_top(zones: 'float[:]', base: int):
     return kept
 
 
-def meets_next(zones: 'float[:]', row: int, size: int) -> bool:
+def meets_next(zones: "float[:]", row: int, size: int) -> bool:
     """Whether the zone ends where the one after it starts."""
     return fabs(zones[row + ZONE_STOP] - zones[row + size + ZONE_START]) < MEETING

@@ -129,8 +129,16 @@ def largest_fall(slope: float, bend: float, length: float, stretch: float):
 
 
 @inlined
-def clear_exponent(scan: Scan, at: Place, node: int, direction: int, abscissa: float, excess: float,
-                   slope: float, exponent: int):
+def clear_exponent(
+    scan: Scan,
+    at: Place,
+    node: int,
+    direction: int,
+    abscissa: float,
+    excess: float,
+    slope: float,
+    exponent: int,
+):
     """The largest exponent, from ``exponent`` downwards, for which the gap does not fall by more than
     ``excess`` [m] over the 2^exponent cells from ``node`` on; -1 if there is none.
 
@@ -209,8 +217,9 @@ def bend_bounds(scan: Scan, at: Place, cell: int, abscissa: float):
     return least, most
 
 
-def only_rises_or_falls(least: float, most: float, width: float, mismatch_low: float,
-                        mismatch_high: float) -> bool:
+def only_rises_or_falls(
+    least: float, most: float, width: float, mismatch_low: float, mismatch_high: float
+) -> bool:
     """Whether the gap certainly only rises, or only falls, over a ``width`` [m] in which the slope difference
     rises by no less than ``least`` and no more than ``most`` [1/m]."""
     steady = mismatch_low >= 0.0 and least_slope(least, most, width, mismatch_low, mismatch_high) >= 0.0

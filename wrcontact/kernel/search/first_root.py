@@ -15,8 +15,21 @@ settle it, the way is halved.
 from math import fabs
 from typing import Final
 
-from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, TRIAL_LIMIT, VALID, Inputs, Pair, Place,
-                      RollTrial, RollTrials, Sides, Tables, copy)
+from ..layout import (
+    NOT_CONVERGED,
+    OFF_PROFILE,
+    ROLL_LIMIT,
+    TRIAL_LIMIT,
+    VALID,
+    Inputs,
+    Pair,
+    Place,
+    RollTrial,
+    RollTrials,
+    Sides,
+    Tables,
+    copy,
+)
 from ..surface.locus import around_wheel, outline_point
 from ..surface.tables import height_slope
 from .bounds import REACH_SHARE, node_below
@@ -48,8 +61,9 @@ def solve_roll(tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials,
     return roll, status
 
 
-def certified_roll(tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials, guess: float,
-                   warm: bool):
+def certified_roll(
+    tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials, guess: float, warm: bool
+):
     """``solve_roll`` from this start alone."""
     roll, status = any_roll(tables, inputs, sides, guess, warm)
     if status == VALID and not falls_at_zero_roll(tables, sides, roll):
@@ -134,8 +148,9 @@ def is_certainly_first(tables: Tables, sides: Sides, roll: float) -> bool:
     return certain
 
 
-def falls_from_zero_roll(pair: Pair, sides: Sides, index: int, known: float, roll: float,
-                         turned: float) -> bool:
+def falls_from_zero_roll(
+    pair: Pair, sides: Sides, index: int, known: float, roll: float, turned: float
+) -> bool:
     """Whether D falls from zero roll to ``roll`` [rad] by the places of the lower wheel, that of side
     ``index``, beyond its contact at zero roll; the levers of the higher one are not above ``known`` [m], and
     either wheel is rolled against its rail by up to ``turned`` [rad]."""
@@ -169,8 +184,11 @@ def lever_at(pair: Pair, at: Place, y: float):
     height = (at.radius + z) * cos_phi
     sin_roll = at.sin_roll
     cos_roll = at.cos_roll
-    return (-outline_slope * at.cos_yaw * (arm * sin_roll + height * cos_roll)
-            - arm * cos_roll + height * sin_roll)
+    return (
+        -outline_slope * at.cos_yaw * (arm * sin_roll + height * cos_roll)
+        - arm * cos_roll
+        + height * sin_roll
+    )
 
 
 def lever_range(pair: Pair, at: Place, one: float, other: float):
@@ -225,8 +243,9 @@ def has_no_root(tables: Tables, sides: Sides, near: RollTrial, far: RollTrial, s
     right_least, right_most = lever_range(tables.pairs[1], sides[1].place, near.right, far.right)
     arm = tables.arm
     radius = max(tables.pairs[0].radius, tables.pairs[1].radius)
-    steep = (max(max(fabs(left_least), fabs(left_most)), max(fabs(right_least), fabs(right_most)))
-             + arm) / min(tables.pairs[0].radius, tables.pairs[1].radius)
+    steep = (
+        max(max(fabs(left_least), fabs(left_most)), max(fabs(right_least), fabs(right_most))) + arm
+    ) / min(tables.pairs[0].radius, tables.pairs[1].radius)
     margin = width * lever_per_roll(steep, radius, arm)
     least = left_least + right_least - margin
     most = left_most + right_most + margin

@@ -29,8 +29,9 @@ LEAST_DEPARTURE: Final[float] = 0.02
 def rate_at_node(pair: Pair, at: Place, node: ScanNode):
     """Rail abscissa [m], the rail's bend [1/m], how much the outline is stretched [-], and the rate at which
     the slope difference rises along the wheel [1/m], at a node of the raster."""
-    y_track, z_track, outline_slope, stretch, rate = outline_jet(at, node.y, node.height, node.slope,
-                                                                 node.bend)
+    y_track, z_track, outline_slope, stretch, rate = outline_jet(
+        at, node.y, node.height, node.slope, node.bend
+    )
     abscissa = y_track - pair.rail_y
     height, slope, bend = height_slope_bend(pair.rail, abscissa)
     return abscissa, bend, stretch, bend * stretch - rate
@@ -58,8 +59,14 @@ def rises_in_cell(pair: Pair, at: Place, cell: int) -> bool:
     first, first_bend, stretch, first_rate = rate_at_node(pair, at, node)
     last, last_bend, last_stretch, last_rate = rate_at_node(pair, at, scan.nodes[cell + 1])
     length = last - first
-    if not (first_rate > 0.0 and last_rate > 0.0 and length > 0.0 and length < WIDEST_CELL
-            and above_rail(pair, first) and above_rail(pair, last)):
+    if not (
+        first_rate > 0.0
+        and last_rate > 0.0
+        and length > 0.0
+        and length < WIDEST_CELL
+        and above_rail(pair, first)
+        and above_rail(pair, last)
+    ):
         return False
     rail = scan.rail[rail_index(scan, rail_place(scan, first))]
     joint = rail.joint

@@ -15,8 +15,19 @@ shifts.  A start sets the cost and never the answer, which is certified.
 from math import fabs
 from typing import Final
 
-from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, VALID, Inputs, Pair, Place, SideSearch, Sides,
-                      Starts, Tables)
+from ..layout import (
+    NOT_CONVERGED,
+    OFF_PROFILE,
+    ROLL_LIMIT,
+    VALID,
+    Inputs,
+    Pair,
+    Place,
+    SideSearch,
+    Sides,
+    Starts,
+    Tables,
+)
 from ..surface.gap import above_rail, gap_jet, gap_per_roll, vertical_gap
 from ..surface.locus import mirror_place, mirror_roll, place_wheelset, turn_wheelset
 from ..surface.rails import deflect_rail, lean_rail, move_rail, on_springs, turn_leaning
@@ -52,8 +63,15 @@ def nearest_start(starts: Starts, shift: float):
 
 def place_both(tables: Tables, inputs: Inputs, sides: Sides, roll: float):
     """Both wheels at ``roll``; the left one mirrored into a right one (conventions.MIRROR)."""
-    place_wheelset(sides[1].place, inputs.lateral_shift, inputs.yaw, roll, tables.pairs[1].radius,
-                   tables.height, tables.arm)
+    place_wheelset(
+        sides[1].place,
+        inputs.lateral_shift,
+        inputs.yaw,
+        roll,
+        tables.pairs[1].radius,
+        tables.height,
+        tables.arm,
+    )
     mirror_place(sides[1].place, sides[0].place, tables.pairs[0].radius)
     move_rail(sides[1].place, inputs.right_rail_lateral, inputs.right_rail_vertical)
     move_rail(sides[0].place, -inputs.left_rail_lateral, inputs.left_rail_vertical)
@@ -122,8 +140,9 @@ def follow_side(pair: Pair, side: SideSearch) -> bool:
 def newton_move(tables: Tables, sides: Sides):
     """D [m] and Newton's move of the roll [rad] at the known minima; a move of 1 where D does not fall."""
     difference = sides[1].best - sides[0].best
-    rate = (gap_per_roll(tables.pairs[1], sides[1].place, sides[1].best_y)
-            + gap_per_roll(tables.pairs[0], sides[0].place, sides[0].best_y))
+    rate = gap_per_roll(tables.pairs[1], sides[1].place, sides[1].best_y) + gap_per_roll(
+        tables.pairs[0], sides[0].place, sides[0].best_y
+    )
     move = 1.0
     if rate < 0.0:
         move = -difference / rate
@@ -144,11 +163,12 @@ def equalize_minima(tables: Tables, sides: Sides, roll: float, low: float, high:
         sides[0].place.gap_count += 1.0
         sides[1].place.gap_count += 1.0
         turn_both(sides, roll)
-        gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(tables.pairs[0],
-                                                                                       sides[0].place, left)
-        gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(tables.pairs[1],
-                                                                                             sides[1].place,
-                                                                                             right)
+        gap_left, mismatch_left, rate_left, lever_left, turn_left, rail_left = gap_jet(
+            tables.pairs[0], sides[0].place, left
+        )
+        gap_right, mismatch_right, rate_right, lever_right, turn_right, rail_right = gap_jet(
+            tables.pairs[1], sides[1].place, right
+        )
         if not (rate_left > 0.0 and rate_right > 0.0):
             return roll, False
         move_left = -mismatch_left / rate_left
@@ -162,14 +182,16 @@ def equalize_minima(tables: Tables, sides: Sides, roll: float, low: float, high:
         move_left += turn_left * move / rate_left
         move_right -= turn_right * move / rate_right
         if fabs(move) < ROLL_SHARP and fabs(move_left) < SHARP and fabs(move_right) < SHARP:
-            if (not on_profiles(tables.pairs[0], left, rail_left)
-                or not on_profiles(tables.pairs[1], right, rail_right)):
+            if not on_profiles(tables.pairs[0], left, rail_left) or not on_profiles(
+                tables.pairs[1], right, rail_right
+            ):
                 return roll, False
             keep_known(sides[0], left, gap_left, rail_left)
             keep_known(sides[1], right, gap_right, rail_right)
             return roll, True
-        if not (fabs(move) < LONGEST_TURN and fabs(move_left) < LONGEST_MOVE
-                and fabs(move_right) < LONGEST_MOVE):
+        if not (
+            fabs(move) < LONGEST_TURN and fabs(move_left) < LONGEST_MOVE and fabs(move_right) < LONGEST_MOVE
+        ):
             return roll, False
         left += move_left
         right += move_right

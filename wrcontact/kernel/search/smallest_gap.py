@@ -20,8 +20,16 @@ from typing import Final
 
 from ..layout import EXPONENTS, Cell, Pair, Place, SideSearch
 from ..surface.gap import FOLDED, above_rail, vertical_gap
-from .bounds import (above_rail_end, bend_bounds, clear_exponent, leaves_rail, node_below, node_gap,
-                     only_rises_or_falls, rising_from_minimum)
+from .bounds import (
+    above_rail_end,
+    bend_bounds,
+    clear_exponent,
+    leaves_rail,
+    node_below,
+    node_gap,
+    only_rises_or_falls,
+    rising_from_minimum,
+)
 from .rising_cell import rises_in_cell
 
 #: Cells are halved down to this width [m]; what a cell can then hide is less than M (2e-6 m)^2 / 8, 1e-11 m
@@ -38,8 +46,15 @@ LARGE_GAP: Final[float] = 1e3
 PROBE_STRIDE: Final[int] = 8
 
 
-def write_cell(cell: Cell, low: float, high: float, gap_low: float, gap_high: float, mismatch_low: float,
-               mismatch_high: float):
+def write_cell(
+    cell: Cell,
+    low: float,
+    high: float,
+    gap_low: float,
+    gap_high: float,
+    mismatch_low: float,
+    mismatch_high: float,
+):
     """Fill in a cell that waits to be searched."""
     cell.low = low
     cell.high = high
@@ -164,12 +179,26 @@ def walk(pair: Pair, side: SideSearch, node: int, direction: int):
                 search_end(pair, side, node, -direction)
             elif not skipped:
                 if direction > 0:
-                    write_cell(side.stack[0], scan.nodes[node - 1].y, scan.nodes[node].y, gap_before, gap,
-                               mismatch_before, mismatch)
+                    write_cell(
+                        side.stack[0],
+                        scan.nodes[node - 1].y,
+                        scan.nodes[node].y,
+                        gap_before,
+                        gap,
+                        mismatch_before,
+                        mismatch,
+                    )
                     search_between(pair, side, node - 1, abscissa_before)
                 else:
-                    write_cell(side.stack[0], scan.nodes[node].y, scan.nodes[node + 1].y, gap, gap_before,
-                               mismatch, mismatch_before)
+                    write_cell(
+                        side.stack[0],
+                        scan.nodes[node].y,
+                        scan.nodes[node + 1].y,
+                        gap,
+                        gap_before,
+                        mismatch,
+                        mismatch_before,
+                    )
                     search_between(pair, side, node, abscissa)
             beside = False
             gap_before = gap

@@ -76,7 +76,12 @@ def gap_jet(pair: Pair, place: Place, y: float):
     vertical = y_track - place.shift
     if place.yawed:
         sin_phi, cos_phi = around_wheel(place, slope)
-        vertical = ((place.arm + y) * place.cos_roll
-                    - (place.radius + z) * cos_phi * place.sin_roll)
-    return (z_rail - z_track, mismatch, rail_bend * stretch - outline_rate, rail_slope * lateral - vertical,
-            rail_bend * lateral - 1.0 - outline_slope * outline_slope, abscissa)
+        vertical = (place.arm + y) * place.cos_roll - (place.radius + z) * cos_phi * place.sin_roll
+    return (
+        z_rail - z_track,
+        mismatch,
+        rail_bend * stretch - outline_rate,
+        rail_slope * lateral - vertical,
+        rail_bend * lateral - 1.0 - outline_slope * outline_slope,
+        abscissa,
+    )

@@ -17,8 +17,9 @@ from ..layout import Pair, Place, inlined
 from .tables import height_slope
 
 
-def place_wheelset(place: Place, lateral_shift: float, yaw: float, roll: float, radius: float, height: float,
-                   arm: float):
+def place_wheelset(
+    place: Place, lateral_shift: float, yaw: float, roll: float, radius: float, height: float, arm: float
+):
     """Write the pose of a right wheel of this nominal ``radius`` to ``place``; the wheelset's centre has the
     ``height`` over the running circles, and ``arm`` is half their distance [m]."""
     place.shift = lateral_shift
@@ -121,8 +122,7 @@ def outline_point(place: Place, y: float, z: float, slope: float):
         sin_yaw = place.sin_yaw
         cos_yaw = place.cos_yaw
         sin_phi, cos_phi = around_wheel(place, slope)
-        y_track = (place.shift + sin_yaw * r * sin_phi
-                   + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll))
+        y_track = place.shift + sin_yaw * r * sin_phi + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll)
         z_track = arm * sin_roll + r * cos_phi * cos_roll - place.height
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll)
         normal_z = cos_phi * cos_roll - slope * sin_roll
@@ -155,15 +155,16 @@ def outline_jet(place: Place, y: float, z: float, slope: float, bend: float):
         phi_rate = 0.0
         if root > 0.0:
             phi_rate = -place.w_per_slope * bend / root
-        y_track = (place.shift + sin_yaw * r * sin_phi
-                   + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll))
+        y_track = place.shift + sin_yaw * r * sin_phi + cos_yaw * (arm * cos_roll - r * cos_phi * sin_roll)
         z_track = arm * sin_roll + r * cos_phi * cos_roll - place.height
-        stretch = (sin_yaw * (slope * sin_phi + r * cos_phi * phi_rate)
-                   + cos_yaw * (cos_roll - sin_roll * (slope * cos_phi - r * sin_phi * phi_rate)))
+        stretch = sin_yaw * (slope * sin_phi + r * cos_phi * phi_rate) + cos_yaw * (
+            cos_roll - sin_roll * (slope * cos_phi - r * sin_phi * phi_rate)
+        )
         normal_y = sin_yaw * sin_phi - cos_yaw * (slope * cos_roll + cos_phi * sin_roll)
         normal_z = cos_phi * cos_roll - slope * sin_roll
-        normal_y_rate = (sin_yaw * cos_phi * phi_rate
-                         - cos_yaw * (bend * cos_roll - sin_phi * phi_rate * sin_roll))
+        normal_y_rate = sin_yaw * cos_phi * phi_rate - cos_yaw * (
+            bend * cos_roll - sin_phi * phi_rate * sin_roll
+        )
         normal_z_rate = -sin_phi * phi_rate * cos_roll - bend * sin_roll
         outline_slope = -normal_y / normal_z
         slope_rate = -(normal_y_rate + outline_slope * normal_z_rate) / normal_z

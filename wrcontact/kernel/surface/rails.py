@@ -81,8 +81,10 @@ def pitch_of_frame(place: Place):
     roll in the rail's frame give it."""
     forward = place.rail_cos * place.track_sin_yaw
     down = -place.rail_sin * place.track_sin_yaw
-    sine = -((place.track_cos_yaw * place.sin_yaw - forward * place.cos_yaw) * place.sin_roll
-             + down * place.cos_roll)
+    sine = -(
+        (place.track_cos_yaw * place.sin_yaw - forward * place.cos_yaw) * place.sin_roll
+        + down * place.cos_roll
+    )
     cosine = place.track_cos_yaw * place.cos_yaw + forward * place.sin_yaw
     return sine, cosine
 

@@ -9,8 +9,19 @@ more from the motion than without damping is the power of damping.
 
 from typing import Final
 
-from ..layout import (DEPTH_GEOMETRY, MODE_COMPLIANT, OFF_PROFILE, ROLLING_STRIP_LIMIT, VALID, Motion, Patch,
-                      SideSearch, Tables, Work, seldom)
+from ..layout import (
+    DEPTH_GEOMETRY,
+    MODE_COMPLIANT,
+    OFF_PROFILE,
+    ROLLING_STRIP_LIMIT,
+    VALID,
+    Motion,
+    Patch,
+    SideSearch,
+    Tables,
+    Work,
+    seldom,
+)
 from ..creep.creepage import approach_rate
 from ..patch.filling import total_patches
 from ..search.roll import follow_side, nearest_start
@@ -87,9 +98,14 @@ def pressing_power(motion: Motion, patch: Patch):
     force_z = patch.normal_z
     moment_x = patch.normal_moment[0] - (motion.centre_y * force_z - motion.centre_z * force_y)
     rail_moment = patch.normal_moment[0] - (rail.y * force_z - rail.z * force_y)
-    return (rail_moment * rail.roll - force_y * (motion.lateral - rail.lateral)
-            - force_z * (motion.vertical - rail.vertical) - moment_x * motion.turn_x
-            - patch.normal_moment[1] * motion.turn_y - patch.normal_moment[2] * motion.turn_z)
+    return (
+        rail_moment * rail.roll
+        - force_y * (motion.lateral - rail.lateral)
+        - force_z * (motion.vertical - rail.vertical)
+        - moment_x * motion.turn_x
+        - patch.normal_moment[1] * motion.turn_y
+        - patch.normal_moment[2] * motion.turn_z
+    )
 
 
 @seldom

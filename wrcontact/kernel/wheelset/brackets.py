@@ -10,8 +10,19 @@ since a region comes or goes, the roll of the jump is taken.
 from math import fabs
 from typing import Final
 
-from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Bracket, Regions, Sides,
-                      Tables, Work, seldom)
+from ..layout import (
+    NOT_CONVERGED,
+    OFF_PROFILE,
+    ROLL_LIMIT,
+    UNLOADED,
+    VALID,
+    Bracket,
+    Regions,
+    Sides,
+    Tables,
+    Work,
+    seldom,
+)
 from .side import load_side, press_side
 from .trial import DEEPEST, SHALLOWEST, balance_side, depth_outcome, permitted_approach, turn_to
 

@@ -45,10 +45,16 @@ def follow_depths(tables: Tables, work: Work):
 def motion_size(tables: Tables, inputs: Inputs):
     """About how fast wheels and rails move against each other [m/s], but for rolling."""
     turning = tables.arm * fabs(inputs.yaw_rate)
-    left = (fabs(inputs.left_rail_lateral_velocity) + fabs(inputs.left_rail_vertical_velocity)
-            + tables.height * fabs(inputs.left_rail_roll_velocity))
-    right = (fabs(inputs.right_rail_lateral_velocity) + fabs(inputs.right_rail_vertical_velocity)
-             + tables.height * fabs(inputs.right_rail_roll_velocity))
+    left = (
+        fabs(inputs.left_rail_lateral_velocity)
+        + fabs(inputs.left_rail_vertical_velocity)
+        + tables.height * fabs(inputs.left_rail_roll_velocity)
+    )
+    right = (
+        fabs(inputs.right_rail_lateral_velocity)
+        + fabs(inputs.right_rail_vertical_velocity)
+        + tables.height * fabs(inputs.right_rail_roll_velocity)
+    )
     return fabs(inputs.lateral_velocity) + turning + left + right
 
 
@@ -81,8 +87,9 @@ def settle_rates(tables: Tables, work: Work, speed: float):
 
 
 @seldom
-def find_residuals(tables: Tables, work: Work, vertical: float, roll_rate: float, time: float,
-                   central: bool) -> bool:
+def find_residuals(
+    tables: Tables, work: Work, vertical: float, roll_rate: float, time: float, central: bool
+) -> bool:
     """How much faster than with ``vertical`` [m/s] and ``roll_rate`` [rad/s] each side comes down [m/s],
     until ``time`` [s] from now, or from as long before where it is ``central``; whether the sides carry
     their loads there."""

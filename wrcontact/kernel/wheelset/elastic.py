@@ -20,8 +20,18 @@ from math import fabs
 from typing import Final
 
 from ..contact.pressed import limited
-from ..layout import (NOT_CONVERGED, OFF_PROFILE, ROLL_LIMIT, UNLOADED, VALID, Broyden, Supports, Tables,
-                      Work, seldom)
+from ..layout import (
+    NOT_CONVERGED,
+    OFF_PROFILE,
+    ROLL_LIMIT,
+    UNLOADED,
+    VALID,
+    Broyden,
+    Supports,
+    Tables,
+    Work,
+    seldom,
+)
 from ..normal.normal_contact import has_coarse_form, residual_rate
 from .brackets import bracket_roll
 from .side import side_lever
@@ -94,8 +104,9 @@ def first_estimate(tables: Tables, work: Work):
         move = (right.approach - left.approach) / -(lever_left + lever_right)
     move = limited(move, LONGEST_MOVE / tables.arm)
     # in one order for a wheelset and its mirror image
-    height = work.sides[0].best + 0.5 * ((left.approach - lever_left * move)
-                                         + (right.approach + lever_right * move))
+    height = work.sides[0].best + 0.5 * (
+        (left.approach - lever_left * move) + (right.approach + lever_right * move)
+    )
     return height, move
 
 
@@ -132,8 +143,12 @@ def iterate(tables: Tables, work: Work, roll: float, height: float, left: float,
             return roll, NOT_CONVERGED
         if trial == 0:
             begin_derivatives(method, work.supports, arm, residual_rate(tables))
-        update(method, work.supports[0].height - height, work.supports[1].height - height,
-               fabs(method.move_height) + fabs(method.move_roll) < NEAR)
+        update(
+            method,
+            work.supports[0].height - height,
+            work.supports[1].height - height,
+            fabs(method.move_height) + fabs(method.move_roll) < NEAR,
+        )
         if not find_move(method, work.supports, arm, residual_rate(tables)):
             return roll, NOT_CONVERGED
         if fabs(method.move_height) < ELASTIC_SHARP and fabs(method.move_roll) < ELASTIC_SHARP:
@@ -187,10 +202,12 @@ def update(method: Broyden, left: float, right: float, near: bool):
     method.left = left
     method.right = right
     if fabs(method.move_height) + fabs(method.move_roll) > 0.0:
-        method.left_height, method.left_roll = renewed(method, method.left_height, method.left_roll,
-                                                       method.left - before_left, near)
-        method.right_height, method.right_roll = renewed(method, method.right_height, method.right_roll,
-                                                         method.right - before_right, near)
+        method.left_height, method.left_roll = renewed(
+            method, method.left_height, method.left_roll, method.left - before_left, near
+        )
+        method.right_height, method.right_roll = renewed(
+            method, method.right_height, method.right_roll, method.right - before_right, near
+        )
 
 
 @seldom

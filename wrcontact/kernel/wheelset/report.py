@@ -8,10 +8,36 @@ normal from the rail to the wheel on both sides.
 from math import sqrt
 from typing import Final
 
-from ..layout import (DEPTH_GEOMETRY, DEPTH_PATCHES, PATCH_LIMIT, ROLLING_STRIP_LIMIT, RUN_COUNT, SIDES_BOTH,
-                      SIDE_PENETRATION, SIDE_SIZE, SIDE_STATION, STATION_COUNT, STRIP_OUTPUTS_SIZE,
-                      WEAR_RUN_COUNT, WEAR_STRIPS, ContactPoint, Outline, Patch, PatchOutputs, SideOutputs,
-                      SideSearch, StripOutputs, Tables, Vector, WearRuns, Work, clear, copy, offset, seldom)
+from ..layout import (
+    DEPTH_GEOMETRY,
+    DEPTH_PATCHES,
+    PATCH_LIMIT,
+    ROLLING_STRIP_LIMIT,
+    RUN_COUNT,
+    SIDES_BOTH,
+    SIDE_PENETRATION,
+    SIDE_SIZE,
+    SIDE_STATION,
+    STATION_COUNT,
+    STRIP_OUTPUTS_SIZE,
+    WEAR_RUN_COUNT,
+    WEAR_STRIPS,
+    ContactPoint,
+    Outline,
+    Patch,
+    PatchOutputs,
+    SideOutputs,
+    SideSearch,
+    StripOutputs,
+    Tables,
+    Vector,
+    WearRuns,
+    Work,
+    clear,
+    copy,
+    offset,
+    seldom,
+)
 from ..patch.outline import wear_place
 from ..surface.rails import on_springs
 from .fatigue import shakedown_ratio, wear_number_damage

@@ -6,9 +6,26 @@ from math import fabs, isfinite
 
 from ..creep.friction import is_frictional
 from ..creep.motion import are_independent, is_moderate
-from ..layout import (DEPTH_ALL, FRICTION_LIMIT, INPUT_COUNT, INVALID_INPUT, MODE_COMPLIANT, OFF_PROFILE,
-                      RAIL_LIMIT, RAIL_ROLL_LIMIT, ROLL_LIMIT, SIDES_BOTH, SIDES_LEFT, TANGENTIAL_NONE,
-                      TIME_LIMIT, UNLOADED, VALID, Inputs, Tables, Work)
+from ..layout import (
+    DEPTH_ALL,
+    FRICTION_LIMIT,
+    INPUT_COUNT,
+    INVALID_INPUT,
+    MODE_COMPLIANT,
+    OFF_PROFILE,
+    RAIL_LIMIT,
+    RAIL_ROLL_LIMIT,
+    ROLL_LIMIT,
+    SIDES_BOTH,
+    SIDES_LEFT,
+    TANGENTIAL_NONE,
+    TIME_LIMIT,
+    UNLOADED,
+    VALID,
+    Inputs,
+    Tables,
+    Work,
+)
 
 
 def check_inputs(tables: Tables, inputs: Inputs):
@@ -44,11 +61,15 @@ def is_rail_far(inputs: Inputs) -> bool:
         far = True
     if fabs(inputs.left_rail_vertical) > RAIL_LIMIT or fabs(inputs.right_rail_vertical) > RAIL_LIMIT:
         far = True
-    if (fabs(inputs.left_rail_deflection_lateral_before) > RAIL_LIMIT
-            or fabs(inputs.left_rail_deflection_vertical_before) > RAIL_LIMIT):
+    if (
+        fabs(inputs.left_rail_deflection_lateral_before) > RAIL_LIMIT
+        or fabs(inputs.left_rail_deflection_vertical_before) > RAIL_LIMIT
+    ):
         far = True
-    if (fabs(inputs.right_rail_deflection_lateral_before) > RAIL_LIMIT
-            or fabs(inputs.right_rail_deflection_vertical_before) > RAIL_LIMIT):
+    if (
+        fabs(inputs.right_rail_deflection_lateral_before) > RAIL_LIMIT
+        or fabs(inputs.right_rail_deflection_vertical_before) > RAIL_LIMIT
+    ):
         far = True
     return far
 
@@ -57,8 +78,11 @@ def side_force(work: Work, index: int):
     """The prescribed force of side ``index`` [N], with load transfer; where friction carries some of it, what
     is left to the normal forces (vertical_load.py)."""
     sign = float(2 * index - 1)
-    return (work.inputs.normal_force * (1.0 + sign * work.inputs.load_transfer)
-            * work.supports[index].friction_load)
+    return (
+        work.inputs.normal_force
+        * (1.0 + sign * work.inputs.load_transfer)
+        * work.supports[index].friction_load
+    )
 
 
 def is_requested(tables: Tables, index: int) -> bool:

@@ -6,8 +6,15 @@ from typing import Final
 from ..layout import NOT_CONVERGED, VALID, State, Tables, Work
 from ..search.first_root import solve_roll
 from ..search.roll import nearest_start
-from .leaning import (MEETINGS, RIGID_MET, is_leaning, next_reference, note_reference, open_reference,
-                      set_reference)
+from .leaning import (
+    MEETINGS,
+    RIGID_MET,
+    is_leaning,
+    next_reference,
+    note_reference,
+    open_reference,
+    set_reference,
+)
 from .requested import is_requested, side_force
 from .side import clear_side, solve_side
 

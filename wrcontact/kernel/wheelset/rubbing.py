@@ -17,11 +17,33 @@ from math import sqrt
 from ..creep.creep_force import solve_creep_force
 from ..creep.creepage import STANDSTILL, move_patch, move_strips
 from ..creep.friction import multiply_creepages, patch_friction, slope_factor
-from ..creep.motion import (are_independent, carry_rail, constrain_loaded, constrain_touching, mirror_motion,
-                            open_left_rail, open_motion, open_right_rail, set_contact_rates, set_rates,
-                            turn_wheels)
-from ..layout import (DEPTH_ALL, MODE_COMPLIANT, MODE_ELASTIC, ROLLING_STRIP_LIMIT, TANGENTIAL_NONE, Outline,
-                      Patch, Rolling, RollingStrip, SideSearch, Tables, Work)
+from ..creep.motion import (
+    are_independent,
+    carry_rail,
+    constrain_loaded,
+    constrain_touching,
+    mirror_motion,
+    open_left_rail,
+    open_motion,
+    open_right_rail,
+    set_contact_rates,
+    set_rates,
+    turn_wheels,
+)
+from ..layout import (
+    DEPTH_ALL,
+    MODE_COMPLIANT,
+    MODE_ELASTIC,
+    ROLLING_STRIP_LIMIT,
+    TANGENTIAL_NONE,
+    Outline,
+    Patch,
+    Rolling,
+    RollingStrip,
+    SideSearch,
+    Tables,
+    Work,
+)
 from ..surface.rails import on_springs
 from .forces import sum_side
 from .requested import has_creep_forces, is_requested, is_rolling
@@ -152,8 +174,11 @@ def strip_slip(patch: Patch, strip: RollingStrip):
 
 def strip_power(patch: Patch, strip: RollingStrip):
     """Friction power of a strip per width [W/m]; zero for one that would gain power."""
-    power = -(strip.slip * strip.force_x + (strip.lateral - strip.spin * strip.x) * strip.force_y
-              + strip.spin * strip.moment)
+    power = -(
+        strip.slip * strip.force_x
+        + (strip.lateral - strip.spin * strip.x) * strip.force_y
+        + strip.spin * strip.moment
+    )
     return patch.speed * max(power, 0.0)
 
 

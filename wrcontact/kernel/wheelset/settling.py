@@ -178,10 +178,18 @@ def update_slopes(settling: Settling, before_lateral: float, before_vertical: fl
     vertical = settling.move_vertical
     size = lateral * lateral + vertical * vertical
     if size > 0.0:
-        off_lateral = (settling.lateral - before_lateral - settling.lateral_lateral * lateral
-                       - settling.lateral_vertical * vertical) / size
-        off_vertical = (settling.vertical - before_vertical - settling.vertical_lateral * lateral
-                        - settling.vertical_vertical * vertical) / size
+        off_lateral = (
+            settling.lateral
+            - before_lateral
+            - settling.lateral_lateral * lateral
+            - settling.lateral_vertical * vertical
+        ) / size
+        off_vertical = (
+            settling.vertical
+            - before_vertical
+            - settling.vertical_lateral * lateral
+            - settling.vertical_vertical * vertical
+        ) / size
         settling.lateral_lateral += off_lateral * lateral
         settling.lateral_vertical += off_lateral * vertical
         settling.vertical_lateral += off_vertical * lateral
@@ -196,16 +204,22 @@ def find_settling(settling: Settling, side: SideSearch) -> bool:
         least *= settling.lateral_stiffness
     if settling.vertical_stiffness > 0.0:
         least *= settling.vertical_stiffness
-    determinant = (settling.lateral_lateral * settling.vertical_vertical
-                   - settling.lateral_vertical * settling.vertical_lateral)
+    determinant = (
+        settling.lateral_lateral * settling.vertical_vertical
+        - settling.lateral_vertical * settling.vertical_lateral
+    )
     if not determinant > least:
         begin_slopes(settling, side)
-        determinant = (settling.lateral_lateral * settling.vertical_vertical
-                       - settling.lateral_vertical * settling.vertical_lateral)
+        determinant = (
+            settling.lateral_lateral * settling.vertical_vertical
+            - settling.lateral_vertical * settling.vertical_lateral
+        )
         if not determinant > least:
             return False
-    settling.move_lateral = (settling.vertical * settling.lateral_vertical
-                             - settling.lateral * settling.vertical_vertical) / determinant
-    settling.move_vertical = (settling.lateral * settling.vertical_lateral
-                              - settling.vertical * settling.lateral_lateral) / determinant
+    settling.move_lateral = (
+        settling.vertical * settling.lateral_vertical - settling.lateral * settling.vertical_vertical
+    ) / determinant
+    settling.move_vertical = (
+        settling.lateral * settling.vertical_lateral - settling.vertical * settling.lateral_lateral
+    ) / determinant
     return True

@@ -14,8 +14,16 @@ so that the trapezoidal sum over the stations is the integral of P, and its mean
 station that belongs to another patch the station of its own patch gets all.
 """
 
-from ..layout import (ROLLING_STRIP_LIMIT, Outline, Patch, RollingStrip, SideSearch, StripOutputs, WearRuns,
-                      seldom)
+from ..layout import (
+    ROLLING_STRIP_LIMIT,
+    Outline,
+    Patch,
+    RollingStrip,
+    SideSearch,
+    StripOutputs,
+    WearRuns,
+    seldom,
+)
 from .rubbing import strip_power
 
 
@@ -69,8 +77,9 @@ def cell_width(outline: Outline, stations: int):
 
 
 @seldom
-def add_power(wear: WearRuns, outline: Outline, stations: int, owner: float, strip: RollingStrip,
-              power: float):
+def add_power(
+    wear: WearRuns, outline: Outline, stations: int, owner: float, strip: RollingStrip, power: float
+):
     """Add the ``power`` per width [W/m] of a strip of the patch with the number ``owner`` to the stations
     around it."""
     width = cell_width(outline, stations)

@@ -12,8 +12,21 @@ from ..contact.overlaps import find_overlaps
 from ..contact.pressed_regions import press_frame, touching_shift
 from ..creep.cut import cut_patch
 from ..elementary.circle import atan
-from ..layout import (DEPTH_ALL, DEPTH_GEOMETRY, LATERAL_ADAPTIVE, NOT_CONVERGED, OFF_PROFILE,
-                      TANGENTIAL_NONE, UNLOADED, VALID, Contact, Profile, SideSearch, Tables, Work)
+from ..layout import (
+    DEPTH_ALL,
+    DEPTH_GEOMETRY,
+    LATERAL_ADAPTIVE,
+    NOT_CONVERGED,
+    OFF_PROFILE,
+    TANGENTIAL_NONE,
+    UNLOADED,
+    VALID,
+    Contact,
+    Profile,
+    SideSearch,
+    Tables,
+    Work,
+)
 from ..normal.normal_contact import solve_normal
 from ..normal.patch_places import place_patches, place_strips
 from ..normal.wear_places import place_wear
@@ -112,8 +125,9 @@ def load_side(tables: Tables, work: Work, index: int, force: float, prescribed: 
                 cut_patch(side.patches[number], work.contact.strips)
                 place_strips(pair, work.contact, side.patches[number])
         if tables.depth == DEPTH_ALL:
-            write_outline(side.outline, tables.stations, side, work.contact.strips, work.contact.regions,
-                          count)
+            write_outline(
+                side.outline, tables.stations, side, work.contact.strips, work.contact.regions, count
+            )
             if has_wear(tables) and side.patch_count > 0:
                 place_wear(pair, work.contact, side)
     return count, VALID

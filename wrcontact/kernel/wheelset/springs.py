@@ -102,10 +102,15 @@ def weigh_rail(tables: Tables, work: Work, index: int, height: float):
         if rubbing:
             rub_side(tables, work, index)
         sum_side(side, rubbing)
-        settling.lateral = spring_residual(settling.lateral_stiffness, settling.lateral_rest,
-                                           side.deflection.lateral, -side.forces.force[1])
-        settling.vertical = spring_residual(settling.vertical_stiffness, settling.vertical_rest,
-                                            side.deflection.vertical, -side.forces.force[2])
+        settling.lateral = spring_residual(
+            settling.lateral_stiffness, settling.lateral_rest, side.deflection.lateral, -side.forces.force[1]
+        )
+        settling.vertical = spring_residual(
+            settling.vertical_stiffness,
+            settling.vertical_rest,
+            side.deflection.vertical,
+            -side.forces.force[2],
+        )
     return status
 
 

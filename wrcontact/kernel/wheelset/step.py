@@ -7,8 +7,20 @@ Where the load is a vertical one, friction carries some of it, and the wheelset 
 writes the outputs.
 """
 
-from ..layout import (INPUT_COUNT, MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, NOT_CONVERGED, OFF_PROFILE,
-                      UNLOADED, VALID, State, Tables, Work, offset)
+from ..layout import (
+    INPUT_COUNT,
+    MODE_COMPLIANT,
+    MODE_ELASTIC,
+    MODE_RIGID,
+    NOT_CONVERGED,
+    OFF_PROFILE,
+    UNLOADED,
+    VALID,
+    State,
+    Tables,
+    Work,
+    offset,
+)
 from ..elementary.runs import copy_run
 from ..patch.outline import row_size
 from ..search.roll import place_both
@@ -17,8 +29,15 @@ from .depth_rates import follow_depths
 from .elastic import solve_elastic
 from .forces import sum_forces
 from .requested import check_inputs, requested_outcome, side_force
-from .leaning import (ELASTIC_MET, MEETINGS, is_leaning, next_reference, note_reference, open_reference,
-                      set_reference)
+from .leaning import (
+    ELASTIC_MET,
+    MEETINGS,
+    is_leaning,
+    next_reference,
+    note_reference,
+    open_reference,
+    set_reference,
+)
 from .rubbing import move_patches, move_wheelset, rub_patches
 from .report import report
 from .rigid import find_roll, keep_roll, solve_rigid
@@ -117,8 +136,9 @@ def meet_leaning(tables: Tables, work: Work, rigid_roll: float):
     return roll, NOT_CONVERGED
 
 
-def step_row(tables: Tables, state: State, workspace: Work, inputs: 'float[:]', outputs: 'float[:]',
-             row: int):
+def step_row(
+    tables: Tables, state: State, workspace: Work, inputs: "float[:]", outputs: "float[:]", row: int
+):
     """Evaluate row ``row`` of ``inputs`` into that of ``outputs``; the status. Inputs as
     before are not evaluated again."""
     changed = not workspace.known
@@ -138,7 +158,7 @@ def step_row(tables: Tables, state: State, workspace: Work, inputs: 'float[:]', 
     return status
 
 
-def step(tables: Tables, state: State, workspace: Work, inputs: 'float[:]', outputs: 'float[:]'):
+def step(tables: Tables, state: State, workspace: Work, inputs: "float[:]", outputs: "float[:]"):
     """Evaluate one wheelset at ``inputs`` into ``outputs``; the status.
 
     Outputs keep their values unless the status is VALID or UNLOADED. ``state`` holds where the next roll
@@ -147,8 +167,15 @@ def step(tables: Tables, state: State, workspace: Work, inputs: 'float[:]', outp
     return step_row(tables, state, workspace, inputs, outputs, 0)
 
 
-def step_many(count: int, tables: Tables, state: State, workspace: Work, inputs: 'float[:]',
-              outputs: 'float[:]', statuses: 'float[:]'):
+def step_many(
+    count: int,
+    tables: Tables,
+    state: State,
+    workspace: Work,
+    inputs: "float[:]",
+    outputs: "float[:]",
+    statuses: "float[:]",
+):
     """Evaluate ``count`` rows of inputs, one after the other."""
     for row in range(count):
         statuses[row] = float(step_row(tables, state, workspace, inputs, outputs, row))

@@ -67,8 +67,13 @@ def is_load_met(work: Work) -> bool:
     for index in range(2):
         support = work.supports[index]
         share = carried_share(work, index)
-        jumps = (is_enclosed(support) and share > 1.0 and support.share_before < 1.0
-                 and support.friction_load == support.high_load and support.load_before == support.low_load)
+        jumps = (
+            is_enclosed(support)
+            and share > 1.0
+            and support.share_before < 1.0
+            and support.friction_load == support.high_load
+            and support.load_before == support.low_load
+        )
         if not jumps and fabs(share - 1.0) > LOAD_MET:
             met = False
     return met
@@ -117,8 +122,9 @@ def next_load(support: Support, share: float):
     slope = share / load
     if support.load_before > 0.0 and fabs(change) > LEAST_CHANGE * load:
         secant = (share - support.share_before) / change
-        if secant > slope / LARGEST_CHANGE and (secant < slope * LARGEST_CHANGE
-                                                or support.turns > LOAD_SECANTS):
+        if secant > slope / LARGEST_CHANGE and (
+            secant < slope * LARGEST_CHANGE or support.turns > LOAD_SECANTS
+        ):
             slope = secant
     following = load * LARGEST_CHANGE
     if slope > 0.0:
@@ -128,7 +134,10 @@ def next_load(support: Support, share: float):
             following = support.low_load
             if load == following:
                 following = support.high_load
-        elif (not (following > support.low_load and following < support.high_load)
-              or support.turns > LOAD_SECANTS and (support.turns - 2.0 * int(0.5 * support.turns)) < 0.5):
+        elif (
+            not (following > support.low_load and following < support.high_load)
+            or support.turns > LOAD_SECANTS
+            and (support.turns - 2.0 * int(0.5 * support.turns)) < 0.5
+        ):
             following = 0.5 * (support.low_load + support.high_load)
     return following
