@@ -28,6 +28,13 @@ ERRORS = [
         "search",
     ),
     Error(
+        "bound_at_the_end",
+        "search_cell(pair, side, min(least, -1.0), most, low, high)",
+        "search_cell(pair, side, -1.0, most, low, high)",
+        "where the rail ends, its gap is taken to bend down by no more than 1 1/m",
+        "search/test_corners.py",
+    ),
+    Error(
         "stale_minima",
         "if known and before_left ==",
         "if known or before_left ==",
