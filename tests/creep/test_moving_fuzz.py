@@ -196,6 +196,7 @@ def greatest_slip(given, name, patch):
         )
     )  # arms are shorter than 1 m
     rolling = np.maximum(np.abs(given["speed"]), np.abs(given["wheel_rate"]) * patch.rolling_radius)
+    rolling = np.maximum(rolling, 1e-12)  # what creepages of a wheelset that only slides are referred to
     free = np.abs(given["speed"] * given["free_rolling"]) / 0.4  # wheels are larger than that [m]
     turning = (
         np.abs(given["wheel_rate"])

@@ -101,11 +101,30 @@ def requested_outcome(tables: Tables, work: Work, status: int):
 
 
 def is_rolling(tables: Tables, inputs: Inputs) -> bool:
-    """Whether the wheelset runs or its wheels turn: otherwise there are no creepages."""
-    rolling = inputs.speed != 0.0 or inputs.wheel_rate != 0.0
+    """Whether wheelset or rails have a velocity: otherwise there are no creepages."""
+    if inputs.speed != 0.0 or inputs.lateral_velocity != 0.0 or inputs.yaw_rate != 0.0:
+        return True
+    rolling = inputs.wheel_rate != 0.0
     if are_independent(tables):
-        rolling = inputs.speed != 0.0 or inputs.left_wheel_rate != 0.0 or inputs.right_wheel_rate != 0.0
-    return rolling
+        rolling = inputs.left_wheel_rate != 0.0 or inputs.right_wheel_rate != 0.0
+    if tables.mode == MODE_COMPLIANT and (inputs.vertical_velocity != 0.0 or inputs.roll_rate != 0.0):
+        rolling = True
+    return rolling or is_rail_moving(inputs)
+
+
+def is_rail_moving(inputs: Inputs) -> bool:
+    """Whether a rail is given a velocity."""
+    left = (
+        inputs.left_rail_lateral_velocity != 0.0
+        or inputs.left_rail_vertical_velocity != 0.0
+        or inputs.left_rail_roll_velocity != 0.0
+    )
+    return (
+        left
+        or inputs.right_rail_lateral_velocity != 0.0
+        or inputs.right_rail_vertical_velocity != 0.0
+        or inputs.right_rail_roll_velocity != 0.0
+    )
 
 
 def has_creep_forces(tables: Tables, work: Work) -> bool:

@@ -15,7 +15,7 @@ middles of strips both follow straight lines; a strip that would gain power coun
 from math import sqrt
 
 from ..creep.creep_force import solve_creep_force
-from ..creep.creepage import STANDSTILL, move_patch, move_strips
+from ..creep.creepage import move_patch, move_strips
 from ..creep.friction import multiply_creepages, patch_friction, slope_factor
 from ..creep.motion import (
     are_independent,
@@ -91,7 +91,7 @@ def move_side(tables: Tables, side: SideSearch):
     for number in range(side.patch_count):
         patch = side.patches[number]
         move_patch(side.motion, patch)
-        if tables.tangential != TANGENTIAL_NONE and patch.speed > STANDSTILL:
+        if tables.tangential != TANGENTIAL_NONE:
             move_strips(side.motion, patch)
 
 
@@ -197,10 +197,9 @@ def rub_side(tables: Tables, work: Work, index: int):
         friction = work.inputs.right_friction
     for number in range(side.patch_count):
         patch = side.patches[number]
-        if patch.speed > STANDSTILL:
-            factor = open_rolling(tables, work.rolling, patch, friction)
-            solve_creep_force(tables, work.rolling, patch)
-            close_rolling(patch, factor)
+        factor = open_rolling(tables, work.rolling, patch, friction)
+        solve_creep_force(tables, work.rolling, patch)
+        close_rolling(patch, factor)
     if tables.depth == DEPTH_ALL:
         write_wear(side, tables.stations)
 
