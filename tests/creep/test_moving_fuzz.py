@@ -196,7 +196,6 @@ def greatest_slip(given, name, patch):
         )
     )  # arms are shorter than 1 m
     rolling = np.maximum(np.abs(given["speed"]), np.abs(given["wheel_rate"]) * patch.rolling_radius)
-    rolling = np.maximum(rolling, 1e-12)  # what creepages of a wheelset that only slides are referred to
     free = np.abs(given["speed"] * given["free_rolling"]) / 0.4  # wheels are larger than that [m]
     turning = (
         np.abs(given["wheel_rate"])
@@ -205,8 +204,11 @@ def greatest_slip(given, name, patch):
         + np.abs(given["speed"] * given["track_curvature"])
         + rolling * np.abs(patch.creepage.spin)
     )
+    # a wheelset that slides and does not roll has no creepages, but velocities
+    sliding = np.where(rolling + free > 0.0, 0.0, 1.5 * approach)
     return (
-        1.1 * rolling * np.hypot(patch.creepage.x, patch.creepage.y)
+        sliding
+        + 1.1 * rolling * np.hypot(patch.creepage.x, patch.creepage.y)
         + (patch.length + patch.width) * turning
         + approach * np.minimum(1.0, patch.width / SHARPEST)
     )

@@ -98,6 +98,7 @@ def test_a_wheelset_that_slides_sideways_has_coulombs_friction(model, speed):
         patch = side.patches[0]
         # along, the rolling radii still differ; across, FASTSIM's spin turns the tractions
         assert patch.tangential.y == pytest.approx(against * friction * patch.normal_force, rel=2e-3)
+        assert (patch.creepage.y != 0.0) == (speed != 0.0) == (side.wear_number != 0.0)
         assert side.friction_power == pytest.approx(friction * side.normal_force * sliding, rel=3e-3)
 
 

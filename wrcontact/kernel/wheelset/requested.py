@@ -101,15 +101,21 @@ def requested_outcome(tables: Tables, work: Work, status: int):
 
 
 def is_rolling(tables: Tables, inputs: Inputs) -> bool:
-    """Whether wheelset or rails have a velocity: otherwise there are no creepages."""
-    if inputs.speed != 0.0 or inputs.lateral_velocity != 0.0 or inputs.yaw_rate != 0.0:
-        return True
-    rolling = inputs.wheel_rate != 0.0
+    """Whether the wheelset runs or its wheels turn: otherwise there is no rolling speed for creepages."""
+    rolling = inputs.speed != 0.0 or inputs.wheel_rate != 0.0
     if are_independent(tables):
-        rolling = inputs.left_wheel_rate != 0.0 or inputs.right_wheel_rate != 0.0
+        rolling = inputs.speed != 0.0 or inputs.left_wheel_rate != 0.0 or inputs.right_wheel_rate != 0.0
+    return rolling
+
+
+def is_moving(tables: Tables, inputs: Inputs) -> bool:
+    """Whether wheelset or rails have a velocity: otherwise nothing rolls or slides."""
+    if is_rolling(tables, inputs) or inputs.lateral_velocity != 0.0 or inputs.yaw_rate != 0.0:
+        return True
+    moving = is_rail_moving(inputs)
     if tables.mode == MODE_COMPLIANT and (inputs.vertical_velocity != 0.0 or inputs.roll_rate != 0.0):
-        rolling = True
-    return rolling or is_rail_moving(inputs)
+        moving = True
+    return moving
 
 
 def is_rail_moving(inputs: Inputs) -> bool:
@@ -128,8 +134,8 @@ def is_rail_moving(inputs: Inputs) -> bool:
 
 
 def has_creep_forces(tables: Tables, work: Work) -> bool:
-    """Whether there are creep forces: a model is chosen, and the wheelset rolls."""
-    return tables.tangential != TANGENTIAL_NONE and is_rolling(tables, work.inputs)
+    """Whether there are creep forces: a model is chosen, and the wheelset rolls or slides."""
+    return tables.tangential != TANGENTIAL_NONE and is_moving(tables, work.inputs)
 
 
 def has_wear(tables: Tables) -> bool:

@@ -46,7 +46,7 @@ from ..layout import (
 )
 from ..surface.rails import on_springs
 from .forces import sum_side
-from .requested import has_creep_forces, is_requested, is_rolling
+from .requested import has_creep_forces, is_requested, is_moving
 from .side import touch_side
 
 
@@ -70,7 +70,7 @@ def move_wheelset(tables: Tables, work: Work):
     """The velocities of the wheelset, if it rolls; in compliant contact vertical velocity and roll rate are
     given, otherwise they follow from contact with both rails, without what the depth of an elastic wheelset
     adds (depth_rates.py)."""
-    if is_rolling(tables, work.inputs):
+    if is_moving(tables, work.inputs):
         open_given_motion(tables, work)
         if tables.mode != MODE_COMPLIANT:
             constrain_side(tables, work, 0)
@@ -80,7 +80,7 @@ def move_wheelset(tables: Tables, work: Work):
 
 def move_patches(tables: Tables, work: Work):
     """Creepages of all patches and their strips, if the wheelset rolls."""
-    if not is_rolling(tables, work.inputs):
+    if not is_moving(tables, work.inputs):
         return
     for index in range(2):
         move_side(tables, work.sides[index])
