@@ -4,6 +4,7 @@ from collections import namedtuple
 
 from tests.helpers.paths import ROOT
 from tests.helpers.planted_laws import LAWS
+from tests.helpers.planted_rolling import ROLLING_LAWS
 from tests.helpers.planted_strips import STRIP_LAWS
 from tests.helpers.planted_wear import WORN
 
@@ -434,7 +435,7 @@ ERRORS = [
         "search",
         "prepare_scan",
     ),
-    *(Error(*law) for law in (*LAWS, *STRIP_LAWS, *WORN)),
+    *(Error(*law) for law in (*LAWS, *ROLLING_LAWS, *STRIP_LAWS, *WORN)),
 ]
 
 
