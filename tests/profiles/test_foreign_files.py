@@ -9,6 +9,8 @@ import pytest
 from tests.helpers.foreign_files import gensys, several, vampire, wavy_back
 from tests.helpers.profile_points import MM, Y, Z, changed, columns, error, miniprof, points, read
 from wrcontact import ContactSystem, Profile
+from wrcontact.profiles import standard_profile
+from wrcontact.wear.shape import wheel_shape
 
 RAIL_Y, RAIL_Z = points("rail")
 
@@ -119,6 +121,82 @@ def test_gensys_has_y_towards_the_track_centre(tmp_path, kind, name):
     assert profile.height(40e-3 if kind == "wheel" else 20e-3) == pytest.approx(
         np.interp(40.0 if kind == "wheel" else 20.0, y, z) * MM, abs=1e-6
     )
+
+
+# --- the running circle ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("first", [0.05, 1.5, 7.0])
+@pytest.mark.parametrize("side", [1, -1], ids=["flange first", "from the other side"])
+def test_a_miniprof_wheel_counts_from_the_back_wherever_it_begins(tmp_path, first, side):
+    kept = Y + 70.0 >= first
+    text = miniprof(side * (Y[kept] + 70.0), 12.0 - Z[kept])
+    profile, said = read(tmp_path, text, "wheel", "own.whl")
+    assert said == "" and profile.start == pytest.approx((first - 70.0) * MM, abs=0.25 * MM)
+    y = np.linspace(max(profile.start / MM + 0.5, -60.0), 55.0, 1001) * MM
+    exact = standard_profile("S1002")
+    assert np.abs(profile.height(y) - exact.height(y)).max() < 1e-6
+
+
+def test_a_back_that_is_not_at_zero_is_told(tmp_path):
+    _, said = read(tmp_path, miniprof(Y + 73.0, 12.0 - Z), "wheel", "own.whl")
+    assert "the back of its flange is at y = 3 mm" in said and "not at 0, where MiniProf has it" in said
+
+
+def test_a_wheel_of_another_format_counts_from_its_back(tmp_path):
+    """By points on the back, wherever it is; else y = 0 may be the back, which is told first."""
+    profile, said = read(tmp_path, columns(Y + 100.0, Z))
+    assert "from the back of the flange at y = 30" in said and error(profile) < 0.1
+    kept = Y > -67.0
+    profile, said = read(tmp_path, columns(Y[kept] + 70.0, Z[kept]))
+    assert "taken to be at y = 0; y shifted by -70 mm" in said and error(profile) < 1e-3
+    with pytest.raises(ValueError, match="or points on that back; shift gives the distance"):
+        read(tmp_path, columns(Y[kept] + 100.0, Z[kept]))
+
+
+@pytest.mark.parametrize("first", [-70.0, -69.7, -68.0, -60.0, -50.0])
+def test_the_thickness_of_a_flange_needs_its_back(tmp_path, first):
+    """S1002 has 32.5 mm (EN 13715); without the back there is none."""
+    kept = first <= Y
+    profile, _ = read(tmp_path, columns(Y[kept], Z[kept]))
+    shape = wheel_shape(profile)
+    assert shape.flange_height == pytest.approx(28.0 * MM, abs=1e-6) or first > -55.0
+    if first < -69.5:
+        assert shape.flange_thickness == pytest.approx(32.5 * MM, abs=0.03 * MM)
+    else:
+        assert np.isnan(shape.flange_thickness)
+
+
+# --- points that run back -------------------------------------------------------------------------
+
+
+def run_back(place, back, apart=0.0):
+    """S1002 whose points from ``place`` [mm] on have moved to smaller y by ``back``, and by ``apart`` in z."""
+    behind = Y > place
+    return np.where(behind, Y - back, Y), np.where(behind, np.interp(Y - back, Y, Z) + apart, Z)
+
+
+@pytest.mark.parametrize(
+    "place, back, apart, words",
+    [
+        (-54.0, 0.6, 0.2, r"6 points left out where the points run back by up to 0\.\d+ mm \(y = -54"),
+        (-20.0, 0.7, 0.0, r"6 points sorted by y \(y = -20"),
+        (10.0, 1.5, 0.0, r"14 points sorted by y"),
+    ],
+)
+def test_points_that_run_back_cut_nothing(tmp_path, place, back, apart, words):
+    profile, said = read(tmp_path, columns(*run_back(place, back, apart)))
+    assert re.search(words, said), said
+    assert profile.start == Y[0] * MM and error(profile) < apart + 0.01
+
+
+def test_a_fold_behind_which_the_flange_is_lost_is_told(tmp_path):
+    """Points that run back by 3 mm are no stretch that was measured twice."""
+    profile, said = read(tmp_path, columns(*run_back(-54.0, 3.0, 0.3)))
+    assert re.search(
+        r"vertical at y = -5\d.* mm; its points at smaller y, to -\d+.* mm, are left out", said
+    ), said
+    assert np.isnan(wheel_shape(profile).flange_thickness)
 
 
 # --- shapes of genuine files ----------------------------------------------------------------------

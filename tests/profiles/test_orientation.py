@@ -11,7 +11,7 @@ from tests.helpers.foreign_files import inclined_rail, worn_rail
 from tests.helpers.profile_points import MM, Y, Z, columns, error, miniprof, points, read, simpack
 from wrcontact import ContactSystem, Profile, ProfileFile, ProfileWarning
 from wrcontact.profiles.orientation import _gauge_side, head_of
-from wrcontact.profiles.repair import BACK
+from wrcontact.profiles.running_circle import BACK
 
 AGAIN = "in the file, and a rail_inclination that is not 0 inclines it again"
 

@@ -29,7 +29,7 @@ from tests.helpers.profile_points import (
 )
 from wrcontact.profiles import standard_profile
 from wrcontact.profiles.files import LARGEST_FILE, prepared_text
-from wrcontact.profiles.repair import BACK
+from wrcontact.profiles.running_circle import BACK
 
 # --- formats --------------------------------------------------------------------------------------
 
@@ -200,7 +200,7 @@ REPAIRED = {
         Y + 70.0,
         Z - 9.0,
         "wheel",
-        "running circle is assumed 70 mm from the back of the flange; y shifted by -70 mm",
+        "running circle is assumed 70 mm from the back of the flange at y = 0 mm; y shifted by -70 mm",
         9.1,
     ),
     "another height": (Y, Z + 300.0, "wheel", "z was 300 mm at the running circle; shifted to 0", 1e-4),

@@ -19,7 +19,7 @@ from ..conventions import MILLIMETRE as MM
 from ..interface.parameters import PARAMETERS
 from .readers import read_points
 from .remarks import Reading, Refusal, by_weight, remark
-from .repair import LEAST_POINTS, WIDTHS, mend
+from .repair import LEAST_POINTS, WIDTHS, mend, words_on_cuts
 from .smoothing import LEAST_NOISE, Curve, pieces_of
 from .zones import Arc, Polynomial
 
@@ -152,6 +152,8 @@ def _zones_along(found, name, kind, tolerance, asked, remarks):
             f"folds back or is vertical at y = {zones[0].start:.4g} and {zones[-1].stop:.4g} mm; "
             f"permitted is a distance of {WIDTHS[0]:g} mm or more between"
         )
+    ends = np.array([zones[0].start, zones[-1].stop])
+    remarks.extend(words_on_cuts(ends, found.y - curve.origin[0]))
     return zones, smooth
 
 

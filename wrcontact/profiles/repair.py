@@ -10,9 +10,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from .flaws import LONGEST_RUN, Mended, check_gaps, rounded, without_outliers
+from .flaws import LONGEST_RUN, OUTLIER, SIDE, Mended, check_gaps, rounded, without_outliers
 from .orientation import faced, turned_upright
 from .remarks import Refusal, counted, stretch
+from .running_circle import at_running_circle, evenly
 from .smoothing import LEAST_NOISE, noise_of
 
 LEAST_POINTS = 10
@@ -27,6 +28,12 @@ WIDEST = {"wheel": WIDTHS[1], "rail": 110.0}
 SHOULDER, USUAL_SHOULDER = 2.0, 10.0
 #: A profile turns back where its y decreases by this [mm]; noise is smaller.
 TURN = 0.5
+#: Points that run back by LEAST_BACK [mm] or less are rounded or noisy. Those that run back by more than
+#: MOST_BACK [mm], or whose branches are more than MOST_APART [mm] apart, are a fold. A curve steeper than STEEP
+#: [1] over SIDE points on either side is a wall, which may wave.
+LEAST_BACK, MOST_BACK, MOST_APART, STEEP = 5e-3, 2.0, 0.5, 2.0
+#: Points left out behind a fold or a wall are told where they reach farther by this [mm].
+CUT = 0.5
 #: Where y varies by less [mm], the side of a rail's head is a wall, which is kept down to
 #: where the gauge is measured.
 UPRIGHT = 0.2
@@ -47,13 +54,6 @@ FAR = 5.0
 SAME = 1e-6
 #: Points at the same y are averaged where their z differ by less than this share of the median spacing.
 NEAR = 0.25
-#: Position of the flange tip from the running circle, height of the flange, and distance of the running
-#: circle from the flange's back [mm].
-TIP, FLANGE, BACK = (-80.0, -30.0), (10.0, 60.0), 70.0
-#: A profile that rises by this behind the tip includes the back of the flange [mm].
-ROUND_BACK = 3.0
-#: Largest height of the running circle that counts as wear, not as another origin [mm].
-OFFSET = 10.0
 
 
 def mend(points, kind, file, remarks, *, keep_all=False):
@@ -83,7 +83,12 @@ def mend(points, kind, file, remarks, *, keep_all=False):
         found = at_running_circle(found, file, points.free, remarks)
     else:
         found = turned_upright(faced(found, file, points.free, remarks), file, remarks)
-    found = outward(found, kind) if kind == "wheel" else outward(gauge_face(found, remarks), kind)
+    found = found if keep_all else without_backward(found, kind, remarks)
+    if kind == "wheel":
+        whole, found = found, outward(found, kind)
+        remarks.extend(words_on_cuts(found.y, whole.y))
+    else:
+        found = outward(gauge_face(found, remarks), kind)
     found = without_outliers(replace(found, noise=noise_of(found.y, found.z)[0]), remarks, keep=keep_all)
     found = outward(found, kind)
     if kind == "rail":
@@ -191,7 +196,7 @@ def without_repetition(found, remarks):
 
 def upright(found, kind, file, free, remarks):
     """Turn z down and a wheel's flange to negative y, unless ``file`` says how they are."""
-    y, z = _evenly(found)
+    y, z = evenly(found)
     low, middle, high = np.percentile(z, [2, 50, 98])
     upwards = middle - low > high - middle if kind == "wheel" else np.mean(z[[0, 1, -2, -1]]) < middle
     if upwards and file.mirror_z is None:
@@ -206,50 +211,41 @@ def upright(found, kind, file, free, remarks):
     return found
 
 
-def _evenly(found):
-    """y and z (n,) [mm] at even steps across the profile, independent of the spacing of the points."""
-    order = np.argsort(found.y, kind="stable")
-    y = np.linspace(found.y.min(), found.y.max(), 401)
-    return y, np.interp(y, found.y[order], found.z[order])
+def without_backward(found, kind, remarks):
+    """Remove the points of a stretch that was measured twice: seen from the middle, y runs back there and on
+    again, where the curve is not steep. Both branches are removed, since neither is known to be the better.
+
+    Small steps back are noise, and a long way back is a fold.
+    """
+    noise = noise_of(found.y, found.z)[0]
+    middle, gone, most = _middle(found, kind), np.zeros(len(found.y), dtype=bool), 0.0
+    for side, part in ((1, slice(middle, None)), (-1, slice(middle, None, -1))):
+        u, z, index = side * found.y[part], found.z[part], np.arange(len(found.y))[part]
+        farthest = np.maximum.accumulate(u)
+        behind = np.flatnonzero(u < farthest)
+        for run in np.split(behind, np.flatnonzero(np.diff(behind) > 1) + 1):
+            if not len(run) or run[-1] + 1 == len(u):
+                continue
+            low, high = float(u[run].min()), float(farthest[run[0]])
+            before, after = max(run[0] - SIDE, 0), min(run[-1] + SIDE, len(u) - 1)
+            steep = abs(z[after] - z[before]) > STEEP * (u[after] - u[before])
+            if steep or not max(OUTLIER * noise, LEAST_BACK) < high - low <= MOST_BACK:
+                continue
+            first = np.arange(np.searchsorted(farthest, low), run[0])
+            if abs(z[first].mean() - z[run].mean()) <= MOST_APART:
+                gone[index[first]] = gone[index[run]] = True
+                most = max(most, high - low)
+    if gone.any():
+        remarks.append(
+            f"{counted(gone.sum(), 'point')} left out where the points run back by up to {most:.3g} mm "
+            f"({stretch(found.y[gone])})"
+        )
+    return found.only(~gone)
 
 
-def at_running_circle(found, file, free, remarks):
-    """Move a wheel so that y = 0 is its running circle, and z is within OFFSET of zero there; what ``file``
-    shifts stays."""
-    y, z = _evenly(found)
-    deepest = np.percentile(z, 99)
-    tip = np.median(y[z >= deepest])
-    if not (TIP[0] <= tip <= TIP[1] and y[-1] > 0.0):
-        if deepest - z[0] < ROUND_BACK or file.shift[0]:
-            raise Refusal(
-                f"has the tip of its flange, or its deepest point, at y = {tip:.4g} mm; permitted "
-                f"are {TIP[0]:g} ... {TIP[1]:g} mm from the running circle, or profiles that "
-                "include the back of the flange"
-            )
-        shift = -BACK - y[0]
-        if not free:
-            remarks.append(
-                f"the running circle is assumed {BACK:g} mm from the back of the flange; y "
-                f"shifted by {shift:.4g} mm"
-            )
-        found, y = replace(found, y=found.y + shift), y + shift
-    middle = np.interp(0.0, y, z)
-    height = deepest - middle
-    if not FLANGE[0] <= height <= FLANGE[1]:
-        raise Refusal(
-            f"has a flange of {height:.4g} mm, from the running circle to the deepest point; "
-            f"permitted are {FLANGE[0]:g} ... {FLANGE[1]:g} mm"
-        )
-    if z[-1] - middle > FLANGE[0]:
-        raise Refusal(
-            f"has its field side {z[-1] - middle:.4g} mm deeper than the running circle, as a "
-            f"rail's head has; permitted are {FLANGE[0]:g} mm or less"
-        )
-    if (abs(middle) > OFFSET or free) and not file.shift[1]:
-        if not free:
-            remarks.append(f"z was {middle:.4g} mm at the running circle; shifted to 0")
-        found = replace(found, z=found.z - middle)
-    return found
+def _middle(found, kind):
+    """Index of a wheel's point at the running circle, or of a rail's highest point."""
+    return int(np.argmin(np.abs(found.y) if kind == "wheel" else found.z))
 
 
 def gauge_face(found, remarks):
@@ -275,7 +271,7 @@ def gauge_face(found, remarks):
 def outward(found, kind):
     """Keep the points from the middle outwards until y turns back: without flange
     back, rail neck and foot."""
-    middle = int(np.argmin(np.abs(found.y))) if kind == "wheel" else int(np.argmin(found.z))
+    middle = _middle(found, kind)
     stop = middle + _farthest(found.y[middle:], kind)
     start = middle - _farthest(-found.y[middle::-1], kind)
     found = found.only(slice(start, stop + 1))
@@ -295,6 +291,17 @@ def outward(found, kind):
     if len(found.y) < LEAST_POINTS:
         raise Refusal(f"has {len(found.y)} points before it turns back; permitted are {LEAST_POINTS} or more")
     return found
+
+
+def words_on_cuts(kept, whole):
+    """Sentences on the ends of the coordinates ``kept`` (n,) [mm], where the ``whole`` (m,) points go on."""
+    ends = (("smaller", kept.min(), whole.min()), ("larger", kept.max(), whole.max()))
+    for side, end, last in ends:
+        if abs(last - end) > CUT:
+            yield (
+                f"it folds back or is vertical at y = {end:.4g} mm; its points at {side} y, to {last:.4g} mm, "
+                "are left out"
+            )
 
 
 def remark_near_end(found, remarks):

@@ -1475,7 +1475,7 @@ static const double coupled_strips__FLOOR_RATIO = 4.5;
 static const double coupled_strips__FLOOR_TWIST = 1.5;
 
 /* creep/creepage.py */
-static const double creepage__STANDSTILL = 1e-06;
+static const double creepage__REST = 1e-12;
 
 /* creep/cut.py */
 static const double cut__COSINE = 0.9807852804032304;

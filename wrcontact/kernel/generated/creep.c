@@ -683,16 +683,20 @@ static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t 
  * about the axle e2, positive when it rolls forward.  On the right wheel, with the normal n from the
  * rail to the wheel and y_p = e_x x n, which points to the field side,
  *
- *     V_ref = (|V| + |w e2 x (P - C)|_x) / 2
+ *     V_ref = sqrt((|V| + |w e2 x (P - C)|_x)^2 / 4 + V_0^2),   V_0 = 1e-12 m/s
  *     xi = v . e_x / V_ref,   eta = v . y_p / V_ref,   phi = -(W - w e2) . n / V_ref
  *
  * The left wheel is mirrored.  A strip of a patch has those of its own middle, with the rail's normal there.
+ *
+ * V_0 changes no bit of a wheel that rolls.  Towards standstill, with whatever velocities across the track,
+ * creepages grow until the whole patch slips against them, and creep forces have their limit.  A wheelset at rest
+ * has no creepages, which V_0 lets them reach without a jump.
  *
  * The distance of P from the axle counts as the rolling radius there: an elastic wheel turns with the
  * circumference that it has when it carries nothing, however deep it is pressed.
  */
 
-/* Rolling speed and creepages of a patch; those of a patch that stands still are zero. */
+/* Rolling speed and creepages of a patch. */
 static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion, int64_t patch)
 {
     double x, y, z, rolling_x, rolling_y, rolling_z, share, along, lateral, vertical, normal_y, normal_z, speed;
@@ -711,15 +715,9 @@ static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion,
     AT(work, patch + layout__PATCH_SPEED) = speed;
     AT(work, patch + layout__PATCH_RADIUS_SHARE) = share;
     AT(work, patch + layout__PATCH_BACKWARDS) = (double)(AT(work, motion + layout__MOTION_SPEED) + rolling_x < 0.0);
-    AT(work, patch + layout__PATCH_CREEPAGE_X) = 0.0;
-    AT(work, patch + layout__PATCH_CREEPAGE_Y) = 0.0;
-    AT(work, patch + layout__PATCH_SPIN) = 0.0;
-    if (speed > creepage__STANDSTILL)
-    {
-        AT(work, patch + layout__PATCH_CREEPAGE_X) = along / speed;
-        AT(work, patch + layout__PATCH_CREEPAGE_Y) = -(normal_z * lateral - normal_y * vertical) / speed;
-        AT(work, patch + layout__PATCH_SPIN) = -((AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Y)) * normal_y + (AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Z)) * normal_z) / speed;
-    }
+    AT(work, patch + layout__PATCH_CREEPAGE_X) = along / speed;
+    AT(work, patch + layout__PATCH_CREEPAGE_Y) = -(normal_z * lateral - normal_y * vertical) / speed;
+    AT(work, patch + layout__PATCH_SPIN) = -((AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Y)) * normal_y + (AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Z)) * normal_z) / speed;
     return 0;
 }
 
@@ -786,7 +784,9 @@ static inline double creepage__velocity_along(array_double_1d work, int64_t moti
 /* The rolling speed [m/s] that creepages are referred to. */
 static inline double creepage__reference_speed(array_double_1d work, int64_t motion, double rolling_x)
 {
-    return 0.5 * (fabs(AT(work, motion + layout__MOTION_SPEED)) + fabs(rolling_x));
+    double speed;
+    speed = 0.5 * (fabs(AT(work, motion + layout__MOTION_SPEED)) + fabs(rolling_x));
+    return sqrt(speed * speed + creepage__REST * creepage__REST);
 }
 
 /* Speed [m/s] at which wheel and rail approach each other along a patch's normal, at its centre of load.

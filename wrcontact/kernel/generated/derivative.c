@@ -327,7 +327,7 @@ static inline int64_t derivative_wheelset_rules__follow_deflection_t(array_doubl
 {
     derivative_springs__deflect_t(work, work_t, index, lateral, lateral_t, vertical, vertical_t);
     derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
-    if (at_height__is_damped(tables) || requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (at_height__is_damped(tables) || requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         derivative_rubbing__open_given_motion_t(tables, work, work_t);
     }
@@ -501,7 +501,7 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
         outcome = n4;
     }
     derivative_rubbing__move_wheelset_t(tables, work, work_t);
-    if (mode == layout__MODE_ELASTIC && requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (mode == layout__MODE_ELASTIC && requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         if (AT(work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED) == 1.0 && !outcome)
         {

@@ -880,28 +880,19 @@ static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, ar
     AT(work, patch + layout__PATCH_RADIUS_SHARE) = share;
     RATE_AT(work_t, patch + layout__PATCH_BACKWARDS) = all_lanes(0.0);
     AT(work, patch + layout__PATCH_BACKWARDS) = (double)(AT(work, motion + layout__MOTION_SPEED) + rolling_x < 0.0);
-    RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X) = all_lanes(0.0);
-    AT(work, patch + layout__PATCH_CREEPAGE_X) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y) = all_lanes(0.0);
-    AT(work, patch + layout__PATCH_CREEPAGE_Y) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_SPIN) = all_lanes(0.0);
-    AT(work, patch + layout__PATCH_SPIN) = 0.0;
-    if (speed > creepage__STANDSTILL)
-    {
-        v5 = along / speed;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) = (each(along_t) - v5 * each(speed_t)) / speed;
-        AT(work, patch + layout__PATCH_CREEPAGE_X) = v5;
-        v6 = -(normal_z * lateral - normal_y * vertical);
-        v7 = v6 / speed;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) = (-(each(normal_z_t) * lateral + normal_z * each(lateral_t) - (each(normal_y_t) * vertical + normal_y * each(vertical_t))) - v7 * each(speed_t)) / speed;
-        AT(work, patch + layout__PATCH_CREEPAGE_Y) = v7;
-        v8 = AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Y);
-        v9 = AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Z);
-        v10 = -(v8 * normal_y + v9 * normal_z);
-        v11 = v10 / speed;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) = (-((each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Y) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)))) * normal_y + v8 * each(normal_y_t) + ((each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) + each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Z) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)))) * normal_z + v9 * each(normal_z_t))) - v11 * each(speed_t)) / speed;
-        AT(work, patch + layout__PATCH_SPIN) = v11;
-    }
+    v5 = along / speed;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) = (each(along_t) - v5 * each(speed_t)) / speed;
+    AT(work, patch + layout__PATCH_CREEPAGE_X) = v5;
+    v6 = -(normal_z * lateral - normal_y * vertical);
+    v7 = v6 / speed;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) = (-(each(normal_z_t) * lateral + normal_z * each(lateral_t) - (each(normal_y_t) * vertical + normal_y * each(vertical_t))) - v7 * each(speed_t)) / speed;
+    AT(work, patch + layout__PATCH_CREEPAGE_Y) = v7;
+    v8 = AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Y);
+    v9 = AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Z);
+    v10 = -(v8 * normal_y + v9 * normal_z);
+    v11 = v10 / speed;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) = (-((each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Y) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)))) * normal_y + v8 * each(normal_y_t) + ((each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) + each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Z) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)))) * normal_z + v9 * each(normal_z_t))) - v11 * each(speed_t)) / speed;
+    AT(work, patch + layout__PATCH_SPIN) = v11;
     return 0;
 }
 
@@ -1002,12 +993,17 @@ static inline void derivative_creepage__velocity_along_t(double* out_0, lanes* o
 }
 
 /* Derivative of ``reference_speed``. */
-static inline void derivative_creepage__reference_speed_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double rolling_x, lanes rolling_x_t)
+static inline void derivative_creepage__reference_speed_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double rolling_x, lanes rolling_x_t)
 {
-    double v1;
+    double v1, speed, v2, v3;
+    lanes speed_t;
     v1 = fabs(AT(work, motion + layout__MOTION_SPEED)) + fabs(rolling_x);
-    *out_0 = 0.5 * v1;
-    EACH_LANE each(*out_1) = 0.5 * (derivative_rates__size_rate(AT(work, motion + layout__MOTION_SPEED), each(RATE_AT(work_t, motion + layout__MOTION_SPEED))) + derivative_rates__size_rate(rolling_x, each(rolling_x_t)));
+    EACH_LANE each(speed_t) = 0.5 * (derivative_rates__size_rate(AT(work, motion + layout__MOTION_SPEED), each(RATE_AT(work_t, motion + layout__MOTION_SPEED))) + derivative_rates__size_rate(rolling_x, each(rolling_x_t)));
+    speed = 0.5 * v1;
+    v2 = speed * speed + creepage__REST * creepage__REST;
+    v3 = sqrt(v2);
+    *v3_out = v3;
+    EACH_LANE each(*out_1) = derivative_rates__root_rate(v3, each(speed_t) * speed + speed * each(speed_t));
 }
 
 /* Derivative of ``approach_rate``. */

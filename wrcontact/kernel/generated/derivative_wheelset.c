@@ -592,6 +592,7 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
 {
     int64_t side, out, first, i, outline, i_end;
     double mirror;
+    bool rolling;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     mirror = (double)(2 * index - 1);
@@ -602,12 +603,13 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
     }
     if (first > layout__SIDE_PENETRATION)
     {
-        derivative_report__report_load_t(work, work_t, side, out, mirror, all_lanes(0.0));
+        rolling = requested__is_rolling(work, tables, layout__WORK_INPUTS);
+        derivative_report__report_load_t(work, work_t, side, out, mirror, all_lanes(0.0), rolling);
         derivative_report__report_deflection_t(work, work_t, tables, side, out, mirror, all_lanes(0.0));
-        derivative_report__report_patches_t(work, work_t, side, out, mirror, all_lanes(0.0));
+        derivative_report__report_patches_t(work, work_t, side, out, mirror, all_lanes(0.0), rolling);
         if (AT(tables, layout__TABLES_FATIGUE) == 1.0)
         {
-            derivative_report__report_fatigue_t(work, work_t, side, out, AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR), all_lanes(0.0));
+            derivative_report__report_fatigue_t(work, work_t, side, out, AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR), all_lanes(0.0), rolling);
         }
     }
     for (i = first; i < layout__SIDE_SIZE; i += 1)
@@ -680,7 +682,7 @@ static inline int64_t derivative_report__report_point_t(array_double_1d work, ar
 }
 
 /* Derivative of ``report_load``. */
-static inline int64_t derivative_report__report_load_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t)
+static inline int64_t derivative_report__report_load_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t, bool rolling)
 {
     int64_t totals, forces;
     double v1;
@@ -708,8 +710,13 @@ static inline int64_t derivative_report__report_load_t(array_double_1d work, arr
     derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_NORMAL_MOMENT, forces + layout__FORCES_NORMAL_MOMENT, mirror, mirror_t, 1.0, all_lanes(0.0));
     EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_FRICTION_POWER)) = each(RATE_AT(work_t, forces + layout__FORCES_FRICTION_POWER));
     AT(work, out + layout__SIDE_OUTPUTS_FRICTION_POWER) = AT(work, forces + layout__FORCES_FRICTION_POWER);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = each(RATE_AT(work_t, forces + layout__FORCES_WEAR_NUMBER));
-    AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = AT(work, forces + layout__FORCES_WEAR_NUMBER);
+    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = all_lanes(0.0);
+    AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = 0.0;
+    if (rolling)
+    {
+        EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = each(RATE_AT(work_t, forces + layout__FORCES_WEAR_NUMBER));
+        AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = AT(work, forces + layout__FORCES_WEAR_NUMBER);
+    }
     EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE)) = each(RATE_AT(work_t, forces + layout__FORCES_DRIVING_TORQUE));
     AT(work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE) = AT(work, forces + layout__FORCES_DRIVING_TORQUE);
     EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DAMPING_POWER)) = each(RATE_AT(work_t, forces + layout__FORCES_DAMPING_POWER));
@@ -743,7 +750,7 @@ static inline int64_t derivative_report__report_deflection_t(array_double_1d wor
 }
 
 /* Derivative of ``report_patches``. */
-static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t)
+static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t, bool rolling)
 {
     int64_t rank, i_1, number, i_2, number_end;
     for (rank = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT); rank < layout__PATCH_LIMIT; rank += 1)
@@ -768,14 +775,14 @@ static inline int64_t derivative_report__report_patches_t(array_double_1d work, 
         }
         else if (rank > 0 && rank <= layout__PATCH_LIMIT)
         {
-            derivative_report__report_patch_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - 1), mirror, mirror_t);
+            derivative_report__report_patch_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - 1), mirror, mirror_t, rolling);
         }
     }
     return 0;
 }
 
 /* Derivative of ``report_patch``. */
-static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t)
+static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t, bool rolling)
 {
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
@@ -804,12 +811,21 @@ static inline int64_t derivative_report__report_patch_t(array_double_1d work, ar
     EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_Z_TRACK)) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK));
     AT(work, out + layout__PATCH_OUTPUTS_Z_TRACK) = AT(work, patch + layout__PATCH_Z_TRACK);
     derivative_report__write_vector_t(work, work_t, out + layout__PATCH_OUTPUTS_FORCE, patch + layout__PATCH_FORCES + layout__FORCES_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
-    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = AT(work, patch + layout__PATCH_CREEPAGE_X);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_Y)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)));
-    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEPAGE_Y);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SPIN)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_SPIN) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_SPIN)));
-    AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0 - mirror * AT(work, patch + layout__PATCH_SPIN);
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = all_lanes(0.0);
+    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = 0.0;
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = all_lanes(0.0);
+    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0;
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SPIN) = all_lanes(0.0);
+    AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0;
+    if (rolling)
+    {
+        EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
+        AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = AT(work, patch + layout__PATCH_CREEPAGE_X);
+        EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_Y)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)));
+        AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+        EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SPIN)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_SPIN) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_SPIN)));
+        AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0 - mirror * AT(work, patch + layout__PATCH_SPIN);
+    }
     EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X));
     AT(work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X) = AT(work, patch + layout__PATCH_CREEP_X);
     EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y));
@@ -836,7 +852,7 @@ static inline int64_t derivative_report__report_patch_t(array_double_1d work, ar
 }
 
 /* Derivative of ``report_fatigue``. */
-static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t)
+static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t, bool rolling)
 {
     int64_t number, patch, found, number_end;
     double v1, v2, ratio, v3, v4, force, v5, v6;
@@ -848,11 +864,14 @@ static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, 
         if ((int64_t)AT(work, patch + layout__PATCH_RANK) > 0 && (int64_t)AT(work, patch + layout__PATCH_RANK) <= layout__PATCH_LIMIT)
         {
             found = out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * ((int64_t)AT(work, patch + layout__PATCH_RANK) - 1);
-            EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
-            AT(work, found + layout__PATCH_OUTPUTS_WEAR_NUMBER) = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER);
-            derivative_fatigue__wear_number_damage_t(&v1, &v1_t, AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER), RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
-            EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = each(v1_t);
-            AT(work, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = v1;
+            if (rolling)
+            {
+                EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
+                AT(work, found + layout__PATCH_OUTPUTS_WEAR_NUMBER) = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER);
+                derivative_fatigue__wear_number_damage_t(&v1, &v1_t, AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER), RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
+                EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = each(v1_t);
+                AT(work, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = v1;
+            }
             derivative_fatigue__shakedown_ratio_t(&v2, &v2_t, work, work_t, patch, yield_shear, yield_shear_t);
             EACH_LANE each(ratio_t) = each(v2_t);
             ratio = v2;
@@ -1087,7 +1106,7 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d ta
 /* Derivative of ``move_wheelset``. */
 static inline int64_t derivative_rubbing__move_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         derivative_rubbing__open_given_motion_t(tables, work, work_t);
         if ((int64_t)AT(tables, layout__TABLES_MODE) != layout__MODE_COMPLIANT)
@@ -1104,7 +1123,7 @@ static inline int64_t derivative_rubbing__move_wheelset_t(array_double_1d tables
 static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     int64_t index;
-    if (!requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (!requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         return 0;
     }
@@ -1124,7 +1143,7 @@ static inline int64_t derivative_rubbing__move_side_t(array_double_1d work, arra
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         derivative_creepage__move_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE && AT(work, patch + layout__PATCH_SPEED) > creepage__STANDSTILL)
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE)
         {
             derivative_creepage__move_strips_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
         }
@@ -1346,14 +1365,11 @@ static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, arr
     for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        if (AT(work, patch + layout__PATCH_SPEED) > creepage__STANDSTILL)
-        {
-            derivative_rubbing__open_rolling_t(&v1, &v1_t, work, work_t, tables, patch, friction, friction_t);
-            EACH_LANE each(factor_t) = each(v1_t);
-            factor = v1;
-            derivative_creep_force__solve_creep_force_t(work, work_t, tables, patch);
-            derivative_rubbing__close_rolling_t(work, work_t, patch, factor, factor_t);
-        }
+        derivative_rubbing__open_rolling_t(&v1, &v1_t, work, work_t, tables, patch, friction, friction_t);
+        EACH_LANE each(factor_t) = each(v1_t);
+        factor = v1;
+        derivative_creep_force__solve_creep_force_t(work, work_t, tables, patch);
+        derivative_rubbing__close_rolling_t(work, work_t, patch, factor, factor_t);
     }
     if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_ALL)
     {
@@ -2077,7 +2093,7 @@ static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, a
     {
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
         rubbing = requested__has_creep_forces(tables, work);
-        if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
+        if (requested__is_moving(work, tables, layout__WORK_INPUTS))
         {
             derivative_rubbing__move_side_t(work, work_t, tables, side);
         }

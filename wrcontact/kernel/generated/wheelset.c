@@ -71,11 +71,11 @@ static inline int64_t report__report(array_double_1d tables, array_double_1d wor
 static inline int64_t report__report_side(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t report__first_omitted(array_double_1d tables, int64_t index);
 static inline int64_t report__report_point(array_double_1d work, int64_t point, int64_t out, double mirror);
-static inline int64_t report__report_load(array_double_1d work, int64_t side, int64_t out, double mirror);
+static inline int64_t report__report_load(array_double_1d work, int64_t side, int64_t out, double mirror, bool rolling);
 static inline int64_t report__report_deflection(array_double_1d work, array_double_1d tables, int64_t side, int64_t out, double mirror);
-static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror);
-static inline int64_t report__report_patch(array_double_1d work, int64_t patch, int64_t out, double mirror);
-static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear);
+static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror, bool rolling);
+static inline int64_t report__report_patch(array_double_1d work, int64_t patch, int64_t out, double mirror, bool rolling);
+static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear, bool rolling);
 static inline int64_t report__write_vector(array_double_1d work, int64_t out, int64_t vector, double plane, double across);
 static inline int64_t report__outline_place(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t report__report_outline(array_double_1d work, int64_t side, int64_t outline, int64_t stations, bool rubbing);
@@ -89,6 +89,8 @@ static inline double requested__side_force(array_double_1d work, int64_t index);
 static inline bool requested__is_requested(array_double_1d tables, int64_t index);
 static inline int64_t requested__requested_outcome(array_double_1d tables, array_double_1d work, int64_t status);
 static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables, int64_t inputs);
+static inline bool requested__is_moving(array_double_1d work, array_double_1d tables, int64_t inputs);
+static inline bool requested__is_rail_moving(array_double_1d work, int64_t inputs);
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work);
 static inline bool requested__has_wear(array_double_1d tables);
 
@@ -770,7 +772,7 @@ static inline int64_t depth_rates__follow_depths(array_double_1d tables, array_d
 {
     int64_t right;
     double speed;
-    if ((int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_ELASTIC && requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if ((int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_ELASTIC && requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
         AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY) = AT(work, right + layout__MOTION_VERTICAL);
@@ -1571,7 +1573,8 @@ static inline bool leaning__note_reference(array_double_1d work, double height, 
  *
  * Outputs of the left wheel are mirrored here.  On the right the creepages of the outputs have the opposite
  * signs of the patch's lateral creepage and spin, and so have their moments: they hold for y to the left and the
- * normal from the rail to the wheel on both sides.
+ * normal from the rail to the wheel on both sides.  Where nothing rolls there is no rolling speed to refer
+ * creepages and wear numbers to: they are zero, also where a wheelset slides.
  */
 
 /* Write the outputs that are requested, and what stands for those that are not. */
@@ -1609,6 +1612,7 @@ static inline int64_t report__report_side(array_double_1d tables, array_double_1
 {
     int64_t side, out, first, i, outline, i_end;
     double mirror;
+    bool rolling;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     mirror = (double)(2 * index - 1);
@@ -1619,12 +1623,13 @@ static inline int64_t report__report_side(array_double_1d tables, array_double_1
     }
     if (first > layout__SIDE_PENETRATION)
     {
-        report__report_load(work, side, out, mirror);
+        rolling = requested__is_rolling(work, tables, layout__WORK_INPUTS);
+        report__report_load(work, side, out, mirror, rolling);
         report__report_deflection(work, tables, side, out, mirror);
-        report__report_patches(work, side, out, mirror);
+        report__report_patches(work, side, out, mirror, rolling);
         if (AT(tables, layout__TABLES_FATIGUE) == 1.0)
         {
-            report__report_fatigue(work, side, out, AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR));
+            report__report_fatigue(work, side, out, AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR), rolling);
         }
     }
     for (i = first; i < layout__SIDE_SIZE; i += 1)
@@ -1701,7 +1706,7 @@ static inline int64_t report__report_point(array_double_1d work, int64_t point, 
 }
 
 /* How a wheel carries its load: totals and forces. */
-static inline int64_t report__report_load(array_double_1d work, int64_t side, int64_t out, double mirror)
+static inline int64_t report__report_load(array_double_1d work, int64_t side, int64_t out, double mirror, bool rolling)
 {
     int64_t totals, forces;
     totals = side + layout__SIDE_SEARCH_TOTALS;
@@ -1719,7 +1724,11 @@ static inline int64_t report__report_load(array_double_1d work, int64_t side, in
     report__write_vector(work, out + layout__SIDE_OUTPUTS_NORMAL_PART, forces + layout__FORCES_NORMAL_FORCE, 1.0, mirror);
     report__write_vector(work, out + layout__SIDE_OUTPUTS_NORMAL_MOMENT, forces + layout__FORCES_NORMAL_MOMENT, mirror, 1.0);
     AT(work, out + layout__SIDE_OUTPUTS_FRICTION_POWER) = AT(work, forces + layout__FORCES_FRICTION_POWER);
-    AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = AT(work, forces + layout__FORCES_WEAR_NUMBER);
+    AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = 0.0;
+    if (rolling)
+    {
+        AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = AT(work, forces + layout__FORCES_WEAR_NUMBER);
+    }
     AT(work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE) = AT(work, forces + layout__FORCES_DRIVING_TORQUE);
     AT(work, out + layout__SIDE_OUTPUTS_DAMPING_POWER) = AT(work, forces + layout__FORCES_DAMPING_POWER);
     /* Y over Q, outwards over downwards, both on the rail */
@@ -1745,7 +1754,7 @@ static inline int64_t report__report_deflection(array_double_1d work, array_doub
 }
 
 /* The heaviest patches of a wheel by falling load, and zeros for missing ones. */
-static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror)
+static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror, bool rolling)
 {
     int64_t rank, i_1, number, i_2, number_end;
     for (rank = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT); rank < layout__PATCH_LIMIT; rank += 1)
@@ -1768,14 +1777,14 @@ static inline int64_t report__report_patches(array_double_1d work, int64_t side,
         }
         else if (rank > 0 && rank <= layout__PATCH_LIMIT)
         {
-            report__report_patch(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - 1), mirror);
+            report__report_patch(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - 1), mirror, rolling);
         }
     }
     return 0;
 }
 
 /* One patch. */
-static inline int64_t report__report_patch(array_double_1d work, int64_t patch, int64_t out, double mirror)
+static inline int64_t report__report_patch(array_double_1d work, int64_t patch, int64_t out, double mirror, bool rolling)
 {
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
@@ -1792,9 +1801,15 @@ static inline int64_t report__report_patch(array_double_1d work, int64_t patch, 
     AT(work, out + layout__PATCH_OUTPUTS_Y_TRACK) = mirror * AT(work, patch + layout__PATCH_Y_TRACK);
     AT(work, out + layout__PATCH_OUTPUTS_Z_TRACK) = AT(work, patch + layout__PATCH_Z_TRACK);
     report__write_vector(work, out + layout__PATCH_OUTPUTS_FORCE, patch + layout__PATCH_FORCES + layout__FORCES_FORCE, 1.0, mirror);
-    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = AT(work, patch + layout__PATCH_CREEPAGE_X);
-    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEPAGE_Y);
-    AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0 - mirror * AT(work, patch + layout__PATCH_SPIN);
+    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = 0.0;
+    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0;
+    AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0;
+    if (rolling)
+    {
+        AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = AT(work, patch + layout__PATCH_CREEPAGE_X);
+        AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+        AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0 - mirror * AT(work, patch + layout__PATCH_SPIN);
+    }
     AT(work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X) = AT(work, patch + layout__PATCH_CREEP_X);
     AT(work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y) = AT(work, patch + layout__PATCH_CREEP_Y);
     AT(work, out + layout__PATCH_OUTPUTS_CREEP_MOMENT) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEP_MOMENT);
@@ -1810,7 +1825,7 @@ static inline int64_t report__report_patch(array_double_1d work, int64_t patch, 
 }
 
 /* The outputs of fatigue of a wheel, for this yield stress in cyclic shear [Pa]. */
-static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear)
+static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear, bool rolling)
 {
     int64_t number, patch, found, number_end;
     double ratio, force;
@@ -1821,8 +1836,11 @@ static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t 
         if ((int64_t)AT(work, patch + layout__PATCH_RANK) > 0 && (int64_t)AT(work, patch + layout__PATCH_RANK) <= layout__PATCH_LIMIT)
         {
             found = out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * ((int64_t)AT(work, patch + layout__PATCH_RANK) - 1);
-            AT(work, found + layout__PATCH_OUTPUTS_WEAR_NUMBER) = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER);
-            AT(work, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = fatigue__wear_number_damage(AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
+            if (rolling)
+            {
+                AT(work, found + layout__PATCH_OUTPUTS_WEAR_NUMBER) = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER);
+                AT(work, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = fatigue__wear_number_damage(AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
+            }
             ratio = fatigue__shakedown_ratio(work, patch, yield_shear);
             AT(work, found + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO) = ratio;
             if (ratio > 0.0)
@@ -2071,7 +2089,7 @@ static inline int64_t requested__requested_outcome(array_double_1d tables, array
     return outcome;
 }
 
-/* Whether the wheelset runs or its wheels turn: otherwise there are no creepages. */
+/* Whether the wheelset runs or its wheels turn: otherwise there is no rolling speed for creepages. */
 static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables, int64_t inputs)
 {
     bool rolling;
@@ -2083,10 +2101,34 @@ static inline bool requested__is_rolling(array_double_1d work, array_double_1d t
     return rolling;
 }
 
-/* Whether there are creep forces: a model is chosen, and the wheelset rolls. */
+/* Whether wheelset or rails have a velocity: otherwise nothing rolls or slides. */
+static inline bool requested__is_moving(array_double_1d work, array_double_1d tables, int64_t inputs)
+{
+    bool moving;
+    if (requested__is_rolling(work, tables, inputs) || AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_YAW_RATE) != 0.0)
+    {
+        return true;
+    }
+    moving = requested__is_rail_moving(work, inputs);
+    if ((int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_COMPLIANT && (AT(work, inputs + layout__INPUTS_VERTICAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_ROLL_RATE) != 0.0))
+    {
+        moving = true;
+    }
+    return moving;
+}
+
+/* Whether a rail is given a velocity. */
+static inline bool requested__is_rail_moving(array_double_1d work, int64_t inputs)
+{
+    bool left;
+    left = AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY) != 0.0;
+    return left || AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY) != 0.0;
+}
+
+/* Whether there are creep forces: a model is chosen, and the wheelset rolls or slides. */
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work)
 {
-    return (int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE && requested__is_rolling(work, tables, layout__WORK_INPUTS);
+    return (int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE && requested__is_moving(work, tables, layout__WORK_INPUTS);
 }
 
 /* Whether the outputs of wear are requested. */
@@ -2248,7 +2290,7 @@ static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_d
  */
 static inline int64_t rubbing__move_wheelset(array_double_1d tables, array_double_1d work)
 {
-    if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         rubbing__open_given_motion(tables, work);
         if ((int64_t)AT(tables, layout__TABLES_MODE) != layout__MODE_COMPLIANT)
@@ -2265,7 +2307,7 @@ static inline int64_t rubbing__move_wheelset(array_double_1d tables, array_doubl
 static inline int64_t rubbing__move_patches(array_double_1d tables, array_double_1d work)
 {
     int64_t index;
-    if (!requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (!requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         return 0;
     }
@@ -2285,7 +2327,7 @@ static inline int64_t rubbing__move_side(array_double_1d work, array_double_1d t
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         creepage__move_patch(work, side + layout__SIDE_SEARCH_MOTION, patch);
-        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE && AT(work, patch + layout__PATCH_SPEED) > creepage__STANDSTILL)
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE)
         {
             creepage__move_strips(work, side + layout__SIDE_SEARCH_MOTION, patch);
         }
@@ -2445,12 +2487,9 @@ static inline int64_t rubbing__rub_side(array_double_1d tables, array_double_1d 
     for (number = 0; number < number_end; number += 1)
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        if (AT(work, patch + layout__PATCH_SPEED) > creepage__STANDSTILL)
-        {
-            factor = rubbing__open_rolling(work, tables, patch, friction);
-            creep_force__solve_creep_force(work, tables, patch);
-            rubbing__close_rolling(work, patch, factor);
-        }
+        factor = rubbing__open_rolling(work, tables, patch, friction);
+        creep_force__solve_creep_force(work, tables, patch);
+        rubbing__close_rolling(work, patch, factor);
     }
     if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_ALL)
     {
@@ -2780,7 +2819,7 @@ static OUT_OF_LINE int64_t settling_brackets__press_rail(array_double_1d tables,
     {
         return layout__OFF_PROFILE;
     }
-    if (at_height__is_damped(tables) || requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (at_height__is_damped(tables) || requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         rubbing__open_given_motion(tables, work);
     }
@@ -3439,7 +3478,7 @@ static inline int64_t springs__weigh_rail(array_double_1d tables, array_double_1
     {
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
         rubbing = requested__has_creep_forces(tables, work);
-        if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
+        if (requested__is_moving(work, tables, layout__WORK_INPUTS))
         {
             rubbing__move_side(work, tables, side);
         }
