@@ -37,7 +37,7 @@ TESTS = f'{INSTALL} ".[test]" && .venv/bin/python -m pytest -q -n auto --dist wo
 
 PYTHON = ".venv/bin/python"
 PYTEST = (PYTHON, "-m", "pytest", "-q", "-n", "auto")
-EXTRAS = ".[cluster,dev,films,importers,site,tables,types,vehicle]"
+EXTRAS = ".[cluster,films,importers,site,tables,types,vehicle]"
 #: The older processor: numpy and glibc without wide vectors and fused multiply-add.
 OLDER = {
     "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-AVX2_Usable,-FMA_Usable",
@@ -195,8 +195,6 @@ def missing_packages():
 
     if not (runs("gcc") and sanitized("address,undefined") and sanitized("thread")):
         yield from ("gcc", "libc6-dev")
-    if not runs("gfortran"):
-        yield "gfortran"  # Pyccel is installed from source
     if subprocess.run(["python3", "-c", "import ensurepip"], stderr=subprocess.DEVNULL).returncode:
         yield "python3-venv"
     for program, package in (("localedef", "libc-bin"), ("chromium", "chromium"), ("setpriv", "util-linux")):
