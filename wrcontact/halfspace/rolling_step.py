@@ -7,7 +7,6 @@ import numpy as np
 from ..kernel import layout
 from ..kernel.binding.library import default_kernel
 from ..kernel.creep.creep_force import mirror_rolling
-from ..kernel.creep.creepage import STANDSTILL
 from ..kernel.creep.cut import clear_creep
 from ..kernel.creep.tractions import add_strip
 from ..kernel.wheelset.forces import sum_forces
@@ -98,10 +97,9 @@ def rub_patches(tables, work, find):
     for index, side in enumerate(work.sides):
         friction = work.inputs.right_friction if index else work.inputs.left_friction
         for patch in side.patches[: side.patch_count]:
-            if patch.speed > STANDSTILL:
-                factor = open_rolling(tables, work.rolling, patch, friction)
-                find(index, patch)
-                close_rolling(patch, factor)
+            factor = open_rolling(tables, work.rolling, patch, friction)
+            find(index, patch)
+            close_rolling(patch, factor)
         if tables.depth == layout.DEPTH_ALL:
             write_wear(side, tables.stations)
 

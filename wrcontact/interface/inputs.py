@@ -58,7 +58,7 @@ MOTION = (
         "speed",
         "m/s",
         10.0,
-        "Speed along the track; creepages need speed or wheel_rate",
+        "Speed along the track; creepages need a velocity, such as this",
         -SPEED_LIMIT,
         SPEED_LIMIT,
         limited=True,

@@ -103,7 +103,7 @@ class Inputs(np.ndarray[Any, np.dtype[np.float64]]):
         """How fast the roll grows in the contact_mode compliant; in other contact modes it follows from contact with both rails, and this input is not read [rad/s]."""
     @property
     def speed(self) -> Any:
-        """Speed along the track; creepages need speed or wheel_rate [m/s]."""
+        """Speed along the track; creepages need a velocity, such as this [m/s]."""
     @property
     def track_curvature(self) -> Any:
         """Curvature of the track, 1 / radius, positive in a curve to the right [1/m]."""

@@ -24,7 +24,7 @@ from ..wheelset.at_height import is_damped, load_at_height
 from ..wheelset.depth_rates import DISPLACED, displace_inputs, keep_sides, motion_size, restore_sides
 from ..wheelset.elastic import UNBALANCED
 from ..wheelset.forces import sum_forces
-from ..wheelset.requested import is_requested, is_rolling, side_force
+from ..wheelset.requested import is_requested, is_moving, side_force
 from ..wheelset.leaning import set_reference
 from ..wheelset.rubbing import move_patches, move_wheelset, open_given_motion, rub_patches
 from ..wheelset.report import report
@@ -237,7 +237,7 @@ def follow_deflection(tables: Tables, work: Work, index: int, lateral: float, ve
     """A side at the height and roll of the inputs with its rail deflected."""
     deflect(work, index, lateral, vertical)
     place_moving(tables, work, work.inputs, work.inputs.roll)
-    if is_damped(tables) or is_rolling(tables, work.inputs):
+    if is_damped(tables) or is_moving(tables, work.inputs):
         open_given_motion(tables, work)
     follow_minimum(tables, work, index)
     weigh_rail(tables, work, index, work.inputs.vertical_shift)
@@ -355,7 +355,7 @@ def follow_wheelset(tables: Tables, work: Work) -> bool:
     if mode == MODE_COMPLIANT:
         outcome = follow_compliant(tables, work)
     move_wheelset(tables, work)
-    if mode == MODE_ELASTIC and is_rolling(tables, work.inputs):
+    if mode == MODE_ELASTIC and is_moving(tables, work.inputs):
         if work.wheelset.settled and not outcome:
             follow_rates(tables, work)
     move_patches(tables, work)

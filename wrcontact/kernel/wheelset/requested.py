@@ -101,16 +101,41 @@ def requested_outcome(tables: Tables, work: Work, status: int):
 
 
 def is_rolling(tables: Tables, inputs: Inputs) -> bool:
-    """Whether the wheelset runs or its wheels turn: otherwise there are no creepages."""
+    """Whether the wheelset runs or its wheels turn: otherwise there is no rolling speed for creepages."""
     rolling = inputs.speed != 0.0 or inputs.wheel_rate != 0.0
     if are_independent(tables):
         rolling = inputs.speed != 0.0 or inputs.left_wheel_rate != 0.0 or inputs.right_wheel_rate != 0.0
     return rolling
 
 
+def is_moving(tables: Tables, inputs: Inputs) -> bool:
+    """Whether wheelset or rails have a velocity: otherwise nothing rolls or slides."""
+    if is_rolling(tables, inputs) or inputs.lateral_velocity != 0.0 or inputs.yaw_rate != 0.0:
+        return True
+    moving = is_rail_moving(inputs)
+    if tables.mode == MODE_COMPLIANT and (inputs.vertical_velocity != 0.0 or inputs.roll_rate != 0.0):
+        moving = True
+    return moving
+
+
+def is_rail_moving(inputs: Inputs) -> bool:
+    """Whether a rail is given a velocity."""
+    left = (
+        inputs.left_rail_lateral_velocity != 0.0
+        or inputs.left_rail_vertical_velocity != 0.0
+        or inputs.left_rail_roll_velocity != 0.0
+    )
+    return (
+        left
+        or inputs.right_rail_lateral_velocity != 0.0
+        or inputs.right_rail_vertical_velocity != 0.0
+        or inputs.right_rail_roll_velocity != 0.0
+    )
+
+
 def has_creep_forces(tables: Tables, work: Work) -> bool:
-    """Whether there are creep forces: a model is chosen, and the wheelset rolls."""
-    return tables.tangential != TANGENTIAL_NONE and is_rolling(tables, work.inputs)
+    """Whether there are creep forces: a model is chosen, and the wheelset rolls or slides."""
+    return tables.tangential != TANGENTIAL_NONE and is_moving(tables, work.inputs)
 
 
 def has_wear(tables: Tables) -> bool:

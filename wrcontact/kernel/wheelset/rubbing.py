@@ -15,7 +15,7 @@ middles of strips both follow straight lines; a strip that would gain power coun
 from math import sqrt
 
 from ..creep.creep_force import solve_creep_force
-from ..creep.creepage import STANDSTILL, move_patch, move_strips
+from ..creep.creepage import move_patch, move_strips
 from ..creep.friction import multiply_creepages, patch_friction, slope_factor
 from ..creep.motion import (
     are_independent,
@@ -46,7 +46,7 @@ from ..layout import (
 )
 from ..surface.rails import on_springs
 from .forces import sum_side
-from .requested import has_creep_forces, is_requested, is_rolling
+from .requested import has_creep_forces, is_requested, is_moving
 from .side import touch_side
 
 
@@ -70,7 +70,7 @@ def move_wheelset(tables: Tables, work: Work):
     """The velocities of the wheelset, if it rolls; in compliant contact vertical velocity and roll rate are
     given, otherwise they follow from contact with both rails, without what the depth of an elastic wheelset
     adds (depth_rates.py)."""
-    if is_rolling(tables, work.inputs):
+    if is_moving(tables, work.inputs):
         open_given_motion(tables, work)
         if tables.mode != MODE_COMPLIANT:
             constrain_side(tables, work, 0)
@@ -80,7 +80,7 @@ def move_wheelset(tables: Tables, work: Work):
 
 def move_patches(tables: Tables, work: Work):
     """Creepages of all patches and their strips, if the wheelset rolls."""
-    if not is_rolling(tables, work.inputs):
+    if not is_moving(tables, work.inputs):
         return
     for index in range(2):
         move_side(tables, work.sides[index])
@@ -91,7 +91,7 @@ def move_side(tables: Tables, side: SideSearch):
     for number in range(side.patch_count):
         patch = side.patches[number]
         move_patch(side.motion, patch)
-        if tables.tangential != TANGENTIAL_NONE and patch.speed > STANDSTILL:
+        if tables.tangential != TANGENTIAL_NONE:
             move_strips(side.motion, patch)
 
 
@@ -197,10 +197,9 @@ def rub_side(tables: Tables, work: Work, index: int):
         friction = work.inputs.right_friction
     for number in range(side.patch_count):
         patch = side.patches[number]
-        if patch.speed > STANDSTILL:
-            factor = open_rolling(tables, work.rolling, patch, friction)
-            solve_creep_force(tables, work.rolling, patch)
-            close_rolling(patch, factor)
+        factor = open_rolling(tables, work.rolling, patch, friction)
+        solve_creep_force(tables, work.rolling, patch)
+        close_rolling(patch, factor)
     if tables.depth == DEPTH_ALL:
         write_wear(side, tables.stations)
 
