@@ -42,10 +42,11 @@ PER_RADIAN: Final[float] = 2.54647908947032537230  # 8 / pi
 PER_DOUBLING: Final[float] = 1.44269504088896340736  # 1 / ln 2
 
 
-def correct_force(tables: Tables, patch: Patch):
-    """Add to a patch's force, moment and stick share what is missing."""
+def correct_force(tables: Tables, patch: Patch, share: float):
+    """Add to a patch's force, moment and stick share what is missing; its friction has fallen to a ``share``
+    of that of rest."""
     table = tables.rolling
-    bound = patch.friction * patch.totals.load
+    bound = patch.friction * patch.totals.load * share
     mean_axis = sqrt(patch.half_length * patch.half_width)
     ratio, on_ratio = table_cell(
         (log(patch.half_length / patch.half_width) - LN_FIRST_RATIO) * PER_DOUBLING,

@@ -9,7 +9,8 @@ with s = 0) has the stiffnesses that give Kalker's force for an ellipse,
 the same in all strips.  A strip that has no stick zone, or one that is longer than itself, slips all over.
 Where a strip slips its traction is the bound, in the direction that FASTSIM's traction has there.  As
 published, -phi y has the stiffness K3 / (1 - nu) in strip theory and L3 in FASTSIM; with those of
-longitudinal creepage, K1 and L1, the force is closer to the complete theory.
+longitudinal creepage, K1 and L1, the force is closer to the complete theory.  Where friction falls, the slip
+zone's tractions count with its share (falling.py).
 
 The force is not continuous: strips begin to slip all over while their stick zone has a length.
 """
@@ -26,6 +27,7 @@ from ..layout import (
     RollingTable,
     Tables,
 )
+from .falling import point_share
 from .fastsim import stiffnesses, strip_push
 from .tractions import add_strip, bound_rate, cut_to, kalker_coefficients, patch_area, point_weight
 
@@ -37,6 +39,7 @@ def solve_fastrip(tables: Tables, rolling: Rolling, patch: Patch):
     set_stiffnesses(tables, patch, march)
     march.largest = 0.0
     stuck = 0.0
+    lost = 0.0
     for i in range(ROLLING_STRIP_LIMIT):
         strip = patch.strips[i]
         rate = bound_rate(patch, strip)
@@ -48,8 +51,9 @@ def solve_fastrip(tables: Tables, rolling: Rolling, patch: Patch):
             march.push_x = strip_push(rolling, patch, strip, along, turning)
             march.push_y = (strip.lateral - slanted) * across + slanted * turning
             march.push_turn = strip.spin * turning
-            add_tractions(tables.rolling, patch, march, strip)
+            lost += add_tractions(tables.rolling, patch, march, strip)
             stuck += 2.0 * (march.half_length - march.depth) * strip.width
+    patch.friction -= lost / patch.totals.load
     patch.max_shear = sqrt(march.largest)
     patch.stick_share = stuck / patch_area(patch)
 
@@ -105,7 +109,7 @@ def find_stick(march: RollingMarch, push: float, lateral: float, spin: float):
 
 
 def add_tractions(table: RollingTable, patch: Patch, march: RollingMarch, strip: RollingStrip):
-    """Add a strip's force from its tractions at the points."""
+    """Add a strip's force from its tractions at the points; what its bound loses where friction falls [N]."""
     a = march.half_length
     march.x = a
     march.first_x = 0.0
@@ -113,10 +117,16 @@ def add_tractions(table: RollingTable, patch: Patch, march: RollingMarch, strip:
     march.sum_x = 0.0
     march.sum_y = 0.0
     march.sum_moment = 0.0
+    lost = 0.0
     for q in range(POINT_LIMIT):
         x = a * table.cosines[q]
         bound = march.rate * a * table.sines[q]
         p_x, p_y = next_traction(march, x, bound)
+        if patch.fall_rate > 0.0 and x < march.edge:
+            share = point_share(patch, strip, x)
+            p_x *= share
+            p_y *= share
+            lost += table.sines[q] * bound * (1.0 - share)
         square = p_x * p_x + p_y * p_y
         march.largest = max(march.largest, square)
         march.sum_x += table.sines[q] * p_x
@@ -124,6 +134,7 @@ def add_tractions(table: RollingTable, patch: Patch, march: RollingMarch, strip:
         march.sum_moment += table.sines[q] * x * p_y
     weight = point_weight(strip)
     add_strip(patch, strip, weight * march.sum_x, weight * march.sum_y, weight * march.sum_moment)
+    return weight * strip.width * lost
 
 
 def next_traction(march: RollingMarch, x: float, bound: float):

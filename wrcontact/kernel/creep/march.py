@@ -29,7 +29,16 @@ of all of them, and compilers do several strips at once.
 from math import pi, sqrt
 from typing import Final
 
-from ..layout import POINT_LIMIT, ROLLING_STRIP_LIMIT, RollingMarch, RollingMarches, RollingTable, clear
+from ..layout import (
+    POINT_LIMIT,
+    ROLLING_STRIP_LIMIT,
+    FallingFriction,
+    RollingMarch,
+    RollingMarches,
+    RollingTable,
+    clear,
+)
+from .falling import find_shares, restore_slips, weigh_slips
 from .tractions import cut_to
 
 #: Where a step's spin is taken, in short patches, and how much later in long ones; eq. (M4).
@@ -142,8 +151,9 @@ def add_beyond(table: RollingTable, march: RollingMarch, marches: RollingMarches
             marches.sum_moment[number] += weight * table.cosines[q] * (cut_y - p_y)
 
 
-def march_strips(table: RollingTable, marches: RollingMarches):
-    """Add the points of all strips, from the leading edge on, to their sums."""
+def march_strips(table: RollingTable, marches: RollingMarches, falling: FallingFriction, falls: bool):
+    """Add the points of all strips, from the leading edge on, to their sums; ``falls``: whether friction
+    does, with the slip of each point (falling.py)."""
     before = 1.0
     slipping = has_slip(marches)
     for q in range(POINT_LIMIT):
@@ -155,11 +165,21 @@ def march_strips(table: RollingTable, marches: RollingMarches):
             reach_edge(marches, strip, before, x, bound)
             strip = int(marches.next[strip])
         march_first(marches, x, bound, before - x)
+        if falls:
+            find_shares(falling, x)
         if slipping:
+            if falls:
+                weigh_slips(marches, falling, bound)
             march_second(marches, x, bound, before - x)
+            if falls:
+                restore_slips(marches, falling)
         strip = first
         while strip >= 0:
-            leave_edge(marches, strip, x, bound)
+            friction = 1.0
+            if falls:
+                friction = falling.share[strip]
+                falling.lost[strip] += bound * bound * marches.edge_share[strip] * (1.0 - friction)
+            leave_edge(marches, strip, x, bound, friction)
             slipping = True
             strip = int(marches.next[strip])
         before = x
@@ -242,17 +262,17 @@ def reach_edge(marches: RollingMarches, i: int, before: float, x: float, bound: 
     marches.sum_moment[i] += weight * x * marches.stick_y[i]
 
 
-def leave_edge(marches: RollingMarches, i: int, x: float, bound: float):
+def leave_edge(marches: RollingMarches, i: int, x: float, bound: float, friction: float):
     """Let the second march of strip ``i`` begin at the edge of its stick zone, and add the rest of its
-    traction at ``x``, the first point behind."""
+    traction at ``x``, the first point behind; ``friction`` is that there over that of rest."""
     weight = marches.sticks[i]
     near = marches.slips[i]
     p_x = 0.0
     p_y = 0.0
     if weight < 1.0:
         slip_x, slip_y = slip_traction(marches, i, bound)
-        p_x = near * slip_x
-        p_y = near * slip_y
+        p_x = near * friction * slip_x
+        p_y = near * friction * slip_y
     step = marches.edge[i] - x
     to_x, to_y = stepped(marches, i, marches.edge_x[i], marches.edge_y[i], x, step)
     to_x, to_y = cut_to(to_x, to_y, bound)
@@ -265,8 +285,8 @@ def leave_edge(marches: RollingMarches, i: int, x: float, bound: float):
     marches.second_y[i] = to_y
     slip_x, slip_y = slip_traction(marches, i, bound)
     share = marches.edge_share[i]
-    slip_x *= share
-    slip_y *= share
+    slip_x *= share * friction
+    slip_y *= share * friction
     marches.sum_x[i] += bound * slip_x
     marches.sum_y[i] += bound * slip_y
     marches.sum_moment[i] += bound * x * slip_y

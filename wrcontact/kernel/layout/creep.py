@@ -184,6 +184,20 @@ class RollingMarches:
 
 
 @record
+class FallingFriction:
+    """Friction at a point of all strips while their tractions are followed (falling.py)."""
+
+    floor: float  # friction at infinite sliding over that of rest [-]
+    slide_x: StripRow  # exponent of the law: along,
+    slide_y: StripRow  # across on the middle,
+    slide_turn: StripRow  # and across per place x/a
+    share: StripRow  # friction at the point over that of rest
+    slips: StripRow  # slips and noted of the marches, without friction's share
+    noted: StripRow
+    lost: StripRow  # sums over the points of what friction has lost
+
+
+@record
 class Rolling:
     """What the models of creep forces work with, one patch after the other."""
 
@@ -197,3 +211,4 @@ class Rolling:
     march: RollingMarch  # of FaStrip, one strip after the other
     begun: RollingMarch * ROLLING_STRIP_LIMIT
     marches: RollingMarches
+    falling: FallingFriction
