@@ -195,9 +195,7 @@ def refined(tractions, shape):
     )
 
 
-def rolling_contact(
-    field, *, creepage_x, creepage_y, spin, friction, shear_modulus, poisson_ratio, fall=None, start=None
-):
+def rolling_contact(field, *, creepage_x, creepage_y, spin, **material):
     """The :class:`RollingSolution` on the cells of ``field``: Kalker's steady rolling problem.
 
     Both bodies are half-spaces of the same material.  Rolling towards +x; creepages are the slip of the
@@ -211,6 +209,22 @@ def rolling_contact(
     ----------
     field : :class:`PressureField`.
     creepage_x, creepage_y, spin : xi, eta [1], phi [1/m]; a number, or one for each row (ny,).
+    material : as for :func:`contact_of_slip`.
+
+    Raises
+    ------
+    ValueError, ArithmeticError
+        as :func:`contact_of_slip`.
+    """
+    return contact_of_slip(field, rigid_slip(field, creepage_x, creepage_y, spin), **material)
+
+
+def contact_of_slip(field, slip, *, friction, shear_modulus, poisson_ratio, fall=None, start=None):
+    """The :class:`RollingSolution` for any slip of the rigid bodies over V, ``slip`` (2, ny, nx) [1].
+
+    Parameters
+    ----------
+    field : :class:`PressureField`.
     friction : mu [1], that of rest where it falls.
     shear_modulus, poisson_ratio : of both bodies [Pa], [1].
     fall : (floor, rate) of friction that falls with the slip s of each cell by itself:
@@ -223,23 +237,6 @@ def rolling_contact(
         if the friction, the shear modulus or Poisson's ratio is out of its range.
     ArithmeticError
         if the Newton steps or the bounds of falling friction do not converge.
-    """
-    slip = rigid_slip(field, creepage_x, creepage_y, spin)
-    return contact_of_slip(
-        field,
-        slip,
-        friction=friction,
-        shear_modulus=shear_modulus,
-        poisson_ratio=poisson_ratio,
-        fall=fall,
-        start=start,
-    )
-
-
-def contact_of_slip(field, slip, *, friction, shear_modulus, poisson_ratio, fall=None, start=None):
-    """The :class:`RollingSolution` for any slip of the rigid bodies over V, ``slip`` (2, ny, nx) [1].
-
-    Other parameters and errors as for :func:`rolling_contact`.
     """
     check_material(friction, shear_modulus, poisson_ratio)
     shape = field.pressure.shape

@@ -44,12 +44,12 @@ def set_friction(tables: Tables, patch: Patch, friction: float):
         patch.friction *= 1.0 + (parameters.flange_friction_ratio - 1.0) * share
     if parameters.friction_fall_rate > 0.0:
         fall = parameters.friction_fall
-        rate = parameters.friction_fall_rate * patch.speed
         if tables.tangential == TANGENTIAL_POLACH:
             creepage = sqrt(patch.creepage_x * patch.creepage_x + patch.creepage_y * patch.creepage_y)
-            patch.friction *= (1.0 - fall) * exp(-rate * creepage) + fall
+            sliding = patch.speed * creepage
+            patch.friction *= (1.0 - fall) * exp(-parameters.friction_fall_rate * sliding) + fall
         else:
-            patch.fall_rate = rate
+            patch.fall_rate = parameters.friction_fall_rate * patch.speed
             patch.fall_floor = fall
 
 
