@@ -7,7 +7,8 @@ differ by from the complete theory comes to the sum (correction.py).  Sums over 
     int p dx = sum_q p_q a pi/(n + 1) sin t_q - c (e - (0, k)) (pi/2) m (a - d)^2,   x_q = a cos t_q   (T1)
     int x p_y dx = sum_q x_q p_q,y a pi/(n + 1) sin t_q - c (e_y - k) (pi/2) m (a - d)^2 d            (T2)
 
-in which the second root of eq. (Z1) is integrated exactly.
+in which the second root of eq. (Z1) is integrated exactly.  Written with (u, v) = d (e - (0, k)) nothing is
+divided by d but what lies behind the edge: so for small creepages these are Kalker's linear theory.
 
 Where a strip sticks is strip theory with a bound, made continuous.  In units of the bound's rate m the
 creepages of a strip are u = -K1 w_x / m, v = -K2 w_y / m [m] and k = -K3 phi / m.  The strip sticks from -a +
@@ -101,6 +102,8 @@ def find_stick_zone(march: RollingMarch, mean: float, ratio: float):
     march.twist = k
     march.stick_x = 0.0
     march.stick_y = 0.0
+    march.lead_x = u
+    march.lead_y = v
     if weight > 0.0 and depth < a:
         march.depth = depth
         march.stick_x = u / (depth + NOTHING)

@@ -55,6 +55,8 @@ SHARE_RATIO: Final[float] = 1.2
 SOFT: Final[float] = 0.05
 #: Stick zones of a smaller weight leave the second march more and more as it is without them.
 FAINT: Final[float] = 1e-3
+#: The sum of the squares of all sines.
+WHOLE: Final[float] = 0.5 * float(POINT_LIMIT + 1)
 #: In place of no slip at all.
 NOTHING: Final[float] = 1e-300
 
@@ -110,22 +112,25 @@ def set_stick(table: RollingTable, march: RollingMarch, marches: RollingMarches,
     if weight > 0.0:
         depth = march.depth / march.half_length
         edge = 2.0 * depth - 1.0
-        total = 0.0
-        moment = 0.0
-        q = 0
-        while q < POINT_LIMIT and table.cosines[q] >= edge:
-            total += table.sines[q] * table.sines[q]
-            moment += table.sines[q] * table.sines[q] * table.cosines[q]
-            q += 1
+        q = POINT_LIMIT
+        behind = 0.0
+        turning = 0.0
+        while q > 0 and table.cosines[q - 1] < edge:
+            q -= 1
+            behind += table.sines[q] * table.sines[q]
+            turning += table.sines[q] * table.sines[q] * table.cosines[q]
         marches.sticks[number] = weight
         marches.stick_x[number] = march.stick_x
         marches.stick_y[number] = march.stick_y
         marches.edge[number] = edge
-        inner = 0.5 * float(POINT_LIMIT + 1) * (1.0 - depth) * (1.0 - depth)
-        across = weight * (march.stick_y - march.twist) * inner
-        marches.sum_x[number] = weight * march.stick_x * (total - inner)
-        marches.sum_y[number] = weight * march.stick_y * total - across
-        marches.sum_moment[number] = weight * march.stick_y * moment - across * depth
+        lead_x = march.lead_x / march.half_length * WHOLE
+        lead_y = march.lead_y / march.half_length * WHOLE
+        inner = (1.0 - depth) * (1.0 - depth)
+        marches.sum_x[number] = weight * (lead_x * (2.0 - depth) - march.stick_x * behind)
+        marches.sum_y[number] = weight * (
+            lead_y * (2.0 - depth) + march.twist * WHOLE - march.stick_y * behind
+        )
+        marches.sum_moment[number] = -weight * (lead_y * inner + march.stick_y * turning)
         if march.twist * march.twist > 1.0:
             add_beyond(table, march, marches, number, q)
         if q < POINT_LIMIT:
