@@ -106,7 +106,8 @@ MOTION = (
         "rad/s",
         20.0,
         "Rotation of the wheelset about its axle, positive when it rolls "
-        "forward; 0 with free_rolling: the one at which axle_torque and driving_torque cancel each other",
+        "forward; 0 with free_rolling: the one at which axle_torque and driving_torque cancel each other, or "
+        "speed / nominal_radius without a tangential_model",
         -WHEEL_LIMIT,
         WHEEL_LIMIT,
         limited=True,
@@ -115,8 +116,8 @@ MOTION = (
         "free_rolling",
         "1",
         1.0,
-        "Whether a wheel_rate of 0 means wheels that turn as axle_torque and driving_torque let them; "
-        "otherwise it means wheels that do not turn",
+        "Whether a wheel_rate of 0 means wheels that turn freely or under axle_torque; otherwise it means "
+        "wheels that do not turn",
         0.0,
         1.0,
         start=1.0,

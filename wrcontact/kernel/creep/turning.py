@@ -51,6 +51,8 @@ SAME_SHARE: Final[float] = 4e-16
 SAME_RATE: Final[float] = 1e-26
 #: With a torque from outside the wheels may turn so many times as fast as they roll.
 SPINNING: Final[float] = 6.0
+#: E of eq. (A3) counts up to so many times the distance to where it expects the rate.
+REACH: Final[float] = 4.0
 #: Newton's steps of the stand-in.
 STEPS: Final[int] = 60
 STEP_SHARP: Final[float] = 1e-14
@@ -156,6 +158,7 @@ def begin_search(turning: Turning, start: float):
     """Begin a search in the enclosure at the rate ``start``."""
     turning.shift = turning.wanted
     turning.slope = 0.0
+    turning.reach = 0.0
     turning.missing = 0.0
     turning.rate = start
     turning.torque = 0.0
@@ -202,10 +205,15 @@ def stand_in(turning: Turning, rate: float):
 def corrected(turning: Turning, rate: float):
     """The left side of eq. (A3) at ``rate``, and its slope."""
     torque, slope = stand_in(turning, rate)
-    return (
-        torque + turning.shift + turning.slope * (rate - turning.rate),
-        slope + turning.slope,
-    )
+    away = rate - turning.rate
+    slope += turning.slope
+    if fabs(away) > turning.reach:
+        slope -= turning.slope
+        if away > 0.0:
+            away = turning.reach
+        else:
+            away = -turning.reach
+    return torque + turning.shift + turning.slope * away, slope
 
 
 def stand_in_rate(turning: Turning):
@@ -269,6 +277,9 @@ def note_torque(turning: Turning, rate: float, torque: float):
         turning.slope = (missing - turning.missing) / (rate - turning.rate)
         if not slope + turning.slope < 0.0:
             turning.slope = 0.0
+    turning.reach = 0.0
+    if slope + turning.slope < 0.0:
+        turning.reach = REACH * fabs(left / (slope + turning.slope))
     turning.turns = turning.turns + 1
     turning.shift = left - model
     turning.missing = missing

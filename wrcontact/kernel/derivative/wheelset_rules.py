@@ -24,9 +24,8 @@ from ..wheelset.at_height import is_damped, load_at_height
 from ..wheelset.depth_rates import DISPLACED, displace_inputs, keep_sides, motion_size, restore_sides
 from ..wheelset.elastic import UNBALANCED
 from ..wheelset.forces import rub_patch, sum_forces
-from ..wheelset.free_rolling import UNCARRIED, mean_rate, turns_freely
+from ..wheelset.free_rolling import UNCARRIED, nominal_rate, turns_freely
 from ..wheelset.requested import (
-    has_creep_forces,
     is_free,
     is_moving,
     is_needed,
@@ -394,8 +393,7 @@ def follow_turning(tables: Tables, work: Work) -> bool:
                 undefined = undefined or lost
             else:
                 move_side(tables, work.sides[index])
-                if has_creep_forces(tables, work):
-                    rub_side(tables, work, index)
+                rub_side(tables, work, index)
     else:
         undefined = follow_turn(tables, work, 0, 1)
     return undefined
@@ -407,7 +405,7 @@ def follow_turn(tables: Tables, work: Work, first: int, last: int) -> bool:
     rate = held(work.turning.rates[first])
     torque, scale = follow_torque(tables, work, first, last, rate)
     if not scale > 0.0:
-        follow_torque(tables, work, first, last, moving(rate, mean_rate(tables, work, first, last)))
+        follow_torque(tables, work, first, last, nominal_rate(tables, work, first))
         return False
     if fabs(torque) > UNCARRIED * scale:
         return True
@@ -433,11 +431,10 @@ def follow_torque(tables: Tables, work: Work, first: int, last: int, rate: float
         side = work.sides[index]
         side.motion.wheel_rate = rate
         move_side(tables, side)
-        if has_creep_forces(tables, work):
-            rub_side(tables, work, index)
-            for number in range(side.patch_count):
-                patch = side.patches[number]
-                rub_patch(side.motion, patch)
-                torque += patch.forces.driving_torque
-                scale += held(patch.friction * patch.totals.load * patch.rolling_radius)
+        rub_side(tables, work, index)
+        for number in range(side.patch_count):
+            patch = side.patches[number]
+            rub_patch(side.motion, patch)
+            torque += patch.forces.driving_torque
+            scale += held(patch.friction * patch.totals.load * patch.rolling_radius)
     return torque, scale

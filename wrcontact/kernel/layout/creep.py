@@ -253,6 +253,7 @@ class Turning:
     missing: float  # and how much that is more than the stand-in's
     shift: float  # D [N m] and E [N m s] of eq. (A3)
     slope: float
+    reach: float  # up to this distance E counts [rad/s]
     turns: int  # rates that were tried
     span: float  # distance of low and high when it was last halved [rad/s],
     slow: int  # and how many were tried since then

@@ -11,8 +11,7 @@ there the first one to the side to which the torque turns the wheels.  A torque 
 friction of rest carries has none: rates are tried at growing distances until the torque is carried, or the
 creep forces carry less again.
 
-Without creep forces no torque tells the rate.  It is the one at which the longitudinal sliding velocities
-vanish in the mean over the areas of the patches, or that of the nominal radius where there are none.
+Without creep forces or friction no torque tells the rate, which is then that of the nominal radius.
 """
 
 from math import fabs
@@ -26,7 +25,6 @@ from ..creep.turning import (
     begin_search,
     begin_turning,
     enclose_rates,
-    heading_velocity,
     is_at_jump,
     is_balanced,
     is_beyond,
@@ -41,7 +39,6 @@ from ..layout import (
     NOT_CONVERGED,
     TANGENTIAL_FASTRIP,
     TANGENTIAL_FASTSIM,
-    TANGENTIAL_NONE,
     TANGENTIAL_POLACH,
     TANGENTIAL_STRIPS,
     UNLOADED,
@@ -51,7 +48,7 @@ from ..layout import (
 )
 from .compliant import solve_compliant
 from .forces import rub_patch
-from .requested import has_creep_forces, is_free, is_moving, outer_torque
+from .requested import has_creep_forces, is_free, outer_torque
 from .rubbing import move_side, open_given_motion, rub_wheel, side_friction, write_side_wear
 
 #: Growth of the distances at which rates are tried where friction falls.
@@ -82,7 +79,7 @@ def nominal_rate(tables: Tables, work: Work, index: int):
 def turns_freely(tables: Tables, work: Work) -> bool:
     """Whether the rotation of some wheel follows."""
     free = is_free(tables, work.inputs, 0) or is_free(tables, work.inputs, 1)
-    return free and is_moving(tables, work.inputs)
+    return free and has_creep_forces(tables, work)
 
 
 def roll_freely(tables: Tables, work: Work):
@@ -100,7 +97,7 @@ def roll_freely(tables: Tables, work: Work):
     else:
         status = turn(tables, work, 0, 1)
     work.turning.sought = True
-    if status == VALID and has_creep_forces(tables, work):
+    if status == VALID:
         write_side_wear(tables, work.sides[0])
         write_side_wear(tables, work.sides[1])
     return status
@@ -113,9 +110,9 @@ def turn(tables: Tables, work: Work, first: int, last: int):
     found = open_turning(tables, work, first, last)
     if not found:
         status = VALID
-        if turning.wanted != 0.0 and has_creep_forces(tables, work):
+        if turning.wanted != 0.0:
             status = BEYOND_ADHESION
-        torque, outcome = torque_at(tables, work, first, last, mean_rate(tables, work, first, last))
+        torque, outcome = torque_at(tables, work, first, last, nominal_rate(tables, work, first))
         return max(status, outcome)
     start = stand_in_rate(turning)
     if turning.sought and turning.rates[first] > turning.low and turning.rates[first] < turning.high:
@@ -149,8 +146,6 @@ def open_turning(tables: Tables, work: Work, first: int, last: int) -> bool:
     """Enclosure and stand-in of the wheels ``first`` ... ``last``; whether any friction turns them."""
     turning = work.turning
     begin_turning(turning, outer_torque(tables, work.inputs, first), work.inputs.speed)
-    if not has_creep_forces(tables, work):
-        return False
     for index in range(first, last + 1):
         side = work.sides[index]
         for number in range(side.patch_count):
@@ -167,24 +162,6 @@ def open_turning(tables: Tables, work: Work, first: int, last: int) -> bool:
     widen_enclosure(turning)
     begin_search(turning, middle)
     return turning.scale > 0.0
-
-
-def mean_rate(tables: Tables, work: Work, first: int, last: int):
-    """The rotation [rad/s] at which longitudinal sliding vanishes in the mean over areas."""
-    total = 0.0
-    weight = 0.0
-    for index in range(first, last + 1):
-        side = work.sides[index]
-        for number in range(side.patch_count):
-            patch = side.patches[number]
-            along, ahead = heading_velocity(side.motion, patch.x_track, patch.y_track, patch.z_track)
-            lever = patch.totals.area * patch.rolling_radius
-            total += lever * along
-            weight += lever * patch.rolling_radius
-    rate = nominal_rate(tables, work, first)
-    if weight > 0.0:
-        rate = total / weight
-    return rate
 
 
 def torque_at(tables: Tables, work: Work, first: int, last: int, rate: float):
@@ -210,11 +187,10 @@ def rub_at(tables: Tables, work: Work, first: int, last: int, rate: float):
         side.motion.wheel_rate = rate
         move_side(tables, side)
         own = 0.0
-        if tables.tangential != TANGENTIAL_NONE:
-            rub_wheel(tables, work, index)
-            for number in range(side.patch_count):
-                rub_patch(side.motion, side.patches[number])
-                own += side.patches[number].forces.driving_torque
+        rub_wheel(tables, work, index)
+        for number in range(side.patch_count):
+            rub_patch(side.motion, side.patches[number])
+            own += side.patches[number].forces.driving_torque
         torque += own
     return torque
 

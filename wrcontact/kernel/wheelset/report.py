@@ -43,7 +43,7 @@ from ..patch.outline import wear_place
 from ..surface.rails import on_springs
 from .fatigue import shakedown_ratio, wear_number_damage
 from .shared_power import share_power
-from .requested import has_creep_forces, is_moving, is_requested, is_rolling
+from .requested import has_creep_forces, is_requested, is_rolling
 from .rubbing import strip_slip
 
 #: Runs of an outline that are there without friction: stations, half-lengths and pressures.
@@ -78,7 +78,7 @@ def report(tables: Tables, work: Work):
 def found_rate(tables: Tables, work: Work, index: int):
     """The rotation that the creepages of side ``index`` hold for [rad/s]."""
     rate = 0.0
-    if is_moving(tables, work.inputs):
+    if is_rolling(tables, work.inputs) or has_creep_forces(tables, work):
         rate = work.sides[index].motion.wheel_rate
     return rate
 

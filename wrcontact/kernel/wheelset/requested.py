@@ -119,7 +119,10 @@ def requested_outcome(tables: Tables, work: Work, status: int):
 
 
 def is_free(tables: Tables, inputs: Inputs, index: int) -> bool:
-    """Whether the rotation of the wheel of side ``index`` follows from the torque on it."""
+    """Whether the rotation of the wheel of side ``index`` follows from the torque on it, where creep forces
+    tell of one."""
+    if tables.tangential == TANGENTIAL_NONE:
+        return False
     given = inputs.wheel_rate
     if are_independent(tables):
         given = inputs.left_wheel_rate
@@ -140,10 +143,7 @@ def outer_torque(tables: Tables, inputs: Inputs, index: int):
 
 def is_driven(tables: Tables, inputs: Inputs, index: int) -> bool:
     """Whether a torque from outside is carried by the creep forces of side ``index``."""
-    driven = False
-    if tables.tangential != TANGENTIAL_NONE and outer_torque(tables, inputs, index) != 0.0:
-        driven = is_free(tables, inputs, index)
-    return driven
+    return outer_torque(tables, inputs, index) != 0.0 and is_free(tables, inputs, index)
 
 
 def is_rolling(tables: Tables, inputs: Inputs) -> bool:
