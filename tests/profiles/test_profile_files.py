@@ -431,7 +431,12 @@ REFUSED = {
         "own.ban",
         "contains no lines of numbers after its header",
     ),
-    "not prepared": ('{"zones": 3}', "wheel", "own.json", "is not a prepared profile"),
+    "not prepared": (
+        '{"zones": 3}',
+        "wheel",
+        "own.json",
+        "is JSON, but not a profile of wrcontact; permitted are points",
+    ),
     "prepared, not finite": (
         prepared_text(standard_profile("UIC60")).replace("300.0", "NaN"),
         "rail",

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.helpers.paths import DATA
-from wrcontact import ContactSystem, Profile, ProfileWarning
+from wrcontact import ContactSystem, Profile, ProfileFile, ProfileWarning
 from wrcontact.wear.shape import wheel_shape
 
 MM = 1e-3
@@ -52,3 +52,42 @@ def test_points_that_run_back_at_the_tip_cut_nothing():
     assert "4 points left out where the points run back by up to 0.597 mm (y = -54.7 ... -54.11 mm)" in said
     assert wheel.start == pytest.approx(-70.0 * MM, abs=0.2 * MM)
     assert wheel_shape(wheel).flange_thickness == pytest.approx(33.1 * MM, abs=0.2 * MM)
+
+
+def contact(name, **options):
+    """Where the rail in a file touches S1002 [m], silently."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ProfileWarning)
+        return ContactSystem(rail=ProfileFile(FOREIGN / name, **options)).evaluate(normal_force=78.5e3).right
+
+
+def test_a_nose_on_a_wide_base_is_not_turned_over():
+    """Simpack has z down; the contact is 11.2 mm from the top of the nose."""
+    rail, said = opened("nose_10.prr", "rail")
+    assert (
+        said == ""
+        and rail.height(0.0) == pytest.approx(0.0, abs=1e-12)
+        and rail.height(rail.stop) > 15.0 * MM
+    )
+    assert contact("nose_10.prr").contact.y_rail == pytest.approx(-11.2 * MM, abs=0.2 * MM)
+
+
+def test_a_gap_below_the_gauge_needs_no_points():
+    """The gauge is measured 14 mm below the top; the gap begins at 17.6 mm."""
+    rail, said = opened("roller_left.ban", "rail")
+    assert "gap of 12.6 mm from 17.6 mm below the top on; the points behind it are left out" in said
+    assert rail.height(rail.start) > 15.5 * MM
+    assert np.isfinite(contact("roller_left.ban").contact.y_rail)
+
+
+def test_one_of_two_heads_in_a_file_is_cut_out():
+    """The running rail ends at y = 0 of the file, its gauge face."""
+    with pytest.raises(
+        ValueError, match="for a rail; y_range = FROM,TO uses one of several profiles in a file"
+    ):
+        opened("guard_rail.ban", "rail")
+    rail, said = opened("guard_rail.ban", "rail", y_range=(-80.0 * MM, 1.0 * MM))
+    assert "only this side reaches 14 mm below the top); mirrored" in said
+    assert rail.stop - rail.start == pytest.approx(67.28 * MM + 1.0 * MM, abs=1.0 * MM)
+    with pytest.raises(ValueError, match="has 0 points between y = 200 and 300 mm; permitted are 10 or more"):
+        opened("guard_rail.ban", "rail", y_range=(0.2, 0.3))

@@ -67,7 +67,8 @@ class Points:
     (n,).
 
     ``lines`` (n,) are their line numbers.  ``free`` is True for a format that does not define the position of
-    the running circle and the direction of the axes; finding these is then not reported as a repair.
+    the running circle and the direction of the axes; finding these is then not reported as a repair.  ``defined``
+    is True for a format that defines where z points, so that a rail is not turned over by its shape.
     """
 
     y: np.ndarray
@@ -75,6 +76,7 @@ class Points:
     weight: np.ndarray
     lines: np.ndarray
     free: bool = False
+    defined: bool = False
     remarks: list = field(default_factory=list)
 
 
@@ -220,6 +222,7 @@ def simpack_points(text, kind):
             "with y and z there"
         )
     points = points_of(rows)
+    points.defined = True
     if bad:
         points.remarks.append(left_out("line", bad, "without two numbers"))
     asked = {"0": "rail", "1": "wheel"}.get(keys.get("header:type", "").strip())

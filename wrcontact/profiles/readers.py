@@ -76,7 +76,7 @@ def read_points(text, extension, kind, select=None):
         return miniprof_points(text)
     points = plain_points(text)
     if extension in GAUGE_AT_LARGER_Y:
-        points.y = -points.y
+        points.y, points.defined = -points.y, True
     return points
 
 
@@ -212,7 +212,7 @@ def vampire_points(text, kind, select):
         points.remarks.append(left_out("line", bad, "without four numbers"))
     points.y = points.y if side == "right" else -points.y
     if kind == "rail":
-        points.z = -points.z
+        points.z, points.defined = -points.z, True
         return points
     points.y = points.y - 0.5 * _width(lines) - _datum(lines)
     return points

@@ -10,7 +10,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from .flaws import LONGEST_RUN, OUTLIER, SIDE, Mended, check_gaps, rounded, without_outliers
+from .flaws import (
+    LONGEST_RUN,
+    OUTLIER,
+    SIDE,
+    WIDEST_GAP,
+    Mended,
+    check_gaps,
+    rounded,
+    straight_over,
+    without_outliers,
+)
 from .orientation import faced, turned_upright
 from .remarks import Refusal, counted, stretch
 from .running_circle import at_running_circle, evenly
@@ -32,6 +42,9 @@ TURN = 0.5
 #: MOST_BACK [mm], or whose branches are more than MOST_APART [mm] apart, are a fold. A curve steeper than STEEP
 #: [1] over SIDE points on either side is a wall, which may wave.
 LEAST_BACK, MOST_BACK, MOST_APART, STEEP = 5e-3, 2.0, 0.5, 2.0
+#: A rail is needed down to this depth below its top, where the gauge is measured, also inclined by 1:20; a
+#: wheel up to this y on its field side [mm].
+NEEDED, FIELD = 16.0, 45.0
 #: Points left out behind a fold or a wall are told where they reach farther by this [mm].
 CUT = 0.5
 #: Where y varies by less [mm], the side of a rail's head is a wall, which is kept down to
@@ -56,14 +69,16 @@ SAME = 1e-6
 NEAR = 0.25
 
 
-def mend(points, kind, file, remarks, *, keep_all=False):
-    """The repaired points (:class:`Mended`) of a file's ``points``.
+def mend(points, kind, file, track, remarks, *, keep_all=False):
+    """The repaired points (:class:`Mended`) of a file's ``points``, and the inclination [1] from which a rail
+    was turned upright.
 
     Parameters
     ----------
     points : :class:`~wrcontact.profiles.formats.Points`.
     kind : "wheel" or "rail".
     file : :class:`~wrcontact.profiles.options.ProfileFile`, what the file does not say itself.
+    track : inclination of the rails on the track [1], None where it is not known.
     remarks : list to which every repair is added.
     keep_all : whether outliers and kinks are only reported.
 
@@ -74,15 +89,18 @@ def mend(points, kind, file, remarks, *, keep_all=False):
     """
     found = Mended(points.y, points.z, points.weight)
     found = without_nothing(found, points.lines, remarks)
-    found = in_millimetres(found, kind, remarks)
+    found = in_range(in_millimetres(found, kind, file, remarks), file)
     found = moved(found, file)
     found = in_order(found, points.free, remarks)
     found = without_repetition(found, remarks)
-    found = upright(found, kind, file, points.free, remarks)
+    found = upright(found, kind, file, points, remarks)
+    inclination = 0.0
     if kind == "wheel":
         found = at_running_circle(found, file, points.free, remarks)
     else:
-        found = turned_upright(faced(found, file, points.free, remarks), file, remarks)
+        one_head(found)  # two rails side by side are told before their common shape is looked at
+        found = faced(found, file, points.free, remarks)
+        found, inclination = turned_upright(found, file, track, remarks)
     found = found if keep_all else without_backward(found, kind, remarks)
     if kind == "wheel":
         whole, found = found, outward(found, kind)
@@ -91,12 +109,14 @@ def mend(points, kind, file, remarks, *, keep_all=False):
         found = outward(gauge_face(found, remarks), kind)
     found = without_outliers(replace(found, noise=noise_of(found.y, found.z)[0]), remarks, keep=keep_all)
     found = outward(found, kind)
+    found = without_far_parts(found, kind, remarks)
     if kind == "rail":
         remark_near_end(found, remarks)
     noise, certainty = noise_of(found.y, found.z)
     found = replace(found, noise=noise, weight=found.weight * (certainty if noise > LEAST_NOISE else 1.0))
     check_gaps(found, remarks)
-    return rounded(found, remarks, keep=keep_all) if found.noise <= LEAST_NOISE else found
+    found = rounded(found, remarks, keep=keep_all) if found.noise <= LEAST_NOISE else found
+    return found, inclination
 
 
 def without_nothing(found, lines, remarks):
@@ -126,8 +146,10 @@ def _span(values):
     return np.subtract(*np.percentile(values, [95, 5]))
 
 
-def in_millimetres(found, kind, remarks):
+def in_millimetres(found, kind, file, remarks):
     """Convert to millimetres; the unit is found from the width."""
+    if file.y_range is not None and np.ptp(found.y) > WIDTHS[0]:
+        return found
     if len(found.y) < LEAST_POINTS:
         raise Refusal(f"has {len(found.y)} points; permitted are {LEAST_POINTS} or more")
     width, factor = found.y.max() - found.y.min(), 1.0
@@ -142,6 +164,21 @@ def in_millimetres(found, kind, remarks):
     if not factor * _span(found.z) <= HIGHEST:
         raise Refusal(f"is {factor * _span(found.z):g} mm high; permitted are {HIGHEST:g} mm or less")
     return replace(found, y=factor * found.y, z=factor * found.z)
+
+
+def in_range(found, file):
+    """The points whose y in the file lies within ``file.y_range``."""
+    if file.y_range is None:
+        return found
+    low, high = file.y_range_mm
+    inside = found.only((found.y >= low) & (found.y <= high))
+    if len(inside.y) < LEAST_POINTS or np.ptp(inside.y) > WIDTHS[1]:
+        raise Refusal(
+            f"has {len(inside.y)} points between y = {low:.4g} and {high:.4g} mm; permitted are "
+            f"{LEAST_POINTS} or more, within {WIDTHS[1]:g} mm; its points are at y = {found.y.min():.4g} ... "
+            f"{found.y.max():.4g} mm"
+        )
+    return inside
 
 
 def moved(found, file):
@@ -194,19 +231,29 @@ def without_repetition(found, remarks):
     return found
 
 
-def upright(found, kind, file, free, remarks):
-    """Turn z down and a wheel's flange to negative y, unless ``file`` says how they are."""
+def upright(found, kind, file, points, remarks):
+    """Turn z down and a wheel's flange to negative y, unless ``file`` says how they are, or for a rail the
+    format of its ``points``."""
     y, z = evenly(found)
     low, middle, high = np.percentile(z, [2, 50, 98])
-    upwards = middle - low > high - middle if kind == "wheel" else np.mean(z[[0, 1, -2, -1]]) < middle
+    if kind == "wheel":
+        upwards = middle - low > high - middle
+    else:  # the ends of a head are its lowest points, also where a wide base has the most points
+        ends = 0.5 * (np.median(found.z[:3]) + np.median(found.z[-3:]))
+        upwards = ends < min(middle, 0.5 * (low + high))
+    if upwards and file.mirror_z is None and kind == "rail" and points.defined:
+        raise Refusal(
+            "has ends that are higher than its middle, as if z were positive upwards, and its format has z down; "
+            "mirror_z = True turns it over, mirror_z = False confirms it"
+        )
     if upwards and file.mirror_z is None:
         found, z, middle, high = replace(found, z=-found.z), -z, -middle, -low
-        if not free:
+        if not points.free:
             remarks.append("z was positive upwards; its sign is changed")
     reversed_wheel = kind == "wheel" and np.mean(y[z >= 0.4 * middle + 0.6 * high]) > 0.5 * (y[0] + y[-1])
     if reversed_wheel and file.mirror_y is None:
         found = replace(found, y=-found.y).only(slice(None, None, -1))
-        if not free:
+        if not points.free:
             remarks.append("the flange was at the larger y; mirrored")
     return found
 
@@ -268,19 +315,35 @@ def gauge_face(found, remarks):
     return replace(found, y=changed)
 
 
+def one_head(found):
+    """A Refusal if the points of a rail are too wide for one."""
+    width = float(np.ptp(found.y[_extent(found, "rail")]))
+    if width > WIDEST["rail"]:
+        raise Refusal(_wrong_width(width, "rail"))
+
+
+def _wrong_width(width, kind):
+    several = "; y_range = FROM,TO uses one of several profiles in a file" if width > WIDTHS[0] else ""
+    return (
+        f"is {width:.4g} mm wide before it turns back; permitted are {WIDTHS[0]:g} ... "
+        f"{WIDEST[kind]:g} mm for a {kind}{several}"
+    )
+
+
+def _extent(found, kind):
+    """Slice of the points from the middle outwards until y turns back."""
+    middle = _middle(found, kind)
+    stop = middle + _farthest(found.y[middle:], kind)
+    return slice(middle - _farthest(-found.y[middle::-1], kind), stop + 1)
+
+
 def outward(found, kind):
     """Keep the points from the middle outwards until y turns back: without flange
     back, rail neck and foot."""
-    middle = _middle(found, kind)
-    stop = middle + _farthest(found.y[middle:], kind)
-    start = middle - _farthest(-found.y[middle::-1], kind)
-    found = found.only(slice(start, stop + 1))
+    found = found.only(_extent(found, kind))
     width = found.y[-1] - found.y[0]
     if not WIDTHS[0] <= width <= WIDEST[kind]:
-        raise Refusal(
-            f"is {width:.4g} mm wide before it turns back; permitted are {WIDTHS[0]:g} ... "
-            f"{WIDEST[kind]:g} mm for a {kind}"
-        )
+        raise Refusal(_wrong_width(width, kind))
     top = found.y[np.argmin(found.z)]
     if kind == "rail" and min(top - found.y[0], found.y[-1] - top) < SHOULDER:
         raise Refusal(
@@ -291,6 +354,24 @@ def outward(found, kind):
     if len(found.y) < LEAST_POINTS:
         raise Refusal(f"has {len(found.y)} points before it turns back; permitted are {LEAST_POINTS} or more")
     return found
+
+
+def without_far_parts(found, kind, remarks):
+    """The points without those behind a wide gap, where wheel and rail do not touch and no gauge is measured:
+    deeper than NEEDED on a rail, behind the tip of a wheel's flange, or beyond FIELD on its field side."""
+    y, z = found.y, found.z
+    start, stop = 0, len(y)
+    middle, tip = _middle(found, kind), int(np.argmax(np.where(y < 0.0, z, -np.inf)))
+    chord = np.hypot(np.diff(y), np.diff(z))
+    for i in np.flatnonzero(chord > WIDEST_GAP):
+        near = i + 1 if i < middle else i  # the end of the gap that is nearer to the middle
+        far = z[near] - z.min() > NEEDED if kind == "rail" else near <= tip or y[near] > FIELD
+        if not far or straight_over(y, z, i):
+            continue
+        where = f"{z[near] - z.min():.3g} mm below the top" if kind == "rail" else f"y = {y[near]:.4g} mm"
+        remarks.append(f"gap of {chord[i]:.3g} mm from {where} on; the points behind it are left out")
+        start, stop = (max(start, i + 1), stop) if i < middle else (start, min(stop, i + 1))
+    return found.only(slice(start, stop))
 
 
 def words_on_cuts(kept, whole):

@@ -20,6 +20,9 @@ FROM_BACK = (8.0, 30.0)
 #: The back of the flange is in the points if they rise by RISE within ROOM of their smallest y [mm]: the
 #: rounding of S1002 does so from 0.05 mm behind the back on.
 ROOM, RISE = 0.2, 1.6
+#: The gauge face of a rail is steeper than FACE [1] over more than FACE_HEIGHT [mm]; the flange of a wheel is so
+#: steep at its back alone, behind a tip that is TOLD [mm] deeper. Wheels are NARROWEST [mm] wide or more.
+FACE, FACE_HEIGHT, TOLD, NARROWEST = 8.0, 5.0, 0.2, 80.0
 #: The back is told where it is farther from y = 0 of a format that counts from it [mm].
 ASIDE = 0.5
 #: Largest height of the running circle that counts as wear, not as another origin [mm].
@@ -55,11 +58,25 @@ def at_running_circle(found, file, free, remarks):
             f"has its field side {z[-1] - middle:.4g} mm deeper than the running circle, as a "
             f"rail's head has; permitted are {FLANGE[0]:g} mm or less"
         )
+    _refuse_gauge_face(y, z)
     if (abs(middle) > OFFSET or free) and not file.shift[1]:
         if not free:
             remarks.append(f"z was {middle:.4g} mm at the running circle; shifted to 0")
         found = replace(found, z=found.z - middle)
     return found
+
+
+def _refuse_gauge_face(y, z):
+    """A Refusal if the points end on a flange that only a rail can have: steeper than FACE over FACE_HEIGHT
+    without a tip behind, or without a tip and narrower than any wheel."""
+    fall = z[:-1] - z[1:]
+    steep = float(np.sum(fall[fall > FACE * np.diff(y)]))
+    if z[0] >= z.max() - TOLD and (steep > FACE_HEIGHT or y[-1] - y[0] < NARROWEST):
+        raise Refusal(
+            f"ends at its deepest point, y = {y[0]:.4g} mm, with {steep:.3g} mm as steep as a rail's gauge face "
+            f"and a width of {y[-1] - y[0]:.4g} mm, as part of a rail does; permitted are wheels with the tip "
+            f"of the flange, or {NARROWEST:g} mm or more wide and with at most {FACE_HEIGHT:g} mm so steep"
+        )
 
 
 def _from_back(found, tip, file, free, remarks):
@@ -71,8 +88,8 @@ def _from_back(found, tip, file, free, remarks):
         raise Refusal(
             f"has the tip of its flange, or its deepest point, at y = {tip:.4g} mm; permitted "
             f"are {TIP[0]:g} ... {TIP[1]:g} mm from the running circle, {FROM_BACK[0]:g} ... "
-            f"{FROM_BACK[1]:g} mm from the back of the flange, or points on that back; shift gives the "
-            "distance to the running circle"
+            f"{FROM_BACK[1]:g} mm from the back of the flange, or points on that back; "
+            "shift = Y,Z moves y = 0 to the running circle"
         )
     if not counts:
         remarks.append(
@@ -84,14 +101,14 @@ def _from_back(found, tip, file, free, remarks):
         remarks.append(
             Grave(
                 f"the running circle is assumed {BACK:g} mm from the back of the flange, taken to be at y = "
-                f"0; y shifted by {-BACK:g} mm; shift states another distance"
+                f"0; y shifted by {-BACK:g} mm; shift = Y,Z states another distance"
             )
         )
     elif back is not None and abs(back) > ASIDE:
         remarks.append(
             Grave(
                 f"the back of its flange is at y = {back:.3g} mm in the file, and not at 0, where MiniProf "
-                f"has it; y = 0 is used; shift moves the running circle"
+                f"has it; y = 0 is used; shift = Y,Z moves the running circle"
             )
         )
     return -BACK

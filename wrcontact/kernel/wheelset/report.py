@@ -61,6 +61,7 @@ def report(tables: Tables, work: Work):
     write_vector(outputs.normal_part, forces.normal_force, 1.0, 1.0)
     write_vector(outputs.normal_moment, forces.normal_moment, 1.0, 1.0)
     outputs.driving_torque = forces.driving_torque
+    outputs.wheel_rate_found = 0.5 * (found_rate(tables, work, 0) + found_rate(tables, work, 1))
     for index in range(2):
         report_side(tables, work, index)
     if tables.sides != SIDES_BOTH or tables.depth == DEPTH_GEOMETRY:
@@ -71,6 +72,15 @@ def report(tables: Tables, work: Work):
             outputs.normal_part[i] = tables.absent
             outputs.normal_moment[i] = tables.absent
         outputs.driving_torque = tables.absent
+        outputs.wheel_rate_found = tables.absent
+
+
+def found_rate(tables: Tables, work: Work, index: int):
+    """The rotation that the creepages of side ``index`` hold for [rad/s]."""
+    rate = 0.0
+    if is_rolling(tables, work.inputs) or has_creep_forces(tables, work):
+        rate = work.sides[index].motion.wheel_rate
+    return rate
 
 
 def report_side(tables: Tables, work: Work, index: int):
@@ -84,6 +94,7 @@ def report_side(tables: Tables, work: Work, index: int):
     if first > SIDE_PENETRATION:
         rolling = is_rolling(tables, work.inputs)
         report_load(side, out, mirror, rolling)
+        out.wheel_rate_found = found_rate(tables, work, index)
         report_deflection(tables, side, out, mirror)
         report_patches(side, out, mirror, rolling)
         if tables.fatigue:
