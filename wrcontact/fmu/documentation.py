@@ -85,7 +85,7 @@ the axle, positive where they turn the wheels forward; it is negative on a drive
 <code>slip</code> is the friction power per area over the outline. With <code>load</code> vertical creep forces are part of the
 vertical load.</p>
 <p><code>flange_friction_ratio</code> lubricates the flange; <code>friction_fall</code> A and <code>friction_fall_rate</code> B let
-friction fall with the sliding velocity w,</p>
+friction fall with the sliding velocity w of each point,</p>
 <p class="equation">&mu; ((1 &minus; A) exp(&minus;B w) + A);</p>
 <p><code>slope_reduction</code> and its floor and rate are those of wet and dirty rails (Spiryagin, Polach and Cole 2013).</p>
 

@@ -102,9 +102,16 @@ def roll_strips(patch, **material):
 
     def solved():
         outline, creepages = outline_of_strips(patch)
-        return roll_outline(outline, **creepages, friction=patch.friction, **material)
+        return roll_outline(outline, **creepages, **friction_of(patch), **material)
 
     roll_patch_forwards(patch, solved)
+
+
+def friction_of(patch):
+    """Friction of a ``patch`` and how it falls, as keywords of
+    :func:`~wrcontact.halfspace.rolling.contact.rolling_contact`."""
+    fall = (patch.fall_floor, patch.fall_rate) if patch.fall_rate > 0.0 else None
+    return {"friction": patch.friction, "fall": fall}
 
 
 def roll_patch_forwards(patch, solved):
@@ -120,6 +127,8 @@ def roll_patch_forwards(patch, solved):
     share_rows(patch, found)
     patch.creep_x, patch.creep_y, patch.creep_moment = found.force_x, found.force_y, found.moment
     patch.stick_share, patch.max_shear = found.stick_share, found.max_shear
+    if patch.fall_rate > 0.0:
+        patch.friction = found.mean_friction
     if patch.backwards:
         mirror_rolling(patch)
 

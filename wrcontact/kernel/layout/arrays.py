@@ -92,6 +92,9 @@ class Broyden:
     right_roll: float
     move_height: float  # the last move [m]
     move_roll: float
+    best: float  # sum of both residuals where it was smallest [m],
+    best_height: float  # and where that was [m, rad]
+    best_roll: float
 
 
 @record

@@ -24,6 +24,8 @@ CORRECTION_AZIMUTHS: Final[int] = 13
 CORRECTION_RADII: Final[int] = 12
 CORRECTION_COLUMNS: Final[int] = 4  # force_x, force_y over mu N, moment over mu N sqrt(ab), stick share
 CORRECTION_SCALES: Final[int] = 3 * CORRECTION_RATIOS
+CORRECTION_AXES: Final[int] = 5  # slopes: force_x by s1, force_y by s2 and s3, moment by s2 and s3
+CORRECTION_SLOPES: Final[int] = CORRECTION_AXES * CORRECTION_RATIOS
 CORRECTION_LINE: Final[int] = CORRECTION_RADII * CORRECTION_COLUMNS
 CORRECTION_SIZE: Final[int] = (
     CORRECTION_RATIOS * CORRECTION_ELEVATIONS * CORRECTION_AZIMUTHS * CORRECTION_LINE
@@ -88,6 +90,7 @@ class RollingTable:
     radii: Float * CORRECTION_RADII
     scales: Float * CORRECTION_SCALES
     corrections: Float * CORRECTION_SIZE
+    slopes: Float * CORRECTION_SLOPES  # of the corrections at no creepage
 
 
 BLOCK_COUNT: Final[int] = 8  # pairs of strips, for which stiffnesses are found
@@ -141,6 +144,8 @@ class RollingMarch:
     carried: float  # its share of the force of linear theory
     weight: float  # c, how much the stick zone counts; 0: the strip slips all over
     depth: float  # d, half the length of the slip zone [m]
+    lead_x: float  # u and v of the creepages [m], eq. (Z2)
+    lead_y: float
     stick_x: float  # e, direction of the stick zone's traction
     stick_y: float
     twist: float  # k, share of spin in it
@@ -196,6 +201,20 @@ class RollingMarches:
 
 
 @record
+class FallingFriction:
+    """Friction at a point of all strips while their tractions are followed (falling.py)."""
+
+    floor: float  # friction at infinite sliding over that of rest [-]
+    slide_x: StripRow  # exponent of the law: along,
+    slide_y: StripRow  # across on the middle,
+    slide_turn: StripRow  # and across per place x/a
+    share: StripRow  # friction at the point over that of rest
+    slips: StripRow  # slips and noted of the marches, without friction's share
+    noted: StripRow
+    lost: StripRow  # sums over the points of what friction has lost
+
+
+@record
 class Rolling:
     """What the models of creep forces work with, one patch after the other."""
 
@@ -213,6 +232,7 @@ class Rolling:
     march: RollingMarch  # of FaStrip, one strip after the other
     begun: RollingMarch * ROLLING_STRIP_LIMIT
     marches: RollingMarches
+    falling: FallingFriction
     stiffnesses: KeptStiffnesses * AXLE_PATCHES
 
 

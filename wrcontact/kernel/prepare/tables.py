@@ -18,6 +18,7 @@ from ..layout import (
     CORRECTION_RADII,
     CORRECTION_SCALES,
     CORRECTION_SIZE,
+    CORRECTION_SLOPES,
     DEPTH_ALL,
     LATERAL_LIMIT,
     MODEL_ANALYN_STRIP,
@@ -179,6 +180,13 @@ def write_corrections(table: RollingTable, fixed: "float[:]", first: int, poisso
             low * fixed[at + i]
             + middle * fixed[at + CORRECTION_SIZE + i]
             + high * fixed[at + 2 * CORRECTION_SIZE + i]
+        )
+    at += 3 * CORRECTION_SIZE
+    for i in range(CORRECTION_SLOPES):
+        table.slopes[i] = (
+            low * fixed[at + i]
+            + middle * fixed[at + CORRECTION_SLOPES + i]
+            + high * fixed[at + 2 * CORRECTION_SLOPES + i]
         )
 
 

@@ -17,7 +17,7 @@ Without creep forces or friction no torque tells the rate, which is then that of
 from math import fabs
 from typing import Final
 
-from ..creep.friction import patch_friction
+from ..creep.friction import set_friction
 from ..creep.motion import are_independent
 from ..creep.turning import (
     TURNS,
@@ -157,8 +157,8 @@ def open_turning(tables: Tables, work: Work, first: int, last: int) -> bool:
         side.motion.wheel_rate = middle
         for number in range(side.patch_count):
             patch = side.patches[number]
-            friction = patch_friction(tables, side_friction(work, index), patch.contact_angle, 0.0)
-            add_stand_in(tables, turning, side.motion, patch, friction)
+            set_friction(tables, patch, side_friction(work, index), True)
+            add_stand_in(tables, turning, side.motion, patch, patch.friction)
     widen_enclosure(turning)
     begin_search(turning, middle)
     return turning.scale > 0.0

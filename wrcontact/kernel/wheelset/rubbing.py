@@ -16,7 +16,7 @@ from math import sqrt
 
 from ..creep.creep_force import solve_creep_force
 from ..creep.creepage import move_patch, move_strips
-from ..creep.friction import multiply_creepages, patch_friction, slope_factor
+from ..creep.friction import multiply_creepages, set_friction, slope_factor
 from ..creep.motion import (
     are_independent,
     carry_rail,
@@ -229,10 +229,7 @@ def open_rolling(tables: Tables, rolling: Rolling, patch: Patch, friction: float
     """Friction of a patch, and the factor of its creepages that stands for a reduced slope."""
     rolling.bare = False
     rolling.published = tables.parameters.published_spin == 1.0
-    sliding = patch.speed * sqrt(patch.creepage_x * patch.creepage_x + patch.creepage_y * patch.creepage_y)
-    if rolling.resting:
-        sliding = 0.0
-    patch.friction = patch_friction(tables, friction, patch.contact_angle, sliding)
+    set_friction(tables, patch, friction, rolling.resting)
     factor = slope_factor(tables, patch)
     if factor != 1.0:
         multiply_creepages(patch, factor)
