@@ -64,6 +64,7 @@ KERNEL_ROOMS = (
 #: would see every error.
 NO_WITNESS = (
     "tests/structure/test_planted_errors.py",
+    "tests/docs/test_pages.py",
     "tests/docs/test_nomenclature.py",
     "tests/docs/test_doctests.py",
     "tests/binding/test_native_library.py::test_generated_c_is_of_this_source",

@@ -50,7 +50,7 @@ from ..layout import ROLLING_STRIP_LIMIT, Patch, Rolling, RollingMarch, RollingS
 from .correction import correct_force
 from .falling import open_falling
 from .march import NOTHING, march_strips, open_marches, set_pushes, set_stick
-from .stiffness import find_stiffnesses, stiffnesses_at
+from .stiffness import patch_stiffnesses, stiffnesses_at
 from .tractions import add_strip, bound_rate, patch_area, point_weight
 
 #: E of eq. (Z4) in very long patches.
@@ -176,7 +176,7 @@ def smooth_step(z: float):
 
 def solve_coupled_strips(tables: Tables, rolling: Rolling, patch: Patch):
     """Force, moment, stick share and largest traction of a patch."""
-    find_stiffnesses(tables, rolling, patch)
+    patch_stiffnesses(tables, rolling, patch)
     share = add_strips(tables, rolling, patch)
     if not rolling.bare:
         correct_force(tables, patch, share)

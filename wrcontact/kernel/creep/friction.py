@@ -33,16 +33,16 @@ PI: Final[float] = 3.141592653589793
 FLANGE_RANGE: Final[float] = 0.2
 
 
-def set_friction(tables: Tables, patch: Patch, friction: float):
+def set_friction(tables: Tables, patch: Patch, friction: float, resting: bool):
     """Coefficient of friction of a patch that rolls, where that of its side is ``friction``, and how it
-    falls with the creepages of its points."""
+    falls with the creepages of its points; ``resting``: it does not fall."""
     patch.friction = friction
     patch.fall_rate = 0.0
     parameters = tables.parameters
     if parameters.flange_friction_ratio != 1.0:
         share = flange_share(tables, patch.contact_angle)
         patch.friction *= 1.0 + (parameters.flange_friction_ratio - 1.0) * share
-    if parameters.friction_fall_rate > 0.0:
+    if parameters.friction_fall_rate > 0.0 and not resting:
         fall = parameters.friction_fall
         if tables.tangential == TANGENTIAL_POLACH:
             creepage = sqrt(patch.creepage_x * patch.creepage_x + patch.creepage_y * patch.creepage_y)

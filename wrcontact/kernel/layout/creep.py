@@ -2,7 +2,7 @@
 
 from typing import Final
 
-from .patch import ROLLING_STRIP_LIMIT
+from .patch import ROLLING_STRIP_LIMIT, SOLVED_PATCH_LIMIT
 from .record import Float, record, run
 
 # the table of rolling: columns over the shape of a patch, ln(a/b), as cubics over even cells
@@ -116,6 +116,18 @@ BlockMatrix = BlockRow * BLOCK_COUNT
 RollingBlocks = RollingBlock * BLOCK_COUNT
 
 
+#: Patches of both wheels, which may turn about one axle.
+AXLE_PATCHES: Final[int] = 2 * SOLVED_PATCH_LIMIT
+
+
+@record
+class KeptStiffnesses:
+    """Of a patch whose creepages change: what its stiffnesses have been found with."""
+
+    blocks: RollingBlocks
+    equations_x: BlockMatrix
+
+
 @record
 class RollingMarch:
     """A strip while its stick zone is found, and FaStrip's tractions; equations of coupled_strips.py."""
@@ -208,6 +220,10 @@ class Rolling:
 
     bare: bool  # whether only the sum over the strips is asked for
     published: bool  # FASTSIM and FaStrip: both parts of spin as they were published
+    resting: bool  # whether friction is that of rest, from which it does not fall
+    keeping: bool  # whether stiffnesses are kept, as patches stay and only their creepages change,
+    place: int  # at which place,
+    kept: bool  # and whether they are already there
     blocks: RollingBlocks
     shift: float  # of longitudinal creepages where strips begin to slip [-], eq. (K6)
     equations_x: BlockMatrix  # of the blocks, for longitudinal and lateral creepage and for spin
@@ -217,3 +233,47 @@ class Rolling:
     begun: RollingMarch * ROLLING_STRIP_LIMIT
     marches: RollingMarches
     falling: FallingFriction
+    stiffnesses: KeptStiffnesses * AXLE_PATCHES
+
+
+@record
+class TurningPatch:
+    """A patch of wheels whose rotation is sought, as the stand-in of creep/turning.py has it."""
+
+    along: (
+        float  # velocity of the wheel at its centre of load against the rail, along the wheel's own heading
+    )
+    radius: float  # and without its rotation [m/s]; rolling radius [m],
+    ahead: float  # of which so much moves along the track [m]
+    stiffness: float  # force over longitudinal creepage [N]
+    lateral: float  # lateral force of small creepages times the rolling speed [W]
+    limit: float  # friction times load [N]
+
+
+@record
+class Turning:
+    """The rotation of wheels on which a given torque acts, while it is sought; equations of
+    creep/turning.py."""
+
+    rates: Float * 2  # of the left and the right wheel, as they were found [rad/s]
+    sought: bool  # whether they have been found before in this step
+    count: int
+    patches: TurningPatch * AXLE_PATCHES
+    wanted: float  # torque that drives the wheels from outside [N m]
+    scale: float  # torque of all friction [N m]
+    speed: float  # |V| [m/s]
+    low: float  # rates with too much and too little torque [rad/s],
+    high: float
+    low_known: bool  # and whether these have been tried
+    high_known: bool
+    end_low: float  # no rate beyond these is tried where a torque is given
+    end_high: float
+    rate: float  # the last rate that was tried [rad/s],
+    torque: float  # what it leaves of the torques [N m],
+    missing: float  # and how much that is more than the stand-in's
+    shift: float  # D [N m] and E [N m s] of eq. (A3)
+    slope: float
+    reach: float  # up to this distance E counts [rad/s]
+    turns: int  # rates that were tried
+    span: float  # distance of low and high when it was last halved [rad/s],
+    slow: int  # and how many were tried since then

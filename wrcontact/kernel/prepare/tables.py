@@ -225,6 +225,7 @@ def write_settings(setup: Setup, tables: Tables):
     tables.penetration[0] = setup.absent
     tables.penetration[1] = setup.absent
     tables.sides = float(SIDES_BOTH)
+    tables.alone = False
     tables.depth = float(DEPTH_ALL)
     tables.absent = setup.absent
     tables.stations = float(STATION_COUNT)
