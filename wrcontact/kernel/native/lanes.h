@@ -39,9 +39,9 @@ static inline lanes *lanes_checked_at(const array_lanes_1d *span, int64_t index,
     span_check(0 <= index && index < span->shape[0], index, span->shape[0], function);
     return span->data + index;
 }
-#define lanes_at(span, index) lanes_checked_at((span), (index), __func__)
+#define RATE_AT(span, index) (*lanes_checked_at(&(span), (index), __func__))
 #else
-#define lanes_at(span, index) ((span)->data + (index))
+#define RATE_AT(span, index) ((span).data[index])
 #endif
 
 /* The rate along direction `k`. */
