@@ -266,12 +266,14 @@ def all_steps(run, work, turn, changed):
     extras = [*EXTRAS, *(extra for extra, tests in SELDOM.items() if due(tests, turn, changed))]
     run.step("what wrcontact can use is installed", [*INSTALLED, f".[{','.join(extras)}]"])
 
+    today = {"WRCONTACT_TURN": turn} | ({CHANGED: work / "changed"} if changed is not None else {})
     features = said(run.folder / PYTHON, "-c", FEATURES, folder=run.folder).strip()
     run.step(
         "stored numbers on an older processor",
         [*PYTEST, "--dist", "worksteal", "-m", "machine and not complete"],
         NPY_DISABLE_CPU_FEATURES=features,
         **OLDER,
+        **today,
     )
     single = {  # each of them has one or two processes
         "the generated C is that of the kernel's Python": [PYTHON, "tools/transpile_kernel.py", "--check"],
@@ -283,7 +285,6 @@ def all_steps(run, work, turn, changed):
     if due("benchmarks", turn, changed):
         single["all benchmarks run"] = [PYTHON, "-m", "benchmarks", "--quick"]
     run.together(single)
-    today = {"WRCONTACT_TURN": turn} | ({CHANGED: work / "changed"} if changed is not None else {})
     run.step(
         "the full tests",
         [*PYTEST, "--dist", "worksteal", "--durations", 60, "-m", "full and not platforms and not complete"],
