@@ -130,7 +130,9 @@ class Patch:
     damping_power: float  # that contact damping takes [W]
     half_length: float  # semi-axes of the ellipse with its area, length over width [m]
     half_width: float
-    friction: float  # coefficient of friction [-]
+    friction: float  # coefficient of friction [-]; once the force is known its mean, where it falls
+    fall_rate: float  # how fast friction falls with the creepages of points [-]; 0: it does not
+    fall_floor: float  # friction at infinite sliding over that of rest [-]
     speed: float  # the rolling speed [m/s]
     creepage_x: float  # velocity of the wheel on the rail over the rolling speed: x forward,
     creepage_y: float  # y to the field side [-],
