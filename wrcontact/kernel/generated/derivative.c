@@ -192,14 +192,6 @@ static inline bool derivative_wheelset_rules__follow_elastic_t(array_double_1d t
     }
     EACH_LANE each(height_rate) = (each(residual_right) * each(left_roll) - each(residual_left) * each(right_roll)) / each(determinant);
     EACH_LANE each(roll_rate) = (each(residual_left) * each(right_height) - each(residual_right) * each(left_height)) / each(determinant);
-    RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT) = all_lanes(0.0);
-    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT) = derivative_rates__common_rate(left_height);
-    RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) = all_lanes(0.0);
-    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) = derivative_rates__common_rate(right_height);
-    RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL) = all_lanes(0.0);
-    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL) = derivative_rates__common_rate(left_roll);
-    RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL) = all_lanes(0.0);
-    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL) = derivative_rates__common_rate(right_roll);
     derivative_wheelset_rules__follow_position_t(tables, work, work_t, roll, roll_rate, height, height_rate);
     EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_rate);
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
@@ -213,6 +205,7 @@ static inline void derivative_wheelset_rules__follow_residuals_t(double* left_ou
 {
     lanes left_t, right_t, v5_t, v6_t, rates;
     double left, right, v1, v2, v3, v4, v5, v6;
+    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION, vertical, vertical_t, roll_rate, roll_rate_t);
     derivative_wheelset_rules__follow_displaced_t(tables, work, work_t, time, time_t, vertical, vertical_t, roll_rate, roll_rate_t);
     EACH_LANE each(left_t) = each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT));
     left = AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT);
@@ -234,12 +227,12 @@ static inline void derivative_wheelset_rules__follow_residuals_t(double* left_ou
     }
     v1 = left - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT);
     v2 = v1 / time;
-    EACH_LANE each(left_t) = (each(left_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - v2 * each(time_t)) / time;
-    left = v2;
+    EACH_LANE each(left_t) = (each(left_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT)) - v2 * each(time_t)) / time - each(vertical_t);
+    left = v2 - vertical;
     v3 = right - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT);
     v4 = v3 / time;
-    EACH_LANE each(right_t) = (each(right_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) - v4 * each(time_t)) / time;
-    right = v4;
+    EACH_LANE each(right_t) = (each(right_t) - each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT)) - v4 * each(time_t)) / time - each(vertical_t);
+    right = v4 - vertical;
     if (!(requested__side_force(work, 0) > 0.0))
     {
         derivative_motion__constraint_residual_t(&v5, &v5_t, work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
@@ -290,34 +283,39 @@ static inline int64_t derivative_wheelset_rules__follow_displaced_t(array_double
 /* Derivative of ``follow_rates``. */
 static inline int64_t derivative_wheelset_rules__follow_rates_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    double vertical, roll_rate, v1, speed, time, left, right, determinant;
+    double vertical, roll_rate, v1, speed, time, v2, left, right;
     int64_t right_motion;
-    lanes v1_t, speed_t, left_t, right_t, determinant_t, v2, v3, vertical_rate_t, vertical_rate, v4, v5, rate_t, rate;
+    lanes v1_t, speed_t, time_t, left_t, right_t, left_vertical, right_vertical, left_roll, right_roll, determinant, vertical_rate, rate;
     vertical = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY);
     roll_rate = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL_RATE);
     right_motion = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
-    derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right_motion, vertical, all_lanes(0.0), roll_rate, all_lanes(0.0));
     derivative_depth_rates__motion_size_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS);
     EACH_LANE each(speed_t) = each(v1_t);
     speed = v1;
+    time_t = all_lanes(0.0);
     time = 1.0;
     if (speed > 0.0)
     {
-        time = depth_rates__DISPLACED / speed;
+        v2 = depth_rates__DISPLACED / speed;
+        EACH_LANE each(time_t) = -v2 * each(speed_t) / speed;
+        time = v2;
     }
     derivative_depth_rates__keep_sides_t(work, work_t);
-    derivative_wheelset_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, all_lanes(0.0), vertical, all_lanes(0.0), roll_rate, all_lanes(0.0));
+    derivative_wheelset_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(1.0), roll_rate, all_lanes(0.0));
+    EACH_LANE each(left_vertical) = each(left_t);
+    EACH_LANE each(right_vertical) = each(right_t);
+    derivative_wheelset_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(0.0), roll_rate, all_lanes(1.0));
+    EACH_LANE each(left_roll) = each(left_t);
+    EACH_LANE each(right_roll) = each(right_t);
+    derivative_wheelset_rules__follow_residuals_t(&left, &left_t, &right, &right_t, tables, work, work_t, time, time_t, vertical, all_lanes(0.0), roll_rate, all_lanes(0.0));
     derivative_depth_rates__restore_sides_t(work, work_t);
-    EACH_LANE each(determinant_t) = each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL) + AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT) * each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) - (each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL) + AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) * each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)));
-    determinant = AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL) - AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL);
-    EACH_LANE each(v2) = each(right_t) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL) - each(left_t) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL);
-    EACH_LANE each(v3) = each(v2) / determinant;
-    EACH_LANE each(vertical_rate_t) = (each(right_t) * each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL)) - each(left_t) * each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) - each(v3) * each(determinant_t)) / determinant;
-    EACH_LANE each(vertical_rate) = each(v3);
-    EACH_LANE each(v4) = each(left_t) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) - each(right_t) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT);
-    EACH_LANE each(v5) = each(v4) / determinant;
-    EACH_LANE each(rate_t) = (each(left_t) * each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT)) - each(right_t) * each(RATE_AT(work_t, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) - each(v5) * each(determinant_t)) / determinant;
-    EACH_LANE each(rate) = each(v5);
+    EACH_LANE each(left_vertical) = each(left_vertical) - each(left_t);
+    EACH_LANE each(right_vertical) = each(right_vertical) - each(right_t);
+    EACH_LANE each(left_roll) = each(left_roll) - each(left_t);
+    EACH_LANE each(right_roll) = each(right_roll) - each(right_t);
+    EACH_LANE each(determinant) = each(left_vertical) * each(right_roll) - each(right_vertical) * each(left_roll);
+    EACH_LANE each(vertical_rate) = (each(right_t) * each(left_roll) - each(left_t) * each(right_roll)) / each(determinant);
+    EACH_LANE each(rate) = (each(left_t) * each(right_vertical) - each(right_t) * each(left_vertical)) / each(determinant);
     derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right_motion, vertical, vertical_rate, roll_rate, rate);
     return 0;
 }

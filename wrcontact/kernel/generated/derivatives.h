@@ -125,7 +125,7 @@ static inline int64_t derivative_deep_points__follow_overlaps_t(array_double_1d 
 static inline int64_t derivative_deep_points__follow_saddle_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t point, int64_t following, double height, lanes height_t);
 
 /* derivative_depth_rates.py */
-static inline void derivative_depth_rates__motion_size_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs);
+static inline void derivative_depth_rates__motion_size_t(double* v1_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs);
 static inline int64_t derivative_depth_rates__displace_inputs_t(array_double_1d work, array_lanes_1d work_t, double time, lanes time_t);
 static inline int64_t derivative_depth_rates__keep_sides_t(array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_depth_rates__restore_sides_t(array_double_1d work, array_lanes_1d work_t);

@@ -821,14 +821,19 @@ static inline int64_t depth_rates__follow_depths(array_double_1d tables, array_d
     return 0;
 }
 
-/* About how fast wheels and rails move against each other [m/s], but for rolling. */
+/* About how fast wheels and rails move against each other [m/s], but for rolling; smooth, as the velocities
+ * that are found follow it where a kink lies within the displacement.
+ */
 static inline double depth_rates__motion_size(array_double_1d work, array_double_1d tables, int64_t inputs)
 {
-    double turning, left, right;
-    turning = AT(tables, layout__TABLES_ARM) * fabs(AT(work, inputs + layout__INPUTS_YAW_RATE));
-    left = fabs(AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY)) + fabs(AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY)) + AT(tables, layout__TABLES_HEIGHT) * fabs(AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY));
-    right = fabs(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY)) + fabs(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY)) + AT(tables, layout__TABLES_HEIGHT) * fabs(AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY));
-    return fabs(AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY)) + turning + left + right;
+    double turning, left_rolling, right_rolling, square;
+    turning = AT(tables, layout__TABLES_ARM) * AT(work, inputs + layout__INPUTS_YAW_RATE);
+    left_rolling = AT(tables, layout__TABLES_HEIGHT) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY);
+    right_rolling = AT(tables, layout__TABLES_HEIGHT) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY);
+    square = AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) + turning * turning;
+    square += AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) * AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) + left_rolling * left_rolling;
+    square += AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) + AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) * AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) + right_rolling * right_rolling;
+    return sqrt(square);
 }
 
 /* The velocities in which both sides' residuals vanish, from those of the loads' work on, which stay
@@ -2247,7 +2252,6 @@ static inline int64_t report__report(array_double_1d tables, array_double_1d wor
     report__write_vector(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_FORCE, 1.0, 1.0);
     report__write_vector(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_MOMENT, 1.0, 1.0);
     AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE);
-    AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_WHEEL_RATE_FOUND) = 0.5 * (report__found_rate(tables, work, 0) + report__found_rate(tables, work, 1));
     for (index = 0; index < 2; index += 1)
     {
         report__report_side(tables, work, index);
@@ -2263,7 +2267,6 @@ static inline int64_t report__report(array_double_1d tables, array_double_1d wor
             AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i) = AT(tables, layout__TABLES_ABSENT);
         }
         AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(tables, layout__TABLES_ABSENT);
-        AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_WHEEL_RATE_FOUND) = AT(tables, layout__TABLES_ABSENT);
     }
     return 0;
 }
