@@ -3,7 +3,9 @@
 from collections import namedtuple
 
 from tests.helpers.paths import ROOT
+from tests.helpers.planted_files import FILED
 from tests.helpers.planted_laws import LAWS
+from tests.helpers.planted_rolling import ROLLING_LAWS
 from tests.helpers.planted_strips import STRIP_LAWS
 from tests.helpers.planted_wear import WORN
 
@@ -469,7 +471,7 @@ ERRORS = [
         "search",
         "prepare_scan",
     ),
-    *(Error(*law) for law in (*LAWS, *STRIP_LAWS, *WORN)),
+    *(Error(*law) for law in (*FILED, *LAWS, *ROLLING_LAWS, *STRIP_LAWS, *WORN)),
 ]
 
 

@@ -144,7 +144,7 @@ def _grave(profile, side, system):
     standing = remarks_on(used, system.parameters) if profile.kind == "wheel" else ()
     read = profile.reading.remarks if profile.reading else ()
     for remark in (*standing, *(one for one in read if isinstance(one, Grave))):
-        yield f"{_named_profile(profile, side)}: {remark}"
+        yield Grave(f"{_named_profile(profile, side)}: {remark}")
 
 
 def _on_profile(profile, side):

@@ -19,7 +19,7 @@ from ..conventions import MILLIMETRE as MM
 from ..interface.parameters import PARAMETERS
 from .readers import read_points
 from .remarks import Reading, Refusal, by_weight, remark, stretch
-from .repair import LEAST_POINTS, WIDTHS, mend
+from .repair import LEAST_POINTS, WIDTHS, mend, words_on_cuts
 from .smoothing import LEAST_NOISE, Curve, pieces_of
 from .zones import Arc, Polynomial
 
@@ -33,7 +33,7 @@ SHARPEST, CLOSE, STEEPEST = 2e3, 0.02, math.tan(math.radians(80.0))
 LEVEL = 1e-9
 
 
-def read_profile(file, kind, smoothing, make):
+def read_profile(file, kind, smoothing, make, track=None):
     """The profile in a ``file``; ValueError, in one sentence, if the file cannot be used.
 
     Parameters
@@ -44,6 +44,8 @@ def read_profile(file, kind, smoothing, make):
     smoothing : root mean square distance [m] between the smoothing spline and the points; 0 goes through
         every point; None is the estimated noise of the points, and no smoothing if that is below 0.01 um.
     make : the class of the profile.
+    track : inclination of the rails on the track [1]: a symmetric head that leans as much is turned upright;
+        None where it is not known.
     """
     tolerance, path = smoothing_in_mm(smoothing), os.fspath(file.path)
     try:
@@ -54,8 +56,9 @@ def read_profile(file, kind, smoothing, make):
         name, extension = os.path.splitext(os.path.basename(path))
         points = read_points(text, extension.lower(), kind, file.select)
         remarks = [*points.remarks]
-        found = mend(points, kind, file, remarks, keep_all=tolerance == 0.0)
+        found, turned = mend(points, kind, file, track, remarks, keep_all=tolerance == 0.0)
         profile = _smooth_profile(found, name, kind, tolerance, remarks, make)
+        profile = replace(profile, reading=replace(profile.reading, inclination=turned))
     except Refusal as problem:
         raise ValueError(f"{kind} profile {path} {problem}") from None
     remark(kind, os.path.basename(path), remarks)
@@ -173,6 +176,8 @@ def _zones_along(found, name, kind, tolerance, asked, remarks):
             f"folds back or is vertical at y = {zones[0].start:.4g} and {zones[-1].stop:.4g} mm; "
             f"permitted is a distance of {WIDTHS[0]:g} mm or more between"
         )
+    ends = np.array([zones[0].start, zones[-1].stop])
+    remarks.extend(words_on_cuts(ends, found.y - curve.origin[0]))
     return zones, smooth
 
 
@@ -232,8 +237,14 @@ def prepared_profile(text, kind, make):
     """The profile in the text of a prepared file."""
     try:
         content = json.loads(text)
+        if not isinstance(content, dict) or not {"name", "kind", "zones", "smooth"} <= content.keys():
+            raise Refusal(
+                "is JSON, but not a profile of wrcontact; permitted are points y and z as text columns"
+            )
         zones = tuple(_zone(dict(entry)) for entry in content["zones"])
         profile = make(str(content["name"]), content["kind"], zones, bool(content["smooth"]))
+    except Refusal:
+        raise
     except (ValueError, LookupError, TypeError, AttributeError, RecursionError, OverflowError) as error:
         raise Refusal(f"is not a prepared profile ({type(error).__name__}: {error})") from None
     return of_kind(profile, kind)

@@ -101,13 +101,14 @@ class Profile:
         kind : "wheel" or "rail".
         smoothing : root mean square distance [m] between the smoothing spline and the points, 0 ... 0.5e-3; 0
             goes through every point; None is the estimated noise of the points.
-        options : mirror_y, mirror_z, rotate [rad], shift (y, z) [m], file_inclination, select: what the file
+        options : mirror_y, mirror_z, rotate [rad], shift (y, z) [m], file_inclination, select, y_range [m]: what the file
             does not say itself, as in :class:`~wrcontact.ProfileFile`.
 
         Raises
         ------
         ValueError
-            if an option is not permitted or the file cannot be used.  Repairs are reported by a
+            if an option is not permitted or the file cannot be used, or if it has a symmetric rail that is
+            inclined and neither ``file_inclination`` nor a track says what is meant.  Repairs are reported by a
             :class:`~wrcontact.ProfileWarning`.
         """
         if kind not in ("wheel", "rail"):

@@ -15,7 +15,7 @@ they speak of rates.
 
 from math import fabs
 
-from ..creep.motion import constraint_residual, set_rates
+from ..creep.motion import are_independent, constraint_residual, set_rates
 from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, Inputs, Tables, Work
 from ..search.roll import lean_both, place_both, turn_both
 from ..surface.gap import gap_per_roll, vertical_gap
@@ -23,17 +23,31 @@ from ..surface.rails import is_sprung
 from ..wheelset.at_height import is_damped, load_at_height
 from ..wheelset.depth_rates import DISPLACED, displace_inputs, keep_sides, motion_size, restore_sides
 from ..wheelset.elastic import UNBALANCED
-from ..wheelset.forces import sum_forces
-from ..wheelset.requested import is_requested, is_rolling, side_force
+from ..wheelset.forces import rub_patch, sum_forces
+from ..wheelset.free_rolling import UNCARRIED, nominal_rate, turns_freely
+from ..wheelset.requested import (
+    is_free,
+    is_moving,
+    is_needed,
+    outer_torque,
+    side_force,
+)
 from ..wheelset.leaning import set_reference
-from ..wheelset.rubbing import move_patches, move_wheelset, open_given_motion, rub_patches
+from ..wheelset.rubbing import (
+    move_patches,
+    move_side,
+    move_wheelset,
+    open_given_motion,
+    rub_patches,
+    rub_side,
+)
 from ..wheelset.report import report
 from ..wheelset.rigid import solve_rigid
 from ..wheelset.springs import UNSETTLED, deflect, has_settled, open_settling, weigh_rail
 from ..wheelset.trial import balance_side
 from ..wheelset.vertical_load import carried_share, carries_friction
 from .elementary_rules import sine_cosine_rule
-from .intrinsics import common_rate, held, moving, nonzero, rate_of, seeded
+from .intrinsics import held, moving, nonzero, rate_of, seeded
 
 
 def place_moving(tables: Tables, work: Work, inputs: Inputs, roll: float):
@@ -162,11 +176,6 @@ def follow_elastic(tables: Tables, work: Work) -> bool:
         return True
     height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant
     roll_rate = (residual_left * right_height - residual_right * left_height) / determinant
-    method = work.broyden
-    method.left_height = common_rate(left_height)
-    method.right_height = common_rate(right_height)
-    method.left_roll = common_rate(left_roll)
-    method.right_roll = common_rate(right_roll)
     follow_position(tables, work, seeded(roll, roll_rate), seeded(height, height_rate))
     work.wheelset.roll = seeded(roll, roll_rate)
     work.wheelset.vertical_shift = seeded(height, height_rate)
@@ -174,8 +183,9 @@ def follow_elastic(tables: Tables, work: Work) -> bool:
 
 
 def follow_residuals(tables: Tables, work: Work, time: float, vertical: float, roll_rate: float):
-    """How fast each side of an elastic wheelset comes down [m/s], from ``time`` [s] before to after or, in a
-    standing one, until then (``depth_rates.find_residuals``)."""
+    """How much faster than the wheelset each side of an elastic one comes down [m/s], from ``time`` [s] before
+    to after or, in a standing one, until then (``depth_rates.find_residuals``)."""
+    set_rates(work.sides[0].motion, work.sides[1].motion, vertical, roll_rate)
     follow_displaced(tables, work, time, vertical, roll_rate)
     left = work.supports[0].height
     right = work.supports[1].height
@@ -185,8 +195,8 @@ def follow_residuals(tables: Tables, work: Work, time: float, vertical: float, r
     else:
         work.supports[0].height = work.wheelset.vertical_shift
         work.supports[1].height = work.wheelset.vertical_shift
-    left = (left - work.supports[0].height) / time
-    right = (right - work.supports[1].height) / time
+    left = (left - work.supports[0].height) / time - vertical
+    right = (right - work.supports[1].height) / time - vertical
     if not side_force(work, 0) > 0.0:
         left = constraint_residual(work.sides[0].motion)
     if not side_force(work, 1) > 0.0:
@@ -210,7 +220,8 @@ def follow_displaced(tables: Tables, work: Work, time: float, vertical: float, r
 
 def follow_rates(tables: Tables, work: Work):
     """Vertical velocity and roll rate of an elastic wheelset: the residuals of both sides vanish
-    (``depth_rates.settle_rates``), whose derivatives are those of the heights.
+    (``depth_rates.settle_rates``).  Their own derivatives by both are taken where the sides are displaced to: a
+    kink may lie on the way, and then those of the heights in between are others.
 
     A wheelset that stands still has none, but begins to move; time, by which rates are multiplied, is any
     then."""
@@ -218,18 +229,26 @@ def follow_rates(tables: Tables, work: Work):
     roll_rate = held(work.wheelset.roll_rate)
     left_motion = work.sides[0].motion
     right_motion = work.sides[1].motion
-    set_rates(left_motion, right_motion, vertical, roll_rate)
     speed = motion_size(tables, work.inputs)
     time = 1.0
     if speed > 0.0:
-        time = DISPLACED / held(speed)
+        time = DISPLACED / speed
     keep_sides(work)
+    left, right = follow_residuals(tables, work, time, seeded(vertical, 1.0), roll_rate)
+    left_vertical = rate_of(left)
+    right_vertical = rate_of(right)
+    left, right = follow_residuals(tables, work, time, vertical, seeded(roll_rate, 1.0))
+    left_roll = rate_of(left)
+    right_roll = rate_of(right)
     left, right = follow_residuals(tables, work, time, vertical, roll_rate)
     restore_sides(work)
-    method = work.broyden
-    determinant = method.left_height * method.right_roll - method.right_height * method.left_roll
-    vertical_rate = (rate_of(right) * method.left_roll - rate_of(left) * method.right_roll) / determinant
-    rate = (rate_of(left) * method.right_height - rate_of(right) * method.left_height) / determinant
+    left_vertical -= rate_of(left)
+    right_vertical -= rate_of(right)
+    left_roll -= rate_of(left)
+    right_roll -= rate_of(right)
+    determinant = left_vertical * right_roll - right_vertical * left_roll
+    vertical_rate = (rate_of(right) * left_roll - rate_of(left) * right_roll) / determinant
+    rate = (rate_of(left) * right_vertical - rate_of(right) * left_vertical) / determinant
     set_rates(left_motion, right_motion, seeded(vertical, vertical_rate), seeded(roll_rate, rate))
 
 
@@ -237,7 +256,7 @@ def follow_deflection(tables: Tables, work: Work, index: int, lateral: float, ve
     """A side at the height and roll of the inputs with its rail deflected."""
     deflect(work, index, lateral, vertical)
     place_moving(tables, work, work.inputs, work.inputs.roll)
-    if is_damped(tables) or is_rolling(tables, work.inputs):
+    if is_damped(tables) or is_moving(tables, work.inputs):
         open_given_motion(tables, work)
     follow_minimum(tables, work, index)
     weigh_rail(tables, work, index, work.inputs.vertical_shift)
@@ -286,7 +305,7 @@ def follow_compliant(tables: Tables, work: Work) -> bool:
     if is_damped(tables):
         open_given_motion(tables, work)
     for index in range(2):
-        if is_requested(tables, index):
+        if is_needed(tables, work.inputs, index):
             if is_sprung(tables, index):
                 undefined = follow_settled(tables, work, index)
                 outcome = outcome or undefined
@@ -355,10 +374,72 @@ def follow_wheelset(tables: Tables, work: Work) -> bool:
     if mode == MODE_COMPLIANT:
         outcome = follow_compliant(tables, work)
     move_wheelset(tables, work)
-    if mode == MODE_ELASTIC and is_rolling(tables, work.inputs):
+    if mode == MODE_ELASTIC and is_moving(tables, work.inputs):
         if work.wheelset.settled and not outcome:
             follow_rates(tables, work)
-    move_patches(tables, work)
-    rub_patches(tables, work)
+    if turns_freely(tables, work):
+        undefined = follow_turning(tables, work)
+        outcome = outcome or undefined
+    else:
+        move_patches(tables, work)
+        rub_patches(tables, work)
     sum_forces(tables, work)
     return outcome
+
+
+def follow_turning(tables: Tables, work: Work) -> bool:
+    """The rotations that follow from the torque on the axle (``free_rolling.roll_freely``); whether their
+    rates are not defined."""
+    undefined = False
+    if are_independent(tables):
+        for index in range(2):
+            if is_free(tables, work.inputs, index):
+                lost = follow_turn(tables, work, index, index)
+                undefined = undefined or lost
+            else:
+                move_side(tables, work.sides[index])
+                rub_side(tables, work, index)
+    else:
+        undefined = follow_turn(tables, work, 0, 1)
+    return undefined
+
+
+def follow_turn(tables: Tables, work: Work, first: int, last: int) -> bool:
+    """The rotation of the wheels ``first`` ... ``last``: the torque that is left vanishes; whether it does
+    not, or does not change with the rotation."""
+    rate = held(work.turning.rates[first])
+    torque, scale = follow_torque(tables, work, first, last, rate)
+    if not scale > 0.0:
+        follow_torque(tables, work, first, last, nominal_rate(tables, work, first))
+        return False
+    if fabs(torque) > UNCARRIED * scale:
+        return True
+    missing = rate_of(torque)
+    torque, scale = follow_torque(tables, work, first, last, seeded(rate, 1.0))
+    slope = rate_of(torque) - missing
+    if not nonzero(slope):
+        return True
+    follow_torque(tables, work, first, last, seeded(rate, -missing / slope))
+    return False
+
+
+def follow_torque(tables: Tables, work: Work, first: int, last: int, rate: float):
+    """What ``rate`` leaves of the torques about the axle, and the torque of all friction [N m]."""
+    for index in range(first, last + 1):
+        work.turning.rates[index] = rate
+    if tables.sprung:
+        follow_compliant(tables, work)
+        open_given_motion(tables, work)
+    scale = 0.0
+    torque = outer_torque(tables, work.inputs, first)
+    for index in range(first, last + 1):
+        side = work.sides[index]
+        side.motion.wheel_rate = rate
+        move_side(tables, side)
+        rub_side(tables, work, index)
+        for number in range(side.patch_count):
+            patch = side.patches[number]
+            rub_patch(side.motion, patch)
+            torque += patch.forces.driving_torque
+            scale += held(patch.friction * patch.totals.load * patch.rolling_radius)
+    return torque, scale

@@ -2,14 +2,16 @@
 #include "constants.h"
 
 /* creep/correction.py */
-static inline int64_t correction__correct_force(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline int64_t correction__correct_force(array_double_1d work, array_double_1d tables, int64_t patch, double share);
 static inline void correction__saturation(double* out_0, double* out_1, double* out_2, array_double_1d work, array_double_1d tables, int64_t patch, int64_t cell, double share);
 static inline double correction__scale_at(array_double_1d tables, int64_t table, int64_t at, double share);
-static inline void correction__node_at(int64_t* at_out, double* on_elevation_out, double* on_azimuth_out, double* on_radius_out, array_double_1d tables, int64_t table, double along, double across, double turning);
+static inline void correction__node_at(int64_t* at_out, double* on_elevation_out, double* on_azimuth_out, double* on_radius_out, double* faint_out, array_double_1d tables, int64_t table, double along, double across, double turning);
+static inline double correction__slope_at(array_double_1d tables, int64_t table, int64_t axis, int64_t ratio, double share);
 static inline void correction__radius_cell(int64_t* cell_out, double* out_1, array_double_1d tables, int64_t table, double place);
-static inline double correction__missing(array_double_1d tables, int64_t table, int64_t at, double on_ratio, double on_elevation, double on_azimuth, double on_radius);
-static inline double correction__on_plane(array_double_1d tables, int64_t table, int64_t at, double on_elevation, double on_azimuth, double on_radius);
-static inline double correction__on_cone(array_double_1d tables, int64_t table, int64_t at, double on_azimuth, double on_radius);
+static inline void correction__middle_bend(int64_t* beyond_out, double* bend_out, int64_t at, double on_azimuth);
+static inline double correction__missing(array_double_1d tables, int64_t table, int64_t at, double on_ratio, double on_elevation, double on_azimuth, double bend, int64_t beyond, double on_radius);
+static inline double correction__on_plane(array_double_1d tables, int64_t table, int64_t at, double on_elevation, double on_azimuth, double bend, int64_t beyond, double on_radius);
+static inline double correction__on_cone(array_double_1d tables, int64_t table, int64_t at, double on_azimuth, double bend, int64_t beyond, double on_radius);
 static inline double correction__on_line(array_double_1d tables, int64_t table, int64_t at, double on_radius);
 
 /* creep/coupled_strips.py */
@@ -21,11 +23,12 @@ static inline double coupled_strips__later_share(double depth, double ratio);
 static inline double coupled_strips__edge_weight(array_double_1d work, int64_t march);
 static inline double coupled_strips__smooth_step(double z);
 static inline int64_t coupled_strips__solve_coupled_strips(array_double_1d work, array_double_1d tables, int64_t patch);
-static inline int64_t coupled_strips__add_strips(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline double coupled_strips__add_strips(array_double_1d work, array_double_1d tables, int64_t patch);
 static inline double coupled_strips__open_stick_zones(array_double_1d work, int64_t patch, double ratio);
 static inline void coupled_strips__flexibilities(double* out_0, double* out_1, array_double_1d work, int64_t patch);
 static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t march, int64_t strip, int64_t index);
 static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64_t patch);
+static inline double coupled_strips__lost_friction(array_double_1d work, int64_t patch);
 
 /* creep/creep_force.py */
 static inline int64_t creep_force__solve_creep_force(array_double_1d work, array_double_1d tables, int64_t patch);
@@ -51,22 +54,34 @@ static inline int64_t cut__add_piece(array_double_1d work, int64_t patch, int64_
 static inline int64_t cut__finish_strips(array_double_1d work, int64_t patch);
 static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch);
 
+/* creep/falling.py */
+static inline int64_t falling__open_falling(array_double_1d work, int64_t patch);
+static inline int64_t falling__find_shares(array_double_1d work, double x);
+static inline double falling__point_share(array_double_1d work, int64_t patch, int64_t strip, double x);
+static inline double falling__decay(double t);
+static inline int64_t falling__weigh_slips(array_double_1d work, double bound);
+static inline int64_t falling__restore_slips(array_double_1d work);
+
 /* creep/fastrip.py */
 static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_1d tables, int64_t patch);
 static inline int64_t fastrip__set_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch, int64_t march);
 static inline double fastrip__longitudinal(array_double_1d work, array_double_1d tables, int64_t patch, int64_t strip);
 static inline int64_t fastrip__find_stick(array_double_1d work, int64_t march, double push, double lateral, double spin);
-static inline int64_t fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t march, int64_t strip);
-static inline void fastrip__next_traction(double* p_x_out, double* p_y_out, array_double_1d work, int64_t march, double x, double bound);
+static inline double fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t march, int64_t strip);
+static inline int64_t fastrip__open_stick(array_double_1d work, int64_t march);
+static inline int64_t fastrip__march_on(array_double_1d work, int64_t march, double x, double bound);
+static inline void fastrip__slip_direction(double* p_x_out, double* p_y_out, array_double_1d work, int64_t march, double bound);
+static inline void fastrip__stick_traction(double* out_0, double* out_1, array_double_1d work, int64_t march, double x, double bound);
 
 /* creep/fastsim.py */
 static inline int64_t fastsim__solve_fastsim(array_double_1d work, array_double_1d tables, int64_t patch);
 static inline void fastsim__stiffnesses(double* out_0, double* out_1, double* out_2, array_double_1d work, array_double_1d tables, int64_t patch);
 static inline double fastsim__strip_push(array_double_1d work, int64_t patch, int64_t strip, double along, double turning);
-static inline double fastsim__march_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip, double rate, double push, double across, double turning);
+static inline void fastsim__march_strip(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip, double rate, double push, double across, double turning);
+static inline double fastsim__sticking(double free_x, double free_y, double push_x, double push_y, double bound);
 
 /* creep/friction.py */
-static inline double friction__patch_friction(array_double_1d tables, double friction, double angle, double sliding);
+static inline int64_t friction__set_friction(array_double_1d work, array_double_1d tables, int64_t patch, double friction, bool resting);
 static inline double friction__flange_share(array_double_1d tables, double angle);
 static inline double friction__slope_factor(array_double_1d work, array_double_1d tables, int64_t patch);
 static inline int64_t friction__multiply_creepages(array_double_1d work, int64_t patch, double factor);
@@ -79,12 +94,12 @@ static inline int64_t march__open_marches(array_double_1d work, double ratio);
 static inline int64_t march__set_pushes(array_double_1d work, int64_t march, int64_t number, double plane, double spinning, double ratio);
 static inline int64_t march__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number);
 static inline int64_t march__add_beyond(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number, int64_t last);
-static inline int64_t march__march_strips(array_double_1d tables, array_double_1d work, int64_t table);
+static inline int64_t march__march_strips(array_double_1d tables, array_double_1d work, int64_t table, bool falls);
 static inline bool march__has_slip(array_double_1d work);
 static inline int64_t march__march_first(array_double_1d work, double x, double bound, double step);
 static inline int64_t march__march_second(array_double_1d work, double x, double bound, double step);
 static inline int64_t march__reach_edge(array_double_1d work, int64_t i, double before, double x, double bound);
-static inline int64_t march__leave_edge(array_double_1d work, int64_t i, double x, double bound);
+static inline int64_t march__leave_edge(array_double_1d work, int64_t i, double x, double bound, double friction);
 static inline void march__stepped(double* out_0, double* out_1, array_double_1d work, int64_t i, double p_x, double p_y, double x, double step);
 static inline void march__slip_traction(double* out_0, double* out_1, array_double_1d work, int64_t i, double bound);
 static inline int64_t march__note_largest(array_double_1d work, int64_t i, double p_x, double p_y);
@@ -110,26 +125,29 @@ static inline int64_t motion__set_contact_rates(array_double_1d work, int64_t le
 
 /* creep/polach.py */
 static inline int64_t polach__solve_polach(array_double_1d work, array_double_1d tables, int64_t patch);
-static inline double polach__mean_coefficient(array_double_1d work, int64_t patch, double first, double second, double slip);
-static inline double polach__creep_force(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole);
-static inline double polach__spin_force(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole);
+static inline double polach__mean_coefficient(array_double_1d work, int64_t patch, double first, double second, double own);
+static inline double polach__slope(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole);
+static inline double polach__spin_slope(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole);
 static inline double polach__spin_share(double e);
 static inline int64_t polach__cut_force(array_double_1d work, int64_t patch);
 static inline double polach__largest_shear(array_double_1d work, int64_t patch);
 
 /* creep/stiffness.py */
 static inline int64_t stiffness__find_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline int64_t stiffness__patch_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch);
+static inline int64_t stiffness__renew_shift(array_double_1d work, int64_t patch);
 static inline int64_t stiffness__join_strips(array_double_1d work, int64_t patch);
 static inline int64_t stiffness__fill_equations(array_double_1d tables, array_double_1d work, int64_t table);
 static inline int64_t stiffness__reach_beside(array_double_1d tables, array_double_1d work, int64_t table, int64_t i, int64_t j, double near, double far);
 static inline void stiffness__reaches(double* out_0, double* out_1, double* out_2, array_double_1d tables, int64_t table, double distance);
 static inline double stiffness__reach_cubic(array_double_1d tables, int64_t table, int64_t at, double u);
 static inline int64_t stiffness__solve_blocks(array_double_1d work, int64_t equations, int64_t sides);
+static inline int64_t stiffness__substitute(array_double_1d work, int64_t equations, int64_t side);
 static inline double stiffness__creepage_shift(array_double_1d work);
 static inline double stiffness__mean_share(double ratio);
-static inline int64_t stiffness__spread_turning(array_double_1d work, double share);
+static inline int64_t stiffness__spread_turning(array_double_1d work, int64_t blocks, double share);
 static inline double stiffness__not_below(double value, double least);
-static inline void stiffness__stiffnesses_at(double* along_out, double* across_out, double* turning_out, array_double_1d work, int64_t index, double station);
+static inline void stiffness__stiffnesses_at(double* along_out, double* across_out, double* turning_out, array_double_1d work, int64_t blocks, int64_t index, double station);
 
 /* creep/tractions.py */
 static inline double tractions__shape_place(double axis_ratio);
@@ -140,6 +158,23 @@ static inline void tractions__cut_to(double* along_out, double* across_out, doub
 static inline int64_t tractions__add_strip(array_double_1d work, int64_t patch, int64_t strip, double along, double across, double moment);
 static inline double tractions__patch_area(array_double_1d work, int64_t patch);
 static inline double tractions__point_weight(array_double_1d work, int64_t strip);
+
+/* creep/turning.py */
+static inline void turning__heading_velocity(double* out_0, double* out_1, array_double_1d work, int64_t motion, double x, double y_track, double z_track);
+static inline int64_t turning__begin_turning(array_double_1d work, double wanted, double speed);
+static inline int64_t turning__enclose_rates(array_double_1d work, int64_t motion, int64_t patch);
+static inline int64_t turning__add_stand_in(array_double_1d work, array_double_1d tables, int64_t motion, int64_t patch, double friction);
+static inline int64_t turning__widen_enclosure(array_double_1d work);
+static inline int64_t turning__begin_search(array_double_1d work, double start);
+static inline void turning__patch_stand_in(double* torque_out, double* slope_out, array_double_1d work, int64_t own, double speed, double rate);
+static inline void turning__stand_in(double* torque_out, double* slope_out, array_double_1d work, double rate);
+static inline void turning__corrected(double* out_0, double* slope_out, array_double_1d work, double rate);
+static inline double turning__stand_in_rate(array_double_1d work);
+static inline double turning__next_rate(array_double_1d work);
+static inline int64_t turning__note_torque(array_double_1d work, double rate, double torque);
+static inline bool turning__is_balanced(array_double_1d work);
+static inline bool turning__is_beyond(array_double_1d work);
+static inline bool turning__is_at_jump(array_double_1d work);
 
 
 /* ---- From creep/correction.py; change that one.
@@ -156,17 +191,27 @@ static inline double tractions__point_weight(array_double_1d work, int64_t strip
  * the force over mu N, the moment over mu N sqrt(ab) and the stick share that are missing; between its nodes
  * they follow straight lines along each coordinate.  The force is then cut to mu N, the stick share to 0 ... 1.
  *
+ * Three kinks would lie where a wheelset that runs straight has its creepages, and are none: from the origin on
+ * the first step of z = R / (1 + R), up to z1, is a parabola, T (z/z1)^2 with the table's T, beside which
+ *
+ *     L s (1 - z/z1) / (1 + R)                                                                      (D2)
+ *
+ * counts, with L what the strips lack of linear theory per saturation s; so is the first step of the elevation for all but the longitudinal force, which are even
+ * in s1; and beside s2 = 0 the azimuth's straight lines are bent until they meet with one slope.
+ *
  * s3 is zero on both sides of the azimuth's ends, where the table's values change over into their mirror images;
  * so the correction is continuous all over.
  */
 
-/* Add to a patch's force, moment and stick share what is missing. */
-static inline int64_t correction__correct_force(array_double_1d work, array_double_1d tables, int64_t patch)
+/* Add to a patch's force, moment and stick share what is missing; its friction has fallen to a ``share``
+ * of that of rest.
+ */
+static inline int64_t correction__correct_force(array_double_1d work, array_double_1d tables, int64_t patch, double share)
 {
-    int64_t table, ratio, at;
-    double bound, mean_axis, on_ratio, along, across, turning, sign_x, sign_y, on_elevation, on_azimuth, on_radius, force_x, force_y;
+    int64_t table, ratio, at, beyond;
+    double bound, mean_axis, on_ratio, along, across, turning, sign_x, sign_y, on_elevation, on_azimuth, on_radius, faint, scale, bend, turned, force_x, force_y;
     table = (int64_t)AT(tables, layout__TABLES_ROLLING);
-    bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * share;
     mean_axis = sqrt(AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH));
     tables__table_cell(&ratio, &on_ratio, (powers__log(AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH)) - correction__LN_FIRST_RATIO) * correction__PER_DOUBLING, (double)(layout__CORRECTION_RATIOS - 1));
     correction__saturation(&along, &across, &turning, work, tables, patch, ratio, on_ratio);
@@ -183,12 +228,25 @@ static inline int64_t correction__correct_force(array_double_1d work, array_doub
         across = -across;
         turning = -turning;
     }
-    correction__node_at(&at, &on_elevation, &on_azimuth, &on_radius, tables, table, along, across, turning);
+    correction__node_at(&at, &on_elevation, &on_azimuth, &on_radius, &faint, tables, table, along, across, turning);
+    if (faint > 0.0)
+    {
+        scale = faint * bound;
+        AT(work, patch + layout__PATCH_CREEP_X) += scale * sign_x * correction__slope_at(tables, table, 0, ratio, on_ratio) * along;
+        AT(work, patch + layout__PATCH_CREEP_Y) += scale * sign_y * (correction__slope_at(tables, table, 1, ratio, on_ratio) * across + correction__slope_at(tables, table, 2, ratio, on_ratio) * turning);
+        AT(work, patch + layout__PATCH_CREEP_MOMENT) += scale * sign_y * mean_axis * (correction__slope_at(tables, table, 3, ratio, on_ratio) * across + correction__slope_at(tables, table, 4, ratio, on_ratio) * turning);
+    }
     at += ratio * correction__RATIO_STRIDE;
-    AT(work, patch + layout__PATCH_CREEP_X) += sign_x * bound * correction__missing(tables, table, at, on_ratio, on_elevation, on_azimuth, on_radius);
-    AT(work, patch + layout__PATCH_CREEP_Y) += sign_y * bound * correction__missing(tables, table, at + 1, on_ratio, on_elevation, on_azimuth, on_radius);
-    AT(work, patch + layout__PATCH_CREEP_MOMENT) += sign_y * bound * mean_axis * correction__missing(tables, table, at + 2, on_ratio, on_elevation, on_azimuth, on_radius);
-    AT(work, patch + layout__PATCH_STICK_SHARE) += correction__missing(tables, table, at + 3, on_ratio, on_elevation, on_azimuth, on_radius);
+    correction__middle_bend(&beyond, &bend, at, on_azimuth);
+    AT(work, patch + layout__PATCH_CREEP_X) += sign_x * bound * correction__missing(tables, table, at, on_ratio, on_elevation, on_azimuth, bend, beyond, on_radius);
+    if (modulo(at, correction__RATIO_STRIDE) < correction__ELEVATION_STRIDE)
+    {
+        on_elevation *= on_elevation;
+    }
+    AT(work, patch + layout__PATCH_CREEP_Y) += sign_y * bound * correction__missing(tables, table, at + 1, on_ratio, on_elevation, on_azimuth, bend, beyond, on_radius);
+    turned = correction__missing(tables, table, at + 2, on_ratio, on_elevation, on_azimuth, bend, beyond, on_radius);
+    AT(work, patch + layout__PATCH_CREEP_MOMENT) += sign_y * bound * mean_axis * turned;
+    AT(work, patch + layout__PATCH_STICK_SHARE) += correction__missing(tables, table, at + 3, on_ratio, on_elevation, on_azimuth, bend, beyond, on_radius);
     AT(work, patch + layout__PATCH_STICK_SHARE) = double_min(double_max(AT(work, patch + layout__PATCH_STICK_SHARE), 0.0), 1.0);
     tractions__cut_to(&force_x, &force_y, AT(work, patch + layout__PATCH_CREEP_X), AT(work, patch + layout__PATCH_CREEP_Y), bound);
     AT(work, patch + layout__PATCH_CREEP_X) = force_x;
@@ -220,12 +278,12 @@ static inline double correction__scale_at(array_double_1d tables, int64_t table,
     return AT(tables, table + layout__ROLLING_TABLE_SCALES + at) + share * (AT(tables, table + layout__ROLLING_TABLE_SCALES + (at + 3)) - AT(tables, table + layout__ROLLING_TABLE_SCALES + at));
 }
 
-/* Where the cell of a saturation begins in the corrections of a ratio, and where in it that lies;
- * ``along`` and ``turning`` are not negative.
+/* Where the cell of a saturation begins in the corrections of a ratio, where in it that lies, and how much
+ * the slopes at no creepage count; ``along`` and ``turning`` are not negative.
  */
-static inline void correction__node_at(int64_t* at_out, double* on_elevation_out, double* on_azimuth_out, double* on_radius_out, array_double_1d tables, int64_t table, double along, double across, double turning)
+static inline void correction__node_at(int64_t* at_out, double* on_elevation_out, double* on_azimuth_out, double* on_radius_out, double* faint_out, array_double_1d tables, int64_t table, double along, double across, double turning)
 {
-    double flat, radius, place, on_elevation, on_azimuth, on_radius;
+    double flat, radius, place, on_elevation, on_azimuth, on_radius, faint;
     int64_t elevation, azimuth, cell, at;
     flat = sqrt(across * across + turning * turning);
     radius = sqrt(flat * flat + along * along);
@@ -233,11 +291,26 @@ static inline void correction__node_at(int64_t* at_out, double* on_elevation_out
     tables__table_cell(&elevation, &on_elevation, place + double_min(place, 1.0), (double)(layout__CORRECTION_ELEVATIONS - 1));
     tables__table_cell(&azimuth, &on_azimuth, circle__atan2(fabs(turning), across) / M_PI * (double)(layout__CORRECTION_AZIMUTHS - 1), (double)(layout__CORRECTION_AZIMUTHS - 1));
     correction__radius_cell(&cell, &on_radius, tables, table, radius / (1.0 + radius));
+    faint = 0.0;
+    if (cell == 0)
+    {
+        faint = (1.0 - on_radius) / (1.0 + radius);
+        on_radius *= on_radius;
+    }
     at = elevation * correction__ELEVATION_STRIDE + azimuth * layout__CORRECTION_LINE + cell * layout__CORRECTION_COLUMNS;
     *at_out = at;
     *on_elevation_out = on_elevation;
     *on_azimuth_out = on_azimuth;
     *on_radius_out = on_radius;
+    *faint_out = faint;
+}
+
+/* One of the slopes at no creepage, between two ratios. */
+static inline double correction__slope_at(array_double_1d tables, int64_t table, int64_t axis, int64_t ratio, double share)
+{
+    int64_t at;
+    at = layout__CORRECTION_AXES * ratio + axis;
+    return AT(tables, table + layout__ROLLING_TABLE_SLOPES + at) + share * (AT(tables, table + layout__ROLLING_TABLE_SLOPES + (at + layout__CORRECTION_AXES)) - AT(tables, table + layout__ROLLING_TABLE_SLOPES + at));
 }
 
 /* The cell that holds R / (1 + R) = ``place``, and where in it. */
@@ -253,28 +326,66 @@ static inline void correction__radius_cell(int64_t* cell_out, double* out_1, arr
     *out_1 = (place - AT(tables, table + layout__ROLLING_TABLE_RADII + cell)) / (AT(tables, table + layout__ROLLING_TABLE_RADII + (cell + 1)) - AT(tables, table + layout__ROLLING_TABLE_RADII + cell));
 }
 
-/* A number of the table, linear along all four coordinates of the cell that begins ``at``. */
-static inline double correction__missing(array_double_1d tables, int64_t table, int64_t at, double on_ratio, double on_elevation, double on_azimuth, double on_radius)
+/* Where the third node lies that the azimuth's straight line in the cell ``at`` is bent by, and how much:
+ * beside s2 = 0, where both lines get the mean of their slopes; elsewhere by nothing.
+ */
+static inline void correction__middle_bend(int64_t* beyond_out, double* bend_out, int64_t at, double on_azimuth)
 {
-    double low;
-    low = correction__on_plane(tables, table, at, on_elevation, on_azimuth, on_radius);
-    return low + on_ratio * (correction__on_plane(tables, table, at + correction__RATIO_STRIDE, on_elevation, on_azimuth, on_radius) - low);
+    int64_t azimuth, beyond;
+    double bend;
+    azimuth = floor_div(modulo(at, correction__ELEVATION_STRIDE), layout__CORRECTION_LINE);
+    beyond = 0;
+    bend = 0.0;
+    if (azimuth == correction__MIDDLE_AZIMUTH)
+    {
+        beyond = -layout__CORRECTION_LINE;
+        bend = 0.5 * on_azimuth * (on_azimuth - 1.0);
+    }
+    else if (azimuth == correction__MIDDLE_AZIMUTH - 1)
+    {
+        beyond = 2 * layout__CORRECTION_LINE;
+        bend = 0.5 * on_azimuth * (on_azimuth - 1.0);
+    }
+    *beyond_out = beyond;
+    *bend_out = bend;
+}
+
+/* A number of the table, linear along all four coordinates of the cell that begins ``at``, but for the
+ * ``bend`` of the azimuth.
+ */
+static inline double correction__missing(array_double_1d tables, int64_t table, int64_t at, double on_ratio, double on_elevation, double on_azimuth, double bend, int64_t beyond, double on_radius)
+{
+    double low, high;
+    low = correction__on_plane(tables, table, at, on_elevation, on_azimuth, bend, beyond, on_radius);
+    high = correction__on_plane(tables, table, at + correction__RATIO_STRIDE, on_elevation, on_azimuth, bend, beyond, on_radius);
+    return low + on_ratio * (high - low);
 }
 
 /* The same for one ratio. */
-static inline double correction__on_plane(array_double_1d tables, int64_t table, int64_t at, double on_elevation, double on_azimuth, double on_radius)
+static inline double correction__on_plane(array_double_1d tables, int64_t table, int64_t at, double on_elevation, double on_azimuth, double bend, int64_t beyond, double on_radius)
 {
-    double low;
-    low = correction__on_cone(tables, table, at, on_azimuth, on_radius);
-    return low + on_elevation * (correction__on_cone(tables, table, at + correction__ELEVATION_STRIDE, on_azimuth, on_radius) - low);
+    double low, high;
+    low = correction__on_cone(tables, table, at, on_azimuth, bend, beyond, on_radius);
+    high = correction__on_cone(tables, table, at + correction__ELEVATION_STRIDE, on_azimuth, bend, beyond, on_radius);
+    return low + on_elevation * (high - low);
 }
 
 /* The same for one elevation. */
-static inline double correction__on_cone(array_double_1d tables, int64_t table, int64_t at, double on_azimuth, double on_radius)
+static inline double correction__on_cone(array_double_1d tables, int64_t table, int64_t at, double on_azimuth, double bend, int64_t beyond, double on_radius)
 {
-    double low;
+    double low, high, found;
     low = correction__on_line(tables, table, at, on_radius);
-    return low + on_azimuth * (correction__on_line(tables, table, at + layout__CORRECTION_LINE, on_radius) - low);
+    high = correction__on_line(tables, table, at + layout__CORRECTION_LINE, on_radius);
+    found = low + on_azimuth * (high - low);
+    if (beyond < 0)
+    {
+        found += bend * (correction__on_line(tables, table, at + beyond, on_radius) - low - (low - high));
+    }
+    else if (beyond > 0)
+    {
+        found += bend * (correction__on_line(tables, table, at + beyond, on_radius) - high - (high - low));
+    }
+    return found;
 }
 
 /* The same for one azimuth. */
@@ -297,7 +408,8 @@ static inline double correction__on_line(array_double_1d tables, int64_t table, 
  *     int p dx = sum_q p_q a pi/(n + 1) sin t_q - c (e - (0, k)) (pi/2) m (a - d)^2,   x_q = a cos t_q   (T1)
  *     int x p_y dx = sum_q x_q p_q,y a pi/(n + 1) sin t_q - c (e_y - k) (pi/2) m (a - d)^2 d            (T2)
  *
- * in which the second root of eq. (Z1) is integrated exactly.
+ * in which the second root of eq. (Z1) is integrated exactly.  Written with (u, v) = d (e - (0, k)) nothing is
+ * divided by d but what lies behind the edge: so for small creepages these are Kalker's linear theory.
  *
  * Where a strip sticks is strip theory with a bound, made continuous.  In units of the bound's rate m the
  * creepages of a strip are u = -K1 w_x / m, v = -K2 w_y / m [m] and k = -K3 phi / m.  The strip sticks from -a +
@@ -379,6 +491,8 @@ static inline int64_t coupled_strips__find_stick_zone(array_double_1d work, int6
     AT(work, march + layout__ROLLING_MARCH_TWIST) = k;
     AT(work, march + layout__ROLLING_MARCH_STICK_X) = 0.0;
     AT(work, march + layout__ROLLING_MARCH_STICK_Y) = 0.0;
+    AT(work, march + layout__ROLLING_MARCH_LEAD_X) = u;
+    AT(work, march + layout__ROLLING_MARCH_LEAD_Y) = v;
     if (weight > 0.0 && depth < a)
     {
         AT(work, march + layout__ROLLING_MARCH_DEPTH) = depth;
@@ -485,24 +599,32 @@ static inline double coupled_strips__smooth_step(double z)
 /* Force, moment, stick share and largest traction of a patch. */
 static inline int64_t coupled_strips__solve_coupled_strips(array_double_1d work, array_double_1d tables, int64_t patch)
 {
-    stiffness__find_stiffnesses(work, tables, patch);
-    coupled_strips__add_strips(work, tables, patch);
+    double share;
+    stiffness__patch_stiffnesses(work, tables, patch);
+    share = coupled_strips__add_strips(work, tables, patch);
     if (!(AT(work, layout__WORK_ROLLING + layout__ROLLING_BARE) == 1.0))
     {
-        correction__correct_force(work, tables, patch);
+        correction__correct_force(work, tables, patch, share);
     }
+    AT(work, patch + layout__PATCH_FRICTION) *= share;
     return 0;
 }
 
-/* What the strips add up to, without correction. */
-static inline int64_t coupled_strips__add_strips(array_double_1d work, array_double_1d tables, int64_t patch)
+/* What the strips add up to, without correction; friction's share of that of rest. */
+static inline double coupled_strips__add_strips(array_double_1d work, array_double_1d tables, int64_t patch)
 {
-    double ratio, plane, spinning, mean, stuck;
+    double ratio, plane, spinning, mean, stuck, share;
+    bool falls;
     int64_t i, march;
     ratio = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     coupled_strips__flexibilities(&plane, &spinning, work, patch);
     march__open_marches(work, ratio);
     mean = coupled_strips__open_stick_zones(work, patch, ratio);
+    falls = AT(work, patch + layout__PATCH_FALL_RATE) > 0.0;
+    if (falls)
+    {
+        falling__open_falling(work, patch);
+    }
     stuck = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
@@ -515,10 +637,15 @@ static inline int64_t coupled_strips__add_strips(array_double_1d work, array_dou
             stuck += 2.0 * (AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, march + layout__ROLLING_MARCH_DEPTH)) * AT(work, march + layout__ROLLING_MARCH_WEIGHT) * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
         }
     }
-    march__march_strips(tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING));
+    march__march_strips(tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), falls);
     coupled_strips__finish_marches(work, patch);
     AT(work, patch + layout__PATCH_STICK_SHARE) = stuck / tractions__patch_area(work, patch);
-    return 0;
+    share = 1.0;
+    if (falls)
+    {
+        share = 1.0 - coupled_strips__lost_friction(work, patch) / (AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
+    }
+    return share;
 }
 
 /* The strips' stick zones as they first are; the mean of their shares of linear theory. */
@@ -573,7 +700,7 @@ static inline int64_t coupled_strips__begin_march(array_double_1d work, int64_t 
     AT(work, march + layout__ROLLING_MARCH_SLIP) = AT(work, strip + layout__ROLLING_STRIP_SLIP);
     AT(work, march + layout__ROLLING_MARCH_LATERAL) = AT(work, strip + layout__ROLLING_STRIP_LATERAL);
     AT(work, march + layout__ROLLING_MARCH_SPIN) = AT(work, strip + layout__ROLLING_STRIP_SPIN);
-    stiffness__stiffnesses_at(&along, &across, &turning, work, index, AT(work, strip + layout__ROLLING_STRIP_STATION));
+    stiffness__stiffnesses_at(&along, &across, &turning, work, layout__WORK_ROLLING + layout__ROLLING_BLOCKS, index, AT(work, strip + layout__ROLLING_STRIP_STATION));
     AT(work, march + layout__ROLLING_MARCH_ALONG) = along;
     AT(work, march + layout__ROLLING_MARCH_ACROSS) = across;
     AT(work, march + layout__ROLLING_MARCH_TURNING) = turning;
@@ -600,6 +727,21 @@ static inline int64_t coupled_strips__finish_marches(array_double_1d work, int64
     }
     AT(work, patch + layout__PATCH_MAX_SHEAR) = sqrt(largest);
     return 0;
+}
+
+/* How much of the bound on its force a patch loses where friction falls [N]. */
+static inline double coupled_strips__lost_friction(array_double_1d work, int64_t patch)
+{
+    double lost, unit;
+    int64_t i, strip;
+    lost = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        unit = tractions__bound_rate(work, patch, strip) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) * tractions__point_weight(work, strip) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+        lost += unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i);
+    }
+    return lost;
 }
 
 
@@ -683,16 +825,20 @@ static inline int64_t creep_force__mirror_rolling(array_double_1d work, int64_t 
  * about the axle e2, positive when it rolls forward.  On the right wheel, with the normal n from the
  * rail to the wheel and y_p = e_x x n, which points to the field side,
  *
- *     V_ref = (|V| + |w e2 x (P - C)|_x) / 2
+ *     V_ref = sqrt((|V| + |w e2 x (P - C)|_x)^2 / 4 + V_0^2),   V_0 = 1e-12 m/s
  *     xi = v . e_x / V_ref,   eta = v . y_p / V_ref,   phi = -(W - w e2) . n / V_ref
  *
  * The left wheel is mirrored.  A strip of a patch has those of its own middle, with the rail's normal there.
+ *
+ * V_0 changes no bit of a wheel that rolls.  Towards standstill, with whatever velocities across the track,
+ * creepages grow until the whole patch slips against them, and creep forces have their limit.  A wheelset at rest
+ * has no creepages, which V_0 lets them reach without a jump.
  *
  * The distance of P from the axle counts as the rolling radius there: an elastic wheel turns with the
  * circumference that it has when it carries nothing, however deep it is pressed.
  */
 
-/* Rolling speed and creepages of a patch; those of a patch that stands still are zero. */
+/* Rolling speed and creepages of a patch. */
 static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion, int64_t patch)
 {
     double x, y, z, rolling_x, rolling_y, rolling_z, share, along, lateral, vertical, normal_y, normal_z, speed;
@@ -711,15 +857,9 @@ static inline int64_t creepage__move_patch(array_double_1d work, int64_t motion,
     AT(work, patch + layout__PATCH_SPEED) = speed;
     AT(work, patch + layout__PATCH_RADIUS_SHARE) = share;
     AT(work, patch + layout__PATCH_BACKWARDS) = (double)(AT(work, motion + layout__MOTION_SPEED) + rolling_x < 0.0);
-    AT(work, patch + layout__PATCH_CREEPAGE_X) = 0.0;
-    AT(work, patch + layout__PATCH_CREEPAGE_Y) = 0.0;
-    AT(work, patch + layout__PATCH_SPIN) = 0.0;
-    if (speed > creepage__STANDSTILL)
-    {
-        AT(work, patch + layout__PATCH_CREEPAGE_X) = along / speed;
-        AT(work, patch + layout__PATCH_CREEPAGE_Y) = -(normal_z * lateral - normal_y * vertical) / speed;
-        AT(work, patch + layout__PATCH_SPIN) = -((AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Y)) * normal_y + (AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Z)) * normal_z) / speed;
-    }
+    AT(work, patch + layout__PATCH_CREEPAGE_X) = along / speed;
+    AT(work, patch + layout__PATCH_CREEPAGE_Y) = -(normal_z * lateral - normal_y * vertical) / speed;
+    AT(work, patch + layout__PATCH_SPIN) = -((AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Y)) * normal_y + (AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Z)) * normal_z) / speed;
     return 0;
 }
 
@@ -786,7 +926,9 @@ static inline double creepage__velocity_along(array_double_1d work, int64_t moti
 /* The rolling speed [m/s] that creepages are referred to. */
 static inline double creepage__reference_speed(array_double_1d work, int64_t motion, double rolling_x)
 {
-    return 0.5 * (fabs(AT(work, motion + layout__MOTION_SPEED)) + fabs(rolling_x));
+    double speed;
+    speed = 0.5 * (fabs(AT(work, motion + layout__MOTION_SPEED)) + fabs(rolling_x));
+    return sqrt(speed * speed + creepage__REST * creepage__REST);
 }
 
 /* Speed [m/s] at which wheel and rail approach each other along a patch's normal, at its centre of load.
@@ -1043,6 +1185,113 @@ static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch)
 }
 
 
+/* ---- From creep/falling.py; change that one.
+ *
+ * Friction that falls with the sliding velocity of each point.
+ *
+ * What slips at the point x of a strip has the share
+ *
+ *     f = (1 - A) exp(-t) + A,   t = (B V_ref / k) sqrt(w_x^2 + (w_y + phi x)^2)                   (L1)
+ *
+ * of the friction of rest, with the strip's creepages and spin and the k of a reduced slope, by which they are
+ * multiplied.  Stick zones, marches and directions are those of the friction of rest: only tractions of slip
+ * count f times.  So the force is continuous, and no equation has several solutions.  The coefficient of
+ * friction of the patch is then the mean over its points, weighted with their pressure, in which what sticks
+ * counts with the friction of rest.
+ *
+ * The correction of strips counts in proportion to that mean.
+ */
+
+/* Exponents of all strips of a patch, eq. (L1). */
+static inline int64_t falling__open_falling(array_double_1d work, int64_t patch)
+{
+    int64_t i, strip;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR) = AT(work, patch + layout__PATCH_FALL_FLOOR);
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i) = AT(work, patch + layout__PATCH_FALL_RATE) * AT(work, strip + layout__ROLLING_STRIP_SLIP);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i) = AT(work, patch + layout__PATCH_FALL_RATE) * AT(work, strip + layout__ROLLING_STRIP_LATERAL);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i) = AT(work, patch + layout__PATCH_FALL_RATE) * AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) = 0.0;
+    }
+    return 0;
+}
+
+/* f of all strips at the place ``x`` over a, eq. (L1). */
+static inline int64_t falling__find_shares(array_double_1d work, double x)
+{
+    double floor, along, across;
+    int64_t i;
+    floor = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR);
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i);
+        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i) * x;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i) = floor + (1.0 - floor) * falling__decay(sqrt(along * along + across * across));
+    }
+    return 0;
+}
+
+/* f at the place ``x`` [m] of a ``strip``. */
+static inline double falling__point_share(array_double_1d work, int64_t patch, int64_t strip, double x)
+{
+    double along, across, slide;
+    along = AT(work, strip + layout__ROLLING_STRIP_SLIP);
+    across = AT(work, strip + layout__ROLLING_STRIP_LATERAL) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * x;
+    slide = AT(work, patch + layout__PATCH_FALL_RATE) * sqrt(along * along + across * across);
+    return AT(work, patch + layout__PATCH_FALL_FLOOR) + (1.0 - AT(work, patch + layout__PATCH_FALL_FLOOR)) * falling__decay(slide);
+}
+
+/* exp(-t) for t >= 0, within 1e-14, without a branch: compilers do several at once. */
+static inline double falling__decay(double t)
+{
+    double z, p;
+    z = double_min(t, falling__LARGEST) / falling__POWER;
+    p = 1.0 - z / 6.0 * (1.0 - z / 7.0 * (1.0 - z / 8.0));
+    p = 1.0 - z * (1.0 - z / 2.0 * (1.0 - z / 3.0 * (1.0 - z / 4.0 * (1.0 - z / 5.0 * p))));
+    p *= p;
+    p *= p;
+    p *= p;
+    p *= p;
+    p *= p;
+    return p * p;
+}
+
+/* Let what slips at a point with the ``bound`` count with friction's share, until
+ * :func:`restore_slips`.
+ */
+static inline int64_t falling__weigh_slips(array_double_1d work, double bound)
+{
+    int64_t i;
+    double share, slips, noted;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        share = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i);
+        slips = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i);
+        noted = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i) = slips;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i) = noted;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) += bound * bound * slips * (1.0 - share);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = slips * share;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = noted * share * share;
+    }
+    return 0;
+}
+
+/* Let what slips count as a whole again. */
+static inline int64_t falling__restore_slips(array_double_1d work)
+{
+    int64_t i;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i);
+    }
+    return 0;
+}
+
+
 /* ---- From creep/fastrip.py; change that one.
  *
  * FaStrip: strip theory in the stick zone, FASTSIM's direction in the slip zone.
@@ -1056,7 +1305,8 @@ static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch)
  * the same in all strips.  A strip that has no stick zone, or one that is longer than itself, slips all over.
  * Where a strip slips its traction is the bound, in the direction that FASTSIM's traction has there.  As
  * published, -phi y has the stiffness K3 / (1 - nu) in strip theory and L3 in FASTSIM; with those of
- * longitudinal creepage, K1 and L1, the force is closer to the complete theory.
+ * longitudinal creepage, K1 and L1, the force is closer to the complete theory.  Where friction falls, the slip
+ * zone's tractions count with its share (falling.py).
  *
  * The force is not continuous: strips begin to slip all over while their stick zone has a length.
  */
@@ -1064,12 +1314,13 @@ static inline int64_t cut__plane_slips(array_double_1d work, int64_t patch)
 /* Force, moment, stick share and largest traction of a patch. */
 static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_1d tables, int64_t patch)
 {
-    double along, across, turning, stuck, rate, slanted;
+    double along, across, turning, stuck, lost, rate, slanted;
     int64_t i, strip;
     fastsim__stiffnesses(&along, &across, &turning, work, tables, patch);
     fastrip__set_stiffnesses(work, tables, patch, layout__WORK_ROLLING + layout__ROLLING_MARCH);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST) = 0.0;
     stuck = 0.0;
+    lost = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
@@ -1083,10 +1334,11 @@ static inline int64_t fastrip__solve_fastrip(array_double_1d work, array_double_
             AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_X) = fastsim__strip_push(work, patch, strip, along, turning);
             AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y) = (AT(work, strip + layout__ROLLING_STRIP_LATERAL) - slanted) * across + slanted * turning;
             AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN) = AT(work, strip + layout__ROLLING_STRIP_SPIN) * turning;
-            fastrip__add_tractions(tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, layout__WORK_ROLLING + layout__ROLLING_MARCH, strip);
+            lost += fastrip__add_tractions(tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, layout__WORK_ROLLING + layout__ROLLING_MARCH, strip);
             stuck += 2.0 * (AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
         }
     }
+    AT(work, patch + layout__PATCH_FRICTION) -= lost / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     AT(work, patch + layout__PATCH_MAX_SHEAR) = sqrt(AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST));
     AT(work, patch + layout__PATCH_STICK_SHARE) = stuck / tractions__patch_area(work, patch);
     return 0;
@@ -1145,6 +1397,8 @@ static inline int64_t fastrip__find_stick(array_double_1d work, int64_t march, d
     }
     AT(work, march + layout__ROLLING_MARCH_TWIST) = k;
     AT(work, march + layout__ROLLING_MARCH_DEPTH) = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    AT(work, march + layout__ROLLING_MARCH_LEAD_X) = u;
+    AT(work, march + layout__ROLLING_MARCH_LEAD_Y) = v;
     AT(work, march + layout__ROLLING_MARCH_STICK_X) = 0.0;
     AT(work, march + layout__ROLLING_MARCH_STICK_Y) = 0.0;
     if (depth < AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH))
@@ -1157,64 +1411,110 @@ static inline int64_t fastrip__find_stick(array_double_1d work, int64_t march, d
     return 0;
 }
 
-/* Add a strip's force from its tractions at the points. */
-static inline int64_t fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t march, int64_t strip)
+/* Add a strip's force from its tractions; what its bound loses where friction falls [N].
+ *
+ * The stick zone's are those of strip theory without end, integrated exactly as in eqs. (T1), (T2), but for
+ * the points behind its edge, and for what the bound cuts.
+ */
+static inline double fastrip__add_tractions(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t march, int64_t strip)
 {
-    double a, x, bound, p_x, p_y, square, weight;
+    double a, lost, x, bound, p_x, p_y, without_x, without_y, share, square, weight;
     int64_t q;
     a = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
     AT(work, march + layout__ROLLING_MARCH_X) = a;
     AT(work, march + layout__ROLLING_MARCH_FIRST_X) = 0.0;
     AT(work, march + layout__ROLLING_MARCH_FIRST_Y) = 0.0;
-    AT(work, march + layout__ROLLING_MARCH_SUM_X) = 0.0;
-    AT(work, march + layout__ROLLING_MARCH_SUM_Y) = 0.0;
-    AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = 0.0;
+    lost = 0.0;
+    fastrip__open_stick(work, march);
     for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
         x = a * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
         bound = AT(work, march + layout__ROLLING_MARCH_RATE) * a * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
-        fastrip__next_traction(&p_x, &p_y, work, march, x, bound);
+        fastrip__march_on(work, march, x, bound);
+        fastrip__slip_direction(&p_x, &p_y, work, march, bound);
+        without_x = AT(work, march + layout__ROLLING_MARCH_STICK_X) * bound;
+        without_y = AT(work, march + layout__ROLLING_MARCH_STICK_Y) * bound;
+        if (x > AT(work, march + layout__ROLLING_MARCH_EDGE))
+        {
+            fastrip__stick_traction(&without_x, &without_y, work, march, x, bound);
+            tractions__cut_to(&p_x, &p_y, without_x, without_y, bound);
+        }
+        else if (AT(work, patch + layout__PATCH_FALL_RATE) > 0.0)
+        {
+            share = falling__point_share(work, patch, strip, x);
+            p_x *= share;
+            p_y *= share;
+            lost += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * bound * (1.0 - share);
+        }
         square = p_x * p_x + p_y * p_y;
         AT(work, march + layout__ROLLING_MARCH_LARGEST) = double_max(AT(work, march + layout__ROLLING_MARCH_LARGEST), square);
-        AT(work, march + layout__ROLLING_MARCH_SUM_X) += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * p_x;
-        AT(work, march + layout__ROLLING_MARCH_SUM_Y) += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * p_y;
-        AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * x * p_y;
+        AT(work, march + layout__ROLLING_MARCH_SUM_X) += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (p_x - without_x);
+        AT(work, march + layout__ROLLING_MARCH_SUM_Y) += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (p_y - without_y);
+        AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * x * (p_y - without_y);
     }
     weight = tractions__point_weight(work, strip);
     tractions__add_strip(work, patch, strip, weight * AT(work, march + layout__ROLLING_MARCH_SUM_X), weight * AT(work, march + layout__ROLLING_MARCH_SUM_Y), weight * AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT));
+    return weight * AT(work, strip + layout__ROLLING_STRIP_WIDTH) * lost;
+}
+
+/* Sums over the points of strip theory's traction without end; nothing where all of a strip slips. */
+static inline int64_t fastrip__open_stick(array_double_1d work, int64_t march)
+{
+    double depth, whole;
+    AT(work, march + layout__ROLLING_MARCH_SUM_X) = 0.0;
+    AT(work, march + layout__ROLLING_MARCH_SUM_Y) = 0.0;
+    AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = 0.0;
+    if (AT(work, march + layout__ROLLING_MARCH_DEPTH) < AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH))
+    {
+        depth = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        whole = 0.5 * (double)(layout__POINT_LIMIT + 1) * AT(work, march + layout__ROLLING_MARCH_RATE);
+        AT(work, march + layout__ROLLING_MARCH_SUM_X) = whole * AT(work, march + layout__ROLLING_MARCH_LEAD_X) * (2.0 - depth);
+        AT(work, march + layout__ROLLING_MARCH_SUM_Y) = whole * (AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * (2.0 - depth) + AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH));
+        AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = -whole * AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * (1.0 - depth) * (1.0 - depth);
+    }
     return 0;
 }
 
-/* The traction at the next point ``x``: that of strip theory in the stick zone, the bound in FASTSIM's
- * direction behind it.
- */
-static inline void fastrip__next_traction(double* p_x_out, double* p_y_out, array_double_1d work, int64_t march, double x, double bound)
+/* FASTSIM's traction at the next point ``x``. */
+static inline int64_t fastrip__march_on(array_double_1d work, int64_t march, double x, double bound)
 {
-    double step, across, p_x, p_y, reach, inner, root, size;
+    double step, across, p_x, p_y;
     step = AT(work, march + layout__ROLLING_MARCH_X) - x;
     across = AT(work, march + layout__ROLLING_MARCH_PUSH_Y) + AT(work, march + layout__ROLLING_MARCH_PUSH_TURN) * (x + 0.5 * step);
     tractions__cut_to(&p_x, &p_y, AT(work, march + layout__ROLLING_MARCH_FIRST_X) - step * AT(work, march + layout__ROLLING_MARCH_PUSH_X), AT(work, march + layout__ROLLING_MARCH_FIRST_Y) - step * across, bound);
     AT(work, march + layout__ROLLING_MARCH_X) = x;
     AT(work, march + layout__ROLLING_MARCH_FIRST_X) = p_x;
     AT(work, march + layout__ROLLING_MARCH_FIRST_Y) = p_y;
-    reach = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, march + layout__ROLLING_MARCH_DEPTH);
-    inner = reach * reach - (x - AT(work, march + layout__ROLLING_MARCH_DEPTH)) * (x - AT(work, march + layout__ROLLING_MARCH_DEPTH));
-    if (inner > 0.0)
+    return 0;
+}
+
+/* The bound in the direction of FASTSIM's traction. */
+static inline void fastrip__slip_direction(double* p_x_out, double* p_y_out, array_double_1d work, int64_t march, double bound)
+{
+    double p_x, p_y, size;
+    p_x = AT(work, march + layout__ROLLING_MARCH_FIRST_X);
+    p_y = AT(work, march + layout__ROLLING_MARCH_FIRST_Y);
+    size = sqrt(p_x * p_x + p_y * p_y);
+    if (size > 0.0)
     {
-        root = AT(work, march + layout__ROLLING_MARCH_RATE) * sqrt(inner);
-        tractions__cut_to(&p_x, &p_y, AT(work, march + layout__ROLLING_MARCH_STICK_X) * (bound - root), AT(work, march + layout__ROLLING_MARCH_STICK_Y) * (bound - root) + AT(work, march + layout__ROLLING_MARCH_TWIST) * root, bound);
-    }
-    else
-    {
-        size = sqrt(p_x * p_x + p_y * p_y);
-        if (size > 0.0)
-        {
-            p_x *= bound / size;
-            p_y *= bound / size;
-        }
+        p_x *= bound / size;
+        p_y *= bound / size;
     }
     *p_x_out = p_x;
     *p_y_out = p_y;
+}
+
+/* The traction of strip theory at ``x`` in the stick zone, eq. (Z1), in a form that is regular where no
+ * depth slips.
+ */
+static inline void fastrip__stick_traction(double* out_0, double* out_1, array_double_1d work, int64_t march, double x, double bound)
+{
+    double reach, root, lead;
+    reach = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, march + layout__ROLLING_MARCH_DEPTH);
+    root = AT(work, march + layout__ROLLING_MARCH_RATE) * sqrt(double_max(reach * reach - (x - AT(work, march + layout__ROLLING_MARCH_DEPTH)) * (x - AT(work, march + layout__ROLLING_MARCH_DEPTH)), 0.0));
+    lead = 2.0 * AT(work, march + layout__ROLLING_MARCH_RATE) * AT(work, march + layout__ROLLING_MARCH_RATE) * (AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - x) / (bound + root);
+    *out_0 = AT(work, march + layout__ROLLING_MARCH_LEAD_X) * lead;
+    *out_1 = AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * lead + AT(work, march + layout__ROLLING_MARCH_TWIST) * bound;
 }
 
 
@@ -1233,15 +1533,19 @@ static inline void fastrip__next_traction(double* p_x_out, double* p_y_out, arra
  * all longitudinal creepage, the force is closer to the complete theory.  The bound is that of the pressure,
  * mu p0 sqrt(1 - (x/a)^2).  Where L1 and L2 differ, the force of full slip does not point quite against the
  * slip: up to 10 degrees.
+ *
+ * Where friction falls, tractions that were cut count with its share (falling.py); those of which the cut takes
+ * next to nothing between that share and 1, so that the force is continuous.
  */
 
 /* Force, moment, stick share and largest traction of a patch. */
 static inline int64_t fastsim__solve_fastsim(array_double_1d work, array_double_1d tables, int64_t patch)
 {
-    double along, across, turning, stuck, rate, push, area;
+    double along, across, turning, stuck, lost, rate, push, sticks, loses, area;
     int64_t i, strip;
     fastsim__stiffnesses(&along, &across, &turning, work, tables, patch);
     stuck = 0.0;
+    lost = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
@@ -1249,9 +1553,12 @@ static inline int64_t fastsim__solve_fastsim(array_double_1d work, array_double_
         if (rate > 0.0)
         {
             push = fastsim__strip_push(work, patch, strip, along, turning);
-            stuck += fastsim__march_strip(tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, strip, rate, push, across, turning);
+            fastsim__march_strip(&sticks, &loses, tables, work, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, strip, rate, push, across, turning);
+            stuck += sticks;
+            lost += loses;
         }
     }
+    AT(work, patch + layout__PATCH_FRICTION) -= lost / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     area = tractions__patch_area(work, patch);
     if (area > 0.0)
     {
@@ -1285,10 +1592,13 @@ static inline double fastsim__strip_push(array_double_1d work, int64_t patch, in
     return push;
 }
 
-/* Add a strip's force from its tractions; the area that sticks [m^2]. */
-static inline double fastsim__march_strip(array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip, double rate, double push, double across, double turning)
+/* Add a strip's force from its tractions; the area that sticks [m^2], and what its bound loses where
+ * friction falls [N].
+ */
+static inline void fastsim__march_strip(double* out_0, double* out_1, array_double_1d tables, array_double_1d work, int64_t table, int64_t patch, int64_t strip, double rate, double push, double across, double turning)
 {
-    double a, slanted, lateral, turn, before, p_x, p_y, force_x, force_y, moment, stuck, total, largest, x, weight, step, free_x, free_y, square;
+    double a, slanted, lateral, turn, before, p_x, p_y, force_x, force_y, moment, stuck, total, lost, largest, x, weight, step, free_x, free_y, bound, last_x, last_y, along, sideways, share, square;
+    bool falls;
     int64_t q;
     a = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
     slanted = AT(work, strip + layout__ROLLING_STRIP_SPIN) * AT(work, strip + layout__ROLLING_STRIP_X);
@@ -1302,6 +1612,8 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
     moment = 0.0;
     stuck = 0.0;
     total = 0.0;
+    lost = 0.0;
+    falls = AT(work, patch + layout__PATCH_FALL_RATE) > 0.0;
     largest = AT(work, patch + layout__PATCH_MAX_SHEAR) * AT(work, patch + layout__PATCH_MAX_SHEAR);
     for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
@@ -1310,23 +1622,53 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
         step = before - x;
         free_x = p_x - step * push;
         free_y = p_y - step * (lateral + turn * (x + 0.5 * step));
-        tractions__cut_to(&p_x, &p_y, free_x, free_y, rate * a * weight);
+        bound = rate * a * weight;
+        last_x = p_x;
+        last_y = p_y;
+        tractions__cut_to(&p_x, &p_y, free_x, free_y, bound);
+        along = p_x;
+        sideways = p_y;
         if (p_x == free_x && p_y == free_y)
         {
             stuck += weight;
         }
+        else if (falls)
+        {
+            share = falling__point_share(work, patch, strip, x);
+            share += (1.0 - share) * fastsim__sticking(free_x, free_y, free_x - last_x, free_y - last_y, bound);
+            along *= share;
+            sideways *= share;
+            lost += weight * bound * (1.0 - share);
+        }
         total += weight;
-        square = p_x * p_x + p_y * p_y;
+        square = along * along + sideways * sideways;
         largest = double_max(largest, square);
-        force_x += weight * p_x;
-        force_y += weight * p_y;
-        moment += weight * x * p_y;
+        force_x += weight * along;
+        force_y += weight * sideways;
+        moment += weight * x * sideways;
         before = x;
     }
     AT(work, patch + layout__PATCH_MAX_SHEAR) = sqrt(largest);
     weight = tractions__point_weight(work, strip);
     tractions__add_strip(work, patch, strip, weight * force_x, weight * force_y, weight * moment);
-    return 2.0 * a * AT(work, strip + layout__ROLLING_STRIP_WIDTH) * stuck / total;
+    *out_0 = 2.0 * a * AT(work, strip + layout__ROLLING_STRIP_WIDTH) * stuck / total;
+    *out_1 = weight * AT(work, strip + layout__ROLLING_STRIP_WIDTH) * lost;
+}
+
+/* How much a point that is about to slip counts as one that sticks: 1 where the cut takes nothing of the
+ * traction that a step has pushed by so much, 0 from a share of the push on.
+ */
+static inline double fastsim__sticking(double free_x, double free_y, double push_x, double push_y, double bound)
+{
+    double excess, part, push;
+    excess = sqrt(free_x * free_x + free_y * free_y) - bound;
+    part = 0.0;
+    push = fastsim__NEAR_STICK * sqrt(push_x * push_x + push_y * push_y);
+    if (excess < push)
+    {
+        part = 1.0 - double_max(excess, 0.0) / push;
+    }
+    return part;
 }
 
 
@@ -1338,7 +1680,7 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
  *     k  = k0 [alpha + (1 - alpha) / (1 + beta epsilon)]            Spiryagin, Polach, Cole (2013)
  *
  * with f from 1 on the tread to ``flange_friction_ratio`` on the flange over the contact angle gamma, the
- * sliding velocity w = V_ref sqrt(xi^2 + eta^2), and epsilon = G pi a b k0 C11 sqrt(xi^2 + (eta + phi a)^2) / (4
+ * sliding velocity w of each point (falling.py), for Polach's formula w = V_ref sqrt(xi^2 + eta^2), and epsilon = G pi a b k0 C11 sqrt(xi^2 + (eta + phi a)^2) / (4
  * mu N). The flexibility of the contact is divided by k; as the models know it only beside the creepages, these
  * are multiplied by k.
  *
@@ -1355,23 +1697,35 @@ static inline double fastsim__march_strip(array_double_1d tables, array_double_1
  * makes P negative; there the moment is the one with P = 0.  Forces stay as they are, and nothing jumps.
  */
 
-/* Coefficient of friction of a patch with the contact ``angle`` [rad] that slides with ``sliding`` [m/s],
- * where that of its side is ``friction``.
+/* Coefficient of friction of a patch that rolls, where that of its side is ``friction``, and how it
+ * falls with the creepages of its points; ``resting``: it does not fall.
  */
-static inline double friction__patch_friction(array_double_1d tables, double friction, double angle, double sliding)
+static inline int64_t friction__set_friction(array_double_1d work, array_double_1d tables, int64_t patch, double friction, bool resting)
 {
-    double found, fall;
-    found = friction;
+    double share, fall, creepage, sliding;
+    AT(work, patch + layout__PATCH_FRICTION) = friction;
+    AT(work, patch + layout__PATCH_FALL_RATE) = 0.0;
     if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO) != 1.0)
     {
-        found *= 1.0 + (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO) - 1.0) * friction__flange_share(tables, angle);
+        share = friction__flange_share(tables, AT(work, patch + layout__PATCH_CONTACT_ANGLE));
+        AT(work, patch + layout__PATCH_FRICTION) *= 1.0 + (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO) - 1.0) * share;
     }
-    if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) > 0.0)
+    if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) > 0.0 && !resting)
     {
         fall = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL);
-        found *= (1.0 - fall) * powers__exp(-AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) * sliding) + fall;
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) == layout__TANGENTIAL_POLACH)
+        {
+            creepage = sqrt(AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y));
+            sliding = AT(work, patch + layout__PATCH_SPEED) * creepage;
+            AT(work, patch + layout__PATCH_FRICTION) *= (1.0 - fall) * powers__exp(-AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) * sliding) + fall;
+        }
+        else
+        {
+            AT(work, patch + layout__PATCH_FALL_RATE) = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) * AT(work, patch + layout__PATCH_SPEED);
+            AT(work, patch + layout__PATCH_FALL_FLOOR) = fall;
+        }
     }
-    return found;
+    return 0;
 }
 
 /* How much of the flange's friction there is at a contact ``angle`` [rad]: 0 on the tread, 1 on the
@@ -1410,10 +1764,11 @@ static inline double friction__slope_factor(array_double_1d work, array_double_1
     return factor;
 }
 
-/* Multiply the creepages of a patch and of its strips by ``factor``. */
+/* Multiply the creepages of a patch and of its strips by ``factor``; friction falls as before. */
 static inline int64_t friction__multiply_creepages(array_double_1d work, int64_t patch, double factor)
 {
     int64_t index, strip;
+    AT(work, patch + layout__PATCH_FALL_RATE) /= factor;
     AT(work, patch + layout__PATCH_CREEPAGE_X) *= factor;
     AT(work, patch + layout__PATCH_CREEPAGE_Y) *= factor;
     AT(work, patch + layout__PATCH_SPIN) *= factor;
@@ -1557,7 +1912,7 @@ static inline int64_t march__set_pushes(array_double_1d work, int64_t march, int
  */
 static inline int64_t march__set_stick(array_double_1d tables, array_double_1d work, int64_t table, int64_t march, int64_t number)
 {
-    double weight, depth, edge, total, moment, inner, across;
+    double weight, depth, edge, behind, turning, lead_x, lead_y, inner;
     int64_t q;
     weight = AT(work, march + layout__ROLLING_MARCH_WEIGHT);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + number) = 1.0 - weight;
@@ -1566,24 +1921,25 @@ static inline int64_t march__set_stick(array_double_1d tables, array_double_1d w
     {
         depth = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
         edge = 2.0 * depth - 1.0;
-        total = 0.0;
-        moment = 0.0;
-        q = 0;
-        while (q < layout__POINT_LIMIT && AT(tables, table + layout__ROLLING_TABLE_COSINES + q) >= edge)
+        q = layout__POINT_LIMIT;
+        behind = 0.0;
+        turning = 0.0;
+        while (q > 0 && AT(tables, table + layout__ROLLING_TABLE_COSINES + (q - 1)) < edge)
         {
-            total += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
-            moment += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
-            q += 1;
+            q -= 1;
+            behind += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+            turning += AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
         }
         AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number) = weight;
         AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + number) = AT(work, march + layout__ROLLING_MARCH_STICK_X);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number) = AT(work, march + layout__ROLLING_MARCH_STICK_Y);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number) = edge;
-        inner = 0.5 * (double)(layout__POINT_LIMIT + 1) * (1.0 - depth) * (1.0 - depth);
-        across = weight * (AT(work, march + layout__ROLLING_MARCH_STICK_Y) - AT(work, march + layout__ROLLING_MARCH_TWIST)) * inner;
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number) = weight * AT(work, march + layout__ROLLING_MARCH_STICK_X) * (total - inner);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number) = weight * AT(work, march + layout__ROLLING_MARCH_STICK_Y) * total - across;
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number) = weight * AT(work, march + layout__ROLLING_MARCH_STICK_Y) * moment - across * depth;
+        lead_x = AT(work, march + layout__ROLLING_MARCH_LEAD_X) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * march__WHOLE;
+        lead_y = AT(work, march + layout__ROLLING_MARCH_LEAD_Y) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * march__WHOLE;
+        inner = (1.0 - depth) * (1.0 - depth);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number) = weight * (lead_x * (2.0 - depth) - AT(work, march + layout__ROLLING_MARCH_STICK_X) * behind);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number) = weight * (lead_y * (2.0 - depth) + AT(work, march + layout__ROLLING_MARCH_TWIST) * march__WHOLE - AT(work, march + layout__ROLLING_MARCH_STICK_Y) * behind);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number) = -weight * (lead_y * inner + AT(work, march + layout__ROLLING_MARCH_STICK_Y) * turning);
         if (AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_TWIST) > 1.0)
         {
             march__add_beyond(tables, work, table, march, number, q);
@@ -1623,10 +1979,12 @@ static inline int64_t march__add_beyond(array_double_1d tables, array_double_1d 
     return 0;
 }
 
-/* Add the points of all strips, from the leading edge on, to their sums. */
-static inline int64_t march__march_strips(array_double_1d tables, array_double_1d work, int64_t table)
+/* Add the points of all strips, from the leading edge on, to their sums; ``falls``: whether friction
+ * does, with the slip of each point (falling.py).
+ */
+static inline int64_t march__march_strips(array_double_1d tables, array_double_1d work, int64_t table, bool falls)
 {
-    double before, x, bound;
+    double before, x, bound, friction;
     bool slipping;
     int64_t q, first, strip;
     before = 1.0;
@@ -1643,14 +2001,32 @@ static inline int64_t march__march_strips(array_double_1d tables, array_double_1
             strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip);
         }
         march__march_first(work, x, bound, before - x);
+        if (falls)
+        {
+            falling__find_shares(work, x);
+        }
         if (slipping)
         {
+            if (falls)
+            {
+                falling__weigh_slips(work, bound);
+            }
             march__march_second(work, x, bound, before - x);
+            if (falls)
+            {
+                falling__restore_slips(work);
+            }
         }
         strip = first;
         while (strip >= 0)
         {
-            march__leave_edge(work, strip, x, bound);
+            friction = 1.0;
+            if (falls)
+            {
+                friction = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + strip);
+                AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip) += bound * bound * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + strip) * (1.0 - friction);
+            }
+            march__leave_edge(work, strip, x, bound, friction);
             slipping = true;
             strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip);
         }
@@ -1763,9 +2139,9 @@ static inline int64_t march__reach_edge(array_double_1d work, int64_t i, double 
 }
 
 /* Let the second march of strip ``i`` begin at the edge of its stick zone, and add the rest of its
- * traction at ``x``, the first point behind.
+ * traction at ``x``, the first point behind; ``friction`` is that there over that of rest.
  */
-static inline int64_t march__leave_edge(array_double_1d work, int64_t i, double x, double bound)
+static inline int64_t march__leave_edge(array_double_1d work, int64_t i, double x, double bound, double friction)
 {
     double weight, near, p_x, p_y, slip_x, slip_y, step, to_x, to_y, kept, share;
     weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i);
@@ -1775,8 +2151,8 @@ static inline int64_t march__leave_edge(array_double_1d work, int64_t i, double 
     if (weight < 1.0)
     {
         march__slip_traction(&slip_x, &slip_y, work, i, bound);
-        p_x = near * slip_x;
-        p_y = near * slip_y;
+        p_x = near * friction * slip_x;
+        p_y = near * friction * slip_y;
     }
     step = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i) - x;
     march__stepped(&to_x, &to_y, work, i, AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_X + i), AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_Y + i), x, step);
@@ -1792,8 +2168,8 @@ static inline int64_t march__leave_edge(array_double_1d work, int64_t i, double 
     AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) = to_y;
     march__slip_traction(&slip_x, &slip_y, work, i, bound);
     share = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i);
-    slip_x *= share;
-    slip_y *= share;
+    slip_x *= share * friction;
+    slip_y *= share * friction;
     AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) += bound * slip_x;
     AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) += bound * slip_y;
     AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) += bound * x * slip_y;
@@ -1883,6 +2259,14 @@ static inline bool motion__is_moderate(array_double_1d work, int64_t inputs)
     {
         moderate = false;
     }
+    if (fabs(AT(work, inputs + layout__INPUTS_AXLE_TORQUE)) > layout__TORQUE_LIMIT)
+    {
+        moderate = false;
+    }
+    if (fabs(AT(work, inputs + layout__INPUTS_LEFT_AXLE_TORQUE)) > layout__TORQUE_LIMIT || fabs(AT(work, inputs + layout__INPUTS_RIGHT_AXLE_TORQUE)) > layout__TORQUE_LIMIT)
+    {
+        moderate = false;
+    }
     if (fabs(AT(work, inputs + layout__INPUTS_TRACK_CURVATURE)) > layout__CURVATURE_LIMIT)
     {
         moderate = false;
@@ -1905,7 +2289,8 @@ static inline bool motion__is_rail_moderate(double lateral, double vertical, dou
 }
 
 /* Rotation about the axle [rad/s], positive when it rolls forward, of which the input ``given`` says as
- * much; 0 may stand for that of free rolling with a nominal ``radius`` [m].
+ * much; 0 may stand for that of a nominal ``radius`` [m], or for one that follows
+ * (wheelset/free_rolling.py).
  */
 static inline double motion__rolling_rate(array_double_1d work, int64_t inputs, double given, double radius)
 {
@@ -2128,68 +2513,77 @@ static inline int64_t motion__set_contact_rates(array_double_1d work, int64_t le
 /* Force and largest traction of a patch. */
 static inline int64_t polach__solve_polach(array_double_1d work, array_double_1d tables, int64_t patch)
 {
-    double a, slip, across, whole, first, second, third, push;
+    double a, reach, whole, first, second, third, modulus, along, across;
     a = AT(work, patch + layout__PATCH_HALF_LENGTH);
-    slip = sqrt(AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y));
-    across = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * a;
-    if (fabs(across) < fabs(AT(work, patch + layout__PATCH_CREEPAGE_Y)))
+    reach = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * a;
+    if (fabs(reach) < fabs(AT(work, patch + layout__PATCH_CREEPAGE_Y)))
     {
-        across = AT(work, patch + layout__PATCH_CREEPAGE_Y);
+        reach = AT(work, patch + layout__PATCH_CREEPAGE_Y);
     }
-    whole = sqrt(AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + across * across);
-    if (whole > polach__SMALLEST)
-    {
-        tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), a / AT(work, patch + layout__PATCH_HALF_WIDTH));
-        if (slip > polach__SMALLEST)
-        {
-            push = polach__creep_force(work, AT(tables, layout__TABLES_SHEAR_MODULUS), patch, polach__mean_coefficient(work, patch, first, second, slip), whole) / whole;
-            AT(work, patch + layout__PATCH_CREEP_X) = -push * AT(work, patch + layout__PATCH_CREEPAGE_X);
-            AT(work, patch + layout__PATCH_CREEP_Y) = -push * AT(work, patch + layout__PATCH_CREEPAGE_Y);
-        }
-        AT(work, patch + layout__PATCH_CREEP_Y) += polach__spin_force(work, AT(tables, layout__TABLES_SHEAR_MODULUS), patch, third, whole);
-        polach__cut_force(work, patch);
-        AT(work, patch + layout__PATCH_MAX_SHEAR) = polach__largest_shear(work, patch);
-    }
+    whole = sqrt(AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + reach * reach);
+    tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), a / AT(work, patch + layout__PATCH_HALF_WIDTH));
+    modulus = AT(tables, layout__TABLES_SHEAR_MODULUS);
+    along = polach__mean_coefficient(work, patch, first, second, first);
+    across = polach__mean_coefficient(work, patch, first, second, second);
+    AT(work, patch + layout__PATCH_CREEP_X) = -polach__slope(work, modulus, patch, along, whole) * AT(work, patch + layout__PATCH_CREEPAGE_X);
+    AT(work, patch + layout__PATCH_CREEP_Y) = -polach__slope(work, modulus, patch, across, whole) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+    AT(work, patch + layout__PATCH_CREEP_Y) += polach__spin_slope(work, modulus, patch, third, whole) * AT(work, patch + layout__PATCH_SPIN);
+    polach__cut_force(work, patch);
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = polach__largest_shear(work, patch);
     return 0;
 }
 
-/* Kalker's coefficient in the direction of the slip. */
-static inline double polach__mean_coefficient(array_double_1d work, int64_t patch, double first, double second, double slip)
+/* Kalker's coefficient in the direction of the slip; where the slip is next to nothing, the ``own`` one of
+ * a force's direction.
+ */
+static inline double polach__mean_coefficient(array_double_1d work, int64_t patch, double first, double second, double own)
 {
-    double along, across;
-    along = first * (AT(work, patch + layout__PATCH_CREEPAGE_X) / slip);
-    across = second * (AT(work, patch + layout__PATCH_CREEPAGE_Y) / slip);
-    return sqrt(along * along + across * across);
+    double x, y, floor;
+    x = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X);
+    y = AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+    floor = polach__AIMLESS * polach__AIMLESS;
+    return sqrt((first * first * x + second * second * y + own * own * floor) / (x + y + floor));
 }
 
-/* Magnitude of the force [N] of a slip ``whole``; eqs. (P1), (P2). */
-static inline double polach__creep_force(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole)
+/* Force over slip [N] where that is ``whole``; eqs. (P1), (P2). */
+static inline double polach__slope(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole)
 {
-    double bound, e, share;
+    double bound, rate, e, share;
     bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
-    e = 0.25 * M_PI * AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH) * shear_modulus * coefficient * whole / bound;
-    share = circle__atan(e);
-    if (e < 1.0)
+    rate = 0.25 * M_PI * AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH) * shear_modulus * coefficient / bound;
+    e = rate * whole;
+    share = 2.0 * rate;
+    if (whole > polach__SMALLEST)
     {
-        share += e / (1.0 + e * e);
-    }
-    else
-    {
-        share += 1.0 / (e + 1.0 / e);
+        share = circle__atan(e);
+        if (e < 1.0)
+        {
+            share += e / (1.0 + e * e);
+        }
+        else
+        {
+            share += 1.0 / (e + 1.0 / e);
+        }
+        share /= whole;
     }
     return 2.0 / M_PI * bound * share;
 }
 
-/* Lateral force [N] of spin; eqs. (P3) to (P5). */
-static inline double polach__spin_force(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole)
+/* Lateral force of spin over the spin [N m]; eqs. (P3) to (P5). */
+static inline double polach__spin_slope(array_double_1d work, double shear_modulus, int64_t patch, double coefficient, double whole)
 {
-    double a, b, bound, wide, e;
+    double a, b, bound, wide, rate, share;
     a = AT(work, patch + layout__PATCH_HALF_LENGTH);
     b = AT(work, patch + layout__PATCH_HALF_WIDTH);
     bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     wide = 1.0 + 6.3 * (1.0 - powers__exp(-a / b));
-    e = 8.0 / 3.0 * shear_modulus * b * sqrt(a * b) * coefficient * whole / (bound * wide);
-    return 9.0 / 16.0 * a * bound * wide * polach__spin_share(e) * (AT(work, patch + layout__PATCH_SPIN) / whole);
+    rate = 8.0 / 3.0 * shear_modulus * b * sqrt(a * b) * coefficient / (bound * wide);
+    share = -2.0 / 3.0 * rate;
+    if (whole > polach__SMALLEST)
+    {
+        share = polach__spin_share(rate * whole) / whole;
+    }
+    return 9.0 / 16.0 * a * bound * wide * share;
 }
 
 /* K of eq. (P4), written in c = 1 - d so that nothing cancels where e is large. */
@@ -2279,7 +2673,73 @@ static inline int64_t stiffness__find_stiffnesses(array_double_1d work, array_do
         AT(work, block + layout__ROLLING_BLOCK_TURNING) = turning * AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_SPIN + 10 * i + layout__BLOCK_COUNT) / AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
     }
     AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT) = stiffness__creepage_shift(work);
-    stiffness__spread_turning(work, stiffness__mean_share(ratio));
+    stiffness__spread_turning(work, layout__WORK_ROLLING + layout__ROLLING_BLOCKS, stiffness__mean_share(ratio));
+    return 0;
+}
+
+/* The same of a patch of which only creepages may have changed, where stiffnesses are kept: with the same
+ * bits, as only the shift of eq. (K6) depends on creepages.
+ */
+static inline int64_t stiffness__patch_stiffnesses(array_double_1d work, array_double_1d tables, int64_t patch)
+{
+    int64_t kept, i_1, i_2, i_3, i_4;
+    kept = layout__WORK_ROLLING + layout__ROLLING_STIFFNESSES + layout__KEPT_STIFFNESSES_SIZE * (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_PLACE);
+    if (AT(work, layout__WORK_ROLLING + layout__ROLLING_KEEPING) == 1.0 && AT(work, layout__WORK_ROLLING + layout__ROLLING_KEPT) == 1.0)
+    {
+        for (i_1 = 0; i_1 < 56; i_1 += 1)
+        {
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_1) = AT(work, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_1);
+        }
+        for (i_2 = 0; i_2 < 80; i_2 += 1)
+        {
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_2) = AT(work, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_2);
+        }
+        stiffness__renew_shift(work, patch);
+    }
+    else
+    {
+        stiffness__find_stiffnesses(work, tables, patch);
+        if (AT(work, layout__WORK_ROLLING + layout__ROLLING_KEEPING) == 1.0)
+        {
+            for (i_3 = 0; i_3 < 56; i_3 += 1)
+            {
+                AT(work, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_3) = AT(work, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_3);
+            }
+            for (i_4 = 0; i_4 < 80; i_4 += 1)
+            {
+                AT(work, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_4) = AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_4);
+            }
+        }
+    }
+    return 0;
+}
+
+/* The shift of eq. (K6) for new creepages, with the equations that are eliminated already. */
+static inline int64_t stiffness__renew_shift(array_double_1d work, int64_t patch)
+{
+    int64_t side, i, block, row, k, pivot;
+    double inverse, factor;
+    side = layout__BLOCK_COUNT + 1;
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
+    {
+        block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
+        AT(work, block + layout__ROLLING_BLOCK_SLIP) = 0.5 * (AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i) + layout__ROLLING_STRIP_SLIP) + AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i + 1) + layout__ROLLING_STRIP_SLIP));
+        AT(work, row + side) = AT(work, block + layout__ROLLING_BLOCK_SLIP);
+    }
+    for (k = 0; k < layout__BLOCK_COUNT; k += 1)
+    {
+        pivot = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * k;
+        inverse = 1.0 / AT(work, pivot + k);
+        for (i = k + 1; i < layout__BLOCK_COUNT; i += 1)
+        {
+            row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
+            factor = AT(work, row + k) * inverse;
+            AT(work, row + side) -= factor * AT(work, pivot + side);
+        }
+    }
+    stiffness__substitute(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X, side);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT) = stiffness__creepage_shift(work);
     return 0;
 }
 
@@ -2380,8 +2840,8 @@ static inline double stiffness__reach_cubic(array_double_1d tables, int64_t tabl
  */
 static inline int64_t stiffness__solve_blocks(array_double_1d work, int64_t equations, int64_t sides)
 {
-    int64_t stop, k, pivot, i, row, j, side, back, known;
-    double inverse, factor, value;
+    int64_t stop, k, pivot, i, row, j, side;
+    double inverse, factor;
     stop = layout__BLOCK_COUNT + sides;
     for (k = 0; k < layout__BLOCK_COUNT; k += 1)
     {
@@ -2399,18 +2859,27 @@ static inline int64_t stiffness__solve_blocks(array_double_1d work, int64_t equa
     }
     for (side = layout__BLOCK_COUNT; side < stop; side += 1)
     {
-        for (back = 0; back < layout__BLOCK_COUNT; back += 1)
+        stiffness__substitute(work, equations, side);
+    }
+    return 0;
+}
+
+/* The solution for one right-hand side of eliminated equations. */
+static inline int64_t stiffness__substitute(array_double_1d work, int64_t equations, int64_t side)
+{
+    int64_t back, k, pivot, j, known;
+    double value;
+    for (back = 0; back < layout__BLOCK_COUNT; back += 1)
+    {
+        k = layout__BLOCK_COUNT - 1 - back;
+        pivot = equations + 10 * k;
+        value = AT(work, pivot + side);
+        for (j = k + 1; j < layout__BLOCK_COUNT; j += 1)
         {
-            k = layout__BLOCK_COUNT - 1 - back;
-            pivot = equations + 10 * k;
-            value = AT(work, pivot + side);
-            for (j = k + 1; j < layout__BLOCK_COUNT; j += 1)
-            {
-                known = equations + 10 * j;
-                value -= AT(work, pivot + j) * AT(work, known + side);
-            }
-            AT(work, pivot + side) = value / AT(work, pivot + k);
+            known = equations + 10 * j;
+            value -= AT(work, pivot + j) * AT(work, known + side);
         }
+        AT(work, pivot + side) = value / AT(work, pivot + k);
     }
     return 0;
 }
@@ -2444,7 +2913,7 @@ static inline double stiffness__mean_share(double ratio)
 }
 
 /* Let spin's stiffness be its mean to this share, and keep all stiffnesses above zero. */
-static inline int64_t stiffness__spread_turning(array_double_1d work, double share)
+static inline int64_t stiffness__spread_turning(array_double_1d work, int64_t blocks, double share)
 {
     double total, mean, along, across, weight;
     int64_t i, block;
@@ -2454,7 +2923,7 @@ static inline int64_t stiffness__spread_turning(array_double_1d work, double sha
     across = 0.0;
     for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
-        block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        block = blocks + layout__ROLLING_BLOCK_SIZE * i;
         weight = AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * (AT(work, block + layout__ROLLING_BLOCK_STOP) - AT(work, block + layout__ROLLING_BLOCK_START));
         total += weight;
         mean += AT(work, block + layout__ROLLING_BLOCK_TURNING) * weight;
@@ -2463,7 +2932,7 @@ static inline int64_t stiffness__spread_turning(array_double_1d work, double sha
     }
     for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
-        block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        block = blocks + layout__ROLLING_BLOCK_SIZE * i;
         AT(work, block + layout__ROLLING_BLOCK_TURNING) += share * (mean / total - AT(work, block + layout__ROLLING_BLOCK_TURNING));
         AT(work, block + layout__ROLLING_BLOCK_TURNING) = stiffness__not_below(AT(work, block + layout__ROLLING_BLOCK_TURNING), stiffness__SOFTEST * mean / total);
         AT(work, block + layout__ROLLING_BLOCK_ALONG) = stiffness__not_below(AT(work, block + layout__ROLLING_BLOCK_ALONG), stiffness__SOFTEST * along / total);
@@ -2480,11 +2949,11 @@ static inline double stiffness__not_below(double value, double least)
 }
 
 /* K1, K2, K3 of strip ``index`` with its middle at ``station`` [m], between the middles of two blocks. */
-static inline void stiffness__stiffnesses_at(double* along_out, double* across_out, double* turning_out, array_double_1d work, int64_t index, double station)
+static inline void stiffness__stiffnesses_at(double* along_out, double* across_out, double* turning_out, array_double_1d work, int64_t blocks, int64_t index, double station)
 {
     int64_t own, towards, other;
     double along, across, turning, middle, share;
-    own = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * floor_div(index, 2);
+    own = blocks + layout__ROLLING_BLOCK_SIZE * floor_div(index, 2);
     towards = floor_div(index, 2) - 1;
     if (modulo(index, 2) == 1)
     {
@@ -2495,7 +2964,7 @@ static inline void stiffness__stiffnesses_at(double* along_out, double* across_o
     turning = AT(work, own + layout__ROLLING_BLOCK_TURNING);
     if (towards >= 0 && towards < layout__BLOCK_COUNT)
     {
-        other = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * towards;
+        other = blocks + layout__ROLLING_BLOCK_SIZE * towards;
         middle = 0.5 * (AT(work, own + layout__ROLLING_BLOCK_START) + AT(work, own + layout__ROLLING_BLOCK_STOP));
         share = (station - middle) / (0.5 * (AT(work, other + layout__ROLLING_BLOCK_START) + AT(work, other + layout__ROLLING_BLOCK_STOP)) - middle);
         along += share * (AT(work, other + layout__ROLLING_BLOCK_ALONG) - along);
@@ -2605,4 +3074,392 @@ static inline double tractions__patch_area(array_double_1d work, int64_t patch)
 static inline double tractions__point_weight(array_double_1d work, int64_t strip)
 {
     return tractions__WEIGHT * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+}
+
+
+/* ---- From creep/turning.py; change that one.
+ *
+ * The rotation of wheels about their axle on which a given torque acts: how it is sought.
+ *
+ * The torque T of the creep forces about the axle falls with the rotation w where friction does not fall with
+ * the sliding velocity; what is sought is T(w) + M = 0, with the torque M from outside, 0 of wheels that roll
+ * freely.  Of every strip i with the velocity v_i of the wheel against the rail but for the rotation about the
+ * axle, and the direction u_i in which that rotation moves its place backwards,
+ *
+ *     w_i = v_i . u_i / r_i,   T(min w_i) >= 0 >= T(max w_i)                                       (A1)
+ *
+ * Between both the search follows a stand-in that needs no model of creep forces: each patch with Kalker's
+ * coefficients and the saturation of Vermeulen and Johnson (1964),
+ *
+ *     f_x = -G a b C11 (v . u - w r) / V_ref,   f_y = G a b (C22 eta + C23 sqrt(ab) phi),   t = |f| / (mu N)
+ *     T_s(w) = -sum r mu N S(t) f_x / |f|,   S = t - t^2/3 + t^3/27, or 1 from t = 3               (A2)
+ *
+ * It begins at T_s + M = 0 and goes on with what the last two rates have shown the stand-in to lack:
+ *
+ *     T_s(w) + D + E (w - w_k) = 0,   D = T_k + M - T_s(w_k),   E the secant slope of T - T_s      (A3)
+ *
+ * Rates that were tried enclose the one that is sought; where four of them have not halved the enclosure, the
+ * next one is in its middle.  Where a model's force jumps, the enclosure ends at the jump: there the rate is the
+ * one at which the creep forces still turn the wheels forward.
+ */
+
+/* Velocity [m/s] of a place of the wheel against its rail along the wheel's heading u, without the
+ * rotation about the axle; and the part of u along the track.
+ */
+static inline void turning__heading_velocity(double* out_0, double* out_1, array_double_1d work, int64_t motion, double x, double y_track, double z_track)
+{
+    int64_t rail;
+    double y, z, ahead_x, ahead_y, ahead_z, distance, along, lateral, vertical;
+    rail = motion + layout__MOTION_RAIL;
+    y = y_track - AT(work, motion + layout__MOTION_CENTRE_Y);
+    z = z_track - AT(work, motion + layout__MOTION_CENTRE_Z);
+    ahead_x = AT(work, motion + layout__MOTION_AXLE_Y) * z - AT(work, motion + layout__MOTION_AXLE_Z) * y;
+    ahead_y = AT(work, motion + layout__MOTION_AXLE_Z) * x - AT(work, motion + layout__MOTION_AXLE_X) * z;
+    ahead_z = AT(work, motion + layout__MOTION_AXLE_X) * y - AT(work, motion + layout__MOTION_AXLE_Y) * x;
+    distance = sqrt(ahead_x * ahead_x + ahead_y * ahead_y + ahead_z * ahead_z);
+    along = AT(work, motion + layout__MOTION_SPEED) - AT(work, motion + layout__MOTION_TRACK_RATE) * y_track + AT(work, motion + layout__MOTION_TURN_Y) * z - AT(work, motion + layout__MOTION_TURN_Z) * y;
+    lateral = AT(work, motion + layout__MOTION_LATERAL) + (AT(work, motion + layout__MOTION_TRACK_RATE) + AT(work, motion + layout__MOTION_TURN_Z)) * x - AT(work, motion + layout__MOTION_TURN_X) * z - AT(work, rail + layout__RAIL_MOTION_LATERAL) + AT(work, rail + layout__RAIL_MOTION_ROLL) * (z_track - AT(work, rail + layout__RAIL_MOTION_Z));
+    vertical = AT(work, motion + layout__MOTION_VERTICAL) + AT(work, motion + layout__MOTION_TURN_X) * y - AT(work, motion + layout__MOTION_TURN_Y) * x - AT(work, rail + layout__RAIL_MOTION_VERTICAL) - AT(work, rail + layout__RAIL_MOTION_ROLL) * (y_track - AT(work, rail + layout__RAIL_MOTION_Y));
+    *out_0 = (along * ahead_x + lateral * ahead_y + vertical * ahead_z) / distance;
+    *out_1 = ahead_x / distance;
+}
+
+/* Begin to seek the rotation under the torque ``wanted`` [N m] at this ``speed`` [m/s]; no patch is known
+ * yet.
+ */
+static inline int64_t turning__begin_turning(array_double_1d work, double wanted, double speed)
+{
+    AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) = (double)0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_WANTED) = wanted;
+    AT(work, layout__WORK_TURNING + layout__TURNING_SCALE) = 0.0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_SPEED) = fabs(speed);
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = 0.0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = 0.0;
+    return 0;
+}
+
+/* Let the enclosure hold the rates of all strips of a patch; eq. (A1). */
+static inline int64_t turning__enclose_rates(array_double_1d work, int64_t motion, int64_t patch)
+{
+    int64_t i, strip;
+    double along, ahead, rate;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        if (AT(work, strip + layout__ROLLING_STRIP_LINE_LOAD) > 0.0)
+        {
+            turning__heading_velocity(&along, &ahead, work, motion, AT(work, patch + layout__PATCH_X_TRACK) + AT(work, strip + layout__ROLLING_STRIP_X), AT(work, strip + layout__ROLLING_STRIP_Y_TRACK), AT(work, strip + layout__ROLLING_STRIP_Z_TRACK));
+            rate = along / AT(work, strip + layout__ROLLING_STRIP_ROLLING_RADIUS);
+            if ((int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) == 0)
+            {
+                AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = rate;
+                AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = rate;
+                AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) = (double)1;
+            }
+            AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = double_min(AT(work, layout__WORK_TURNING + layout__TURNING_LOW), rate);
+            AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = double_max(AT(work, layout__WORK_TURNING + layout__TURNING_HIGH), rate);
+        }
+    }
+    return 0;
+}
+
+/* Add a patch with this coefficient of ``friction`` to the stand-in.  Its lateral force is that at the
+ * motion's rotation, over the rolling speed there.
+ */
+static inline int64_t turning__add_stand_in(array_double_1d work, array_double_1d tables, int64_t motion, int64_t patch, double friction)
+{
+    int64_t own;
+    double along, ahead, first, second, third, area;
+    if (AT(work, patch + layout__PATCH_HALF_WIDTH) > 0.0 && AT(work, patch + layout__PATCH_HALF_LENGTH) > 0.0 && (int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) < layout__AXLE_PATCHES)
+    {
+        own = layout__WORK_TURNING + layout__TURNING_PATCHES + layout__TURNING_PATCH_SIZE * (int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT);
+        AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) = (double)((int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) + 1);
+        creepage__move_patch(work, motion, patch);
+        turning__heading_velocity(&along, &ahead, work, motion, AT(work, patch + layout__PATCH_X_TRACK), AT(work, patch + layout__PATCH_Y_TRACK), AT(work, patch + layout__PATCH_Z_TRACK));
+        tractions__kalker_coefficients(&first, &second, &third, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH));
+        area = AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH);
+        AT(work, own + layout__TURNING_PATCH_ALONG) = along;
+        AT(work, own + layout__TURNING_PATCH_RADIUS) = AT(work, patch + layout__PATCH_ROLLING_RADIUS);
+        AT(work, own + layout__TURNING_PATCH_AHEAD) = AT(work, patch + layout__PATCH_ROLLING_RADIUS) * ahead;
+        AT(work, own + layout__TURNING_PATCH_STIFFNESS) = AT(tables, layout__TABLES_SHEAR_MODULUS) * area * first;
+        AT(work, own + layout__TURNING_PATCH_LATERAL) = AT(tables, layout__TABLES_SHEAR_MODULUS) * area * (second * AT(work, patch + layout__PATCH_CREEPAGE_Y) + third * sqrt(area) * AT(work, patch + layout__PATCH_SPIN)) * AT(work, patch + layout__PATCH_SPEED);
+        AT(work, own + layout__TURNING_PATCH_LIMIT) = friction * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+        AT(work, layout__WORK_TURNING + layout__TURNING_SCALE) += AT(work, own + layout__TURNING_PATCH_LIMIT) * AT(work, own + layout__TURNING_PATCH_RADIUS);
+    }
+    return 0;
+}
+
+/* Make both ends of the enclosure a little wider, or with a torque from outside as wide as wheels are let
+ * to spin; neither is tried yet.
+ */
+static inline int64_t turning__widen_enclosure(array_double_1d work)
+{
+    double size, wide, largest;
+    int64_t i, i_end;
+    size = double_max(fabs(AT(work, layout__WORK_TURNING + layout__TURNING_LOW)), fabs(AT(work, layout__WORK_TURNING + layout__TURNING_HIGH)));
+    wide = turning__MARGIN * size;
+    if (AT(work, layout__WORK_TURNING + layout__TURNING_WANTED) != 0.0)
+    {
+        largest = 0.0;
+        i_end = (int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT);
+        for (i = 0; i < i_end; i += 1)
+        {
+            largest = double_max(largest, (AT(work, layout__WORK_TURNING + layout__TURNING_SPEED) + turning__SPINNING * creepage__REST) / AT(work, layout__WORK_TURNING + layout__TURNING_PATCHES + layout__TURNING_PATCH_SIZE * i + layout__TURNING_PATCH_RADIUS));
+        }
+        wide = (turning__SPINNING - 1.0) * double_max(size, largest);
+    }
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW) -= wide;
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) += wide;
+    AT(work, layout__WORK_TURNING + layout__TURNING_END_LOW) = AT(work, layout__WORK_TURNING + layout__TURNING_LOW);
+    AT(work, layout__WORK_TURNING + layout__TURNING_END_HIGH) = AT(work, layout__WORK_TURNING + layout__TURNING_HIGH);
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) = (double)false;
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) = (double)false;
+    return 0;
+}
+
+/* Begin a search in the enclosure at the rate ``start``. */
+static inline int64_t turning__begin_search(array_double_1d work, double start)
+{
+    AT(work, layout__WORK_TURNING + layout__TURNING_SHIFT) = AT(work, layout__WORK_TURNING + layout__TURNING_WANTED);
+    AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE) = 0.0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_REACH) = 0.0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_MISSING) = 0.0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_RATE) = start;
+    AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE) = 0.0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_TURNS) = (double)0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_SLOW) = (double)0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_SPAN) = AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) - AT(work, layout__WORK_TURNING + layout__TURNING_LOW);
+    return 0;
+}
+
+/* Torque of a patch of the stand-in about the axle [N m], and its slope over the rate. */
+static inline void turning__patch_stand_in(double* torque_out, double* slope_out, array_double_1d work, int64_t own, double speed, double rate)
+{
+    double rolling, reference, along, across, force, torque, slope, t, share, share_slope, steep;
+    rolling = 0.5 * (speed + fabs(rate * AT(work, own + layout__TURNING_PATCH_AHEAD)));
+    reference = sqrt(rolling * rolling + creepage__REST * creepage__REST);
+    along = AT(work, own + layout__TURNING_PATCH_STIFFNESS) * (AT(work, own + layout__TURNING_PATCH_ALONG) - rate * AT(work, own + layout__TURNING_PATCH_RADIUS)) / reference;
+    across = AT(work, own + layout__TURNING_PATCH_LATERAL) / reference;
+    force = sqrt(along * along + across * across);
+    torque = 0.0;
+    slope = 0.0;
+    if (AT(work, own + layout__TURNING_PATCH_LIMIT) > 0.0)
+    {
+        t = force / AT(work, own + layout__TURNING_PATCH_LIMIT);
+        share = 1.0 - t / 3.0 + t * t / 27.0;
+        share_slope = -1.0 / 3.0 + 2.0 * t / 27.0;
+        if (t > 3.0)
+        {
+            share = 1.0 / t;
+            share_slope = -share * share;
+        }
+        steep = share;
+        if (force > 0.0)
+        {
+            steep += along * share_slope * (along / force) / AT(work, own + layout__TURNING_PATCH_LIMIT);
+        }
+        torque = AT(work, own + layout__TURNING_PATCH_RADIUS) * along * share;
+        slope = -AT(work, own + layout__TURNING_PATCH_RADIUS) * AT(work, own + layout__TURNING_PATCH_STIFFNESS) * AT(work, own + layout__TURNING_PATCH_RADIUS) / reference * steep;
+    }
+    *torque_out = torque;
+    *slope_out = slope;
+}
+
+/* T_s(``rate``) of eq. (A2) [N m], and about its slope. */
+static inline void turning__stand_in(double* torque_out, double* slope_out, array_double_1d work, double rate)
+{
+    double torque, slope, part, part_slope;
+    int64_t i, i_end;
+    torque = 0.0;
+    slope = 0.0;
+    i_end = (int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_COUNT);
+    for (i = 0; i < i_end; i += 1)
+    {
+        turning__patch_stand_in(&part, &part_slope, work, layout__WORK_TURNING + layout__TURNING_PATCHES + layout__TURNING_PATCH_SIZE * i, AT(work, layout__WORK_TURNING + layout__TURNING_SPEED), rate);
+        torque += part;
+        slope += part_slope;
+    }
+    *torque_out = torque;
+    *slope_out = slope;
+}
+
+/* The left side of eq. (A3) at ``rate``, and its slope. */
+static inline void turning__corrected(double* out_0, double* slope_out, array_double_1d work, double rate)
+{
+    double torque, slope, away;
+    turning__stand_in(&torque, &slope, work, rate);
+    away = rate - AT(work, layout__WORK_TURNING + layout__TURNING_RATE);
+    slope += AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE);
+    if (fabs(away) > AT(work, layout__WORK_TURNING + layout__TURNING_REACH))
+    {
+        slope -= AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE);
+        if (away > 0.0)
+        {
+            away = AT(work, layout__WORK_TURNING + layout__TURNING_REACH);
+        }
+        else
+        {
+            away = -AT(work, layout__WORK_TURNING + layout__TURNING_REACH);
+        }
+    }
+    *out_0 = torque + AT(work, layout__WORK_TURNING + layout__TURNING_SHIFT) + AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE) * away;
+    *slope_out = slope;
+}
+
+/* The rate of eq. (A3) within the enclosure, or the end of it that is nearest. */
+static inline double turning__stand_in_rate(array_double_1d work)
+{
+    double low, high, torque, slope, rate, following, newton, move;
+    int64_t i;
+    low = AT(work, layout__WORK_TURNING + layout__TURNING_LOW);
+    high = AT(work, layout__WORK_TURNING + layout__TURNING_HIGH);
+    turning__corrected(&torque, &slope, work, low);
+    if (!(torque > 0.0))
+    {
+        return low;
+    }
+    turning__corrected(&torque, &slope, work, high);
+    if (!(torque < 0.0))
+    {
+        return high;
+    }
+    rate = AT(work, layout__WORK_TURNING + layout__TURNING_RATE);
+    if (!(rate > low && rate < high))
+    {
+        rate = 0.5 * (low + high);
+    }
+    for (i = 0; i < turning__STEPS; i += 1)
+    {
+        turning__corrected(&torque, &slope, work, rate);
+        if (torque > 0.0)
+        {
+            low = rate;
+        }
+        else
+        {
+            high = rate;
+        }
+        following = 0.5 * (low + high);
+        if (slope < 0.0)
+        {
+            newton = rate - torque / slope;
+            if (newton > low && newton < high)
+            {
+                following = newton;
+            }
+        }
+        move = fabs(following - rate);
+        rate = following;
+        if (!(move > turning__STEP_SHARP * fabs(rate)))
+        {
+            return rate;
+        }
+    }
+    return rate;
+}
+
+/* The rate to be tried next. */
+static inline double turning__next_rate(array_double_1d work)
+{
+    double span, middle, rate;
+    bool known;
+    span = AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) - AT(work, layout__WORK_TURNING + layout__TURNING_LOW);
+    known = AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) == 1.0 && AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) == 1.0;
+    AT(work, layout__WORK_TURNING + layout__TURNING_SLOW) = (double)((int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_SLOW) + 1);
+    if (!(span > 0.5 * AT(work, layout__WORK_TURNING + layout__TURNING_SPAN)))
+    {
+        AT(work, layout__WORK_TURNING + layout__TURNING_SLOW) = (double)0;
+        AT(work, layout__WORK_TURNING + layout__TURNING_SPAN) = span;
+    }
+    middle = 0.5 * (AT(work, layout__WORK_TURNING + layout__TURNING_LOW) + AT(work, layout__WORK_TURNING + layout__TURNING_HIGH));
+    if ((int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_SLOW) >= turning__SLOW && known)
+    {
+        AT(work, layout__WORK_TURNING + layout__TURNING_SLOW) = (double)0;
+        AT(work, layout__WORK_TURNING + layout__TURNING_SPAN) = span;
+        return middle;
+    }
+    rate = turning__stand_in_rate(work);
+    if ((rate == AT(work, layout__WORK_TURNING + layout__TURNING_LOW) && AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) == 1.0) || (rate == AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) && AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) == 1.0))
+    {
+        rate = middle;
+    }
+    return rate;
+}
+
+/* Keep that the creep forces have this ``torque`` [N m] at ``rate``, and learn from it what the stand-in
+ * lacks.
+ */
+static inline int64_t turning__note_torque(array_double_1d work, double rate, double torque)
+{
+    double left, model, slope, missing;
+    left = torque + AT(work, layout__WORK_TURNING + layout__TURNING_WANTED);
+    turning__stand_in(&model, &slope, work, rate);
+    missing = torque - model;
+    AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE) = 0.0;
+    if ((int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_TURNS) > 0 && rate != AT(work, layout__WORK_TURNING + layout__TURNING_RATE))
+    {
+        AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE) = (missing - AT(work, layout__WORK_TURNING + layout__TURNING_MISSING)) / (rate - AT(work, layout__WORK_TURNING + layout__TURNING_RATE));
+        if (!(slope + AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE) < 0.0))
+        {
+            AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE) = 0.0;
+        }
+    }
+    AT(work, layout__WORK_TURNING + layout__TURNING_REACH) = 0.0;
+    if (slope + AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE) < 0.0)
+    {
+        AT(work, layout__WORK_TURNING + layout__TURNING_REACH) = turning__REACH * fabs(left / (slope + AT(work, layout__WORK_TURNING + layout__TURNING_SLOPE)));
+    }
+    AT(work, layout__WORK_TURNING + layout__TURNING_TURNS) = (double)((int64_t)AT(work, layout__WORK_TURNING + layout__TURNING_TURNS) + 1);
+    AT(work, layout__WORK_TURNING + layout__TURNING_SHIFT) = left - model;
+    AT(work, layout__WORK_TURNING + layout__TURNING_MISSING) = missing;
+    AT(work, layout__WORK_TURNING + layout__TURNING_RATE) = rate;
+    AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE) = left;
+    if (left > 0.0)
+    {
+        if (rate >= AT(work, layout__WORK_TURNING + layout__TURNING_HIGH))
+        {
+            /* the end was not one */
+            AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = rate + 2.0 * (rate - AT(work, layout__WORK_TURNING + layout__TURNING_LOW)) + turning__MARGIN * fabs(rate);
+            AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) = (double)false;
+        }
+        AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = rate;
+        AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) = (double)true;
+    }
+    else
+    {
+        if (rate <= AT(work, layout__WORK_TURNING + layout__TURNING_LOW))
+        {
+            AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = rate - 2.0 * (AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) - rate) - turning__MARGIN * fabs(rate);
+            AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) = (double)false;
+        }
+        AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = rate;
+        AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) = (double)true;
+    }
+    return 0;
+}
+
+/* Whether the last rate that was tried leaves no torque. */
+static inline bool turning__is_balanced(array_double_1d work)
+{
+    return fabs(AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE)) <= turning__BALANCED * AT(work, layout__WORK_TURNING + layout__TURNING_SCALE);
+}
+
+/* Whether wheels that spin as fast as they are let to, or are held as much, do not carry the torque from
+ * outside.
+ */
+static inline bool turning__is_beyond(array_double_1d work)
+{
+    bool spins, slides;
+    spins = AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE) > 0.0 && !(AT(work, layout__WORK_TURNING + layout__TURNING_RATE) < AT(work, layout__WORK_TURNING + layout__TURNING_END_HIGH));
+    slides = AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE) < 0.0 && !(AT(work, layout__WORK_TURNING + layout__TURNING_RATE) > AT(work, layout__WORK_TURNING + layout__TURNING_END_LOW));
+    return AT(work, layout__WORK_TURNING + layout__TURNING_WANTED) != 0.0 && (spins || slides);
+}
+
+/* Whether the rates that enclose the one that is sought have become one. */
+static inline bool turning__is_at_jump(array_double_1d work)
+{
+    double size, apart;
+    size = double_max(fabs(AT(work, layout__WORK_TURNING + layout__TURNING_LOW)), fabs(AT(work, layout__WORK_TURNING + layout__TURNING_HIGH)));
+    apart = AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) - AT(work, layout__WORK_TURNING + layout__TURNING_LOW);
+    return AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) == 1.0 && AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) == 1.0 && !(apart > turning__SAME_SHARE * size + turning__SAME_RATE);
 }

@@ -327,7 +327,7 @@ static inline int64_t derivative_wheelset_rules__follow_deflection_t(array_doubl
 {
     derivative_springs__deflect_t(work, work_t, index, lateral, lateral_t, vertical, vertical_t);
     derivative_wheelset_rules__place_moving_t(tables, work, work_t, layout__WORK_INPUTS, AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL));
-    if (at_height__is_damped(tables) || requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (at_height__is_damped(tables) || requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         derivative_rubbing__open_given_motion_t(tables, work, work_t);
     }
@@ -392,7 +392,7 @@ static inline bool derivative_wheelset_rules__follow_compliant_t(array_double_1d
     }
     for (index = 0; index < 2; index += 1)
     {
-        if (requested__is_requested(tables, index))
+        if (requested__is_needed(work, tables, layout__WORK_INPUTS, index))
         {
             if (rails__is_sprung(tables, index))
             {
@@ -469,7 +469,7 @@ static inline bool derivative_wheelset_rules__follow_load_t(array_double_1d tabl
 static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     int64_t mode;
-    bool outcome, n3, n4;
+    bool outcome, n3, n4, n5, undefined;
     double v1, roll, v2;
     lanes v1_t, roll_t, v2_t;
     mode = (int64_t)AT(tables, layout__TABLES_MODE);
@@ -501,15 +501,127 @@ static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d 
         outcome = n4;
     }
     derivative_rubbing__move_wheelset_t(tables, work, work_t);
-    if (mode == layout__MODE_ELASTIC && requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (mode == layout__MODE_ELASTIC && requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         if (AT(work, layout__WORK_WHEELSET + layout__WHEELSET_SETTLED) == 1.0 && !outcome)
         {
             derivative_wheelset_rules__follow_rates_t(tables, work, work_t);
         }
     }
-    derivative_rubbing__move_patches_t(tables, work, work_t);
-    derivative_rubbing__rub_patches_t(tables, work, work_t);
+    if (free_rolling__turns_freely(tables, work))
+    {
+        n5 = derivative_wheelset_rules__follow_turning_t(tables, work, work_t);
+        undefined = n5;
+        outcome = outcome || undefined;
+    }
+    else
+    {
+        derivative_rubbing__move_patches_t(tables, work, work_t);
+        derivative_rubbing__rub_patches_t(tables, work, work_t);
+    }
     derivative_forces__sum_forces_t(tables, work, work_t);
     return outcome;
+}
+
+/* Derivative of ``follow_turning``. */
+static inline bool derivative_wheelset_rules__follow_turning_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
+{
+    bool undefined, n1, lost, n2;
+    int64_t index;
+    undefined = false;
+    if (motion__are_independent(tables))
+    {
+        for (index = 0; index < 2; index += 1)
+        {
+            if (requested__is_free(work, tables, layout__WORK_INPUTS, index))
+            {
+                n1 = derivative_wheelset_rules__follow_turn_t(tables, work, work_t, index, index);
+                lost = n1;
+                undefined = undefined || lost;
+            }
+            else
+            {
+                derivative_rubbing__move_side_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
+                derivative_rubbing__rub_side_t(tables, work, work_t, index);
+            }
+        }
+    }
+    else
+    {
+        n2 = derivative_wheelset_rules__follow_turn_t(tables, work, work_t, 0, 1);
+        undefined = n2;
+    }
+    return undefined;
+}
+
+/* Derivative of ``follow_turn``. */
+static inline bool derivative_wheelset_rules__follow_turn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last)
+{
+    double rate, torque, scale, v3, n1, n2, n4, n5;
+    lanes torque_t, scale_t, v3_t, n1_t, n2_t, missing, slope, n4_t, n5_t, rates;
+    rate = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first);
+    derivative_wheelset_rules__follow_torque_t(&torque, &torque_t, &scale, &scale_t, tables, work, work_t, first, last, rate, all_lanes(0.0));
+    if (!(scale > 0.0))
+    {
+        derivative_free_rolling__nominal_rate_t(&v3, &v3_t, tables, work, work_t, first);
+        derivative_wheelset_rules__follow_torque_t(&n1, &n1_t, &n2, &n2_t, tables, work, work_t, first, last, v3, v3_t);
+        return false;
+    }
+    if (fabs(torque) > free_rolling__UNCARRIED * scale)
+    {
+        return true;
+    }
+    EACH_LANE each(missing) = each(torque_t);
+    derivative_wheelset_rules__follow_torque_t(&torque, &torque_t, &scale, &scale_t, tables, work, work_t, first, last, rate, all_lanes(1.0));
+    EACH_LANE each(slope) = each(torque_t) - each(missing);
+    if (!derivative_rates__nonzero(slope))
+    {
+        return true;
+    }
+    EACH_LANE each(rates) = -each(missing) / each(slope);
+    derivative_wheelset_rules__follow_torque_t(&n4, &n4_t, &n5, &n5_t, tables, work, work_t, first, last, rate, rates);
+    return false;
+}
+
+/* Derivative of ``follow_torque``. */
+static inline void derivative_wheelset_rules__follow_torque_t(double* torque_out, lanes* torque_t_out, double* scale_out, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last, double rate, lanes rate_t)
+{
+    int64_t index, side, number, patch, number_end;
+    double scale, v1, torque;
+    lanes v1_t, torque_t;
+    for (index = first; index < last + 1; index += 1)
+    {
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_TURNING + layout__TURNING_RATES + index)) = each(rate_t);
+        AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index) = rate;
+    }
+    if (AT(tables, layout__TABLES_SPRUNG) == 1.0)
+    {
+        derivative_wheelset_rules__follow_compliant_t(tables, work, work_t);
+        derivative_rubbing__open_given_motion_t(tables, work, work_t);
+    }
+    scale = 0.0;
+    derivative_requested__outer_torque_t(&v1, &v1_t, work, work_t, tables, layout__WORK_INPUTS, first);
+    EACH_LANE each(torque_t) = each(v1_t);
+    torque = v1;
+    for (index = first; index < last + 1; index += 1)
+    {
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        EACH_LANE each(RATE_AT(work_t, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE)) = each(rate_t);
+        AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = rate;
+        derivative_rubbing__move_side_t(work, work_t, tables, side);
+        derivative_rubbing__rub_side_t(tables, work, work_t, index);
+        number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+        for (number = 0; number < number_end; number += 1)
+        {
+            patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+            derivative_forces__rub_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
+            EACH_LANE each(torque_t) = each(torque_t) + each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE));
+            torque = torque + AT(work, patch + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE);
+            scale = scale + AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) * AT(work, patch + layout__PATCH_ROLLING_RADIUS);
+        }
+    }
+    *torque_out = torque;
+    EACH_LANE each(*torque_t_out) = each(torque_t);
+    *scale_out = scale;
+    *out_3 = all_lanes(0.0);
 }

@@ -8,24 +8,25 @@
  */
 
 /* Derivative of ``correct_force``. */
-static inline int64_t derivative_correction__correct_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline int64_t derivative_correction__correct_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double share, lanes share_t)
 {
-    int64_t table, ratio, at;
-    lanes bound_t, mean_axis_t, v3_t, on_ratio_t, along_t, across_t, turning_t, on_elevation_t, on_azimuth_t, on_radius_t, v7_t, v9_t, v12_t, v13_t, v14_t, v15_t, force_x_t, force_y_t, rates, rates_2;
-    double bound, v1, v2, mean_axis, v4, v3, v5, on_ratio, along, across, turning, sign_x, sign_y, on_elevation, on_azimuth, on_radius, v6, v7, v8, v9, v10, v11, v12, v13, v14, v15, force_x, force_y;
+    int64_t table, ratio, at, beyond;
+    double v1, bound, v2, v3, mean_axis, v5, v4, v6, on_ratio, along, across, turning, sign_x, sign_y, on_elevation, on_azimuth, on_radius, faint, scale, v7, v8, v9, v10, v11, v12, v13, v14, v15, v16, v17, v18, bend, v19, v20, v21, v22, v23, turned, v24, v25, v26, v27, v28, force_x, force_y;
+    lanes bound_t, mean_axis_t, v4_t, on_ratio_t, along_t, across_t, turning_t, on_elevation_t, on_azimuth_t, on_radius_t, faint_t, scale_t, v8_t, v11_t, v12_t, v16_t, v17_t, bend_t, v20_t, v22_t, v23_t, turned_t, v26_t, v27_t, v28_t, force_x_t, force_y_t, rates, rates_2;
     table = (int64_t)AT(tables, layout__TABLES_ROLLING);
-    EACH_LANE each(bound_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
-    bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
-    v1 = AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH);
-    v2 = sqrt(v1);
-    EACH_LANE each(mean_axis_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + AT(work, patch + layout__PATCH_HALF_LENGTH) * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH)));
-    mean_axis = v2;
-    v4 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
-    EACH_LANE each(rates) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v4 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
-    derivative_powers__log_rule_t(&v3, &v3_t, v4, rates);
-    v5 = v3 - correction__LN_FIRST_RATIO;
-    EACH_LANE each(rates_2) = each(v3_t) * correction__PER_DOUBLING;
-    derivative_tables__table_cell_t(&ratio, &on_ratio, &on_ratio_t, v5 * correction__PER_DOUBLING, rates_2, (double)(layout__CORRECTION_RATIOS - 1), all_lanes(0.0));
+    v1 = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    EACH_LANE each(bound_t) = (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) * share + v1 * each(share_t);
+    bound = v1 * share;
+    v2 = AT(work, patch + layout__PATCH_HALF_LENGTH) * AT(work, patch + layout__PATCH_HALF_WIDTH);
+    v3 = sqrt(v2);
+    EACH_LANE each(mean_axis_t) = derivative_rates__root_rate(v3, each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + AT(work, patch + layout__PATCH_HALF_LENGTH) * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH)));
+    mean_axis = v3;
+    v5 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_LANE each(rates) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v5 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    derivative_powers__log_rule_t(&v4, &v4_t, v5, rates);
+    v6 = v4 - correction__LN_FIRST_RATIO;
+    EACH_LANE each(rates_2) = each(v4_t) * correction__PER_DOUBLING;
+    derivative_tables__table_cell_t(&ratio, &on_ratio, &on_ratio_t, v6 * correction__PER_DOUBLING, rates_2, (double)(layout__CORRECTION_RATIOS - 1), all_lanes(0.0));
     derivative_correction__saturation_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch, ratio, on_ratio, on_ratio_t);
     sign_x = 1.0;
     if (along < 0.0)
@@ -43,40 +44,71 @@ static inline int64_t derivative_correction__correct_force_t(array_double_1d wor
         EACH_LANE each(turning_t) = -each(turning_t);
         turning = -turning;
     }
-    derivative_correction__node_at_t(&at, &on_elevation, &on_elevation_t, &on_azimuth, &on_azimuth_t, &on_radius, &on_radius_t, tables, table, along, along_t, across, across_t, turning, turning_t);
+    derivative_correction__node_at_t(&at, &on_elevation, &on_elevation_t, &on_azimuth, &on_azimuth_t, &on_radius, &on_radius_t, &faint, &faint_t, tables, table, along, along_t, across, across_t, turning, turning_t);
+    if (faint > 0.0)
+    {
+        EACH_LANE each(scale_t) = each(faint_t) * bound + faint * each(bound_t);
+        scale = faint * bound;
+        v7 = scale * sign_x;
+        derivative_correction__slope_at_t(&v8, &v8_t, tables, table, 0, ratio, on_ratio, on_ratio_t);
+        v9 = v7 * v8;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + ((each(scale_t) * sign_x * v8 + v7 * each(v8_t)) * along + v9 * each(along_t));
+        AT(work, patch + layout__PATCH_CREEP_X) = AT(work, patch + layout__PATCH_CREEP_X) + v9 * along;
+        v10 = scale * sign_y;
+        derivative_correction__slope_at_t(&v11, &v11_t, tables, table, 1, ratio, on_ratio, on_ratio_t);
+        derivative_correction__slope_at_t(&v12, &v12_t, tables, table, 2, ratio, on_ratio, on_ratio_t);
+        v13 = v11 * across + v12 * turning;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (each(scale_t) * sign_y * v13 + v10 * (each(v11_t) * across + v11 * each(across_t) + (each(v12_t) * turning + v12 * each(turning_t))));
+        AT(work, patch + layout__PATCH_CREEP_Y) = AT(work, patch + layout__PATCH_CREEP_Y) + v10 * v13;
+        v14 = scale * sign_y;
+        v15 = v14 * mean_axis;
+        derivative_correction__slope_at_t(&v16, &v16_t, tables, table, 3, ratio, on_ratio, on_ratio_t);
+        derivative_correction__slope_at_t(&v17, &v17_t, tables, table, 4, ratio, on_ratio, on_ratio_t);
+        v18 = v16 * across + v17 * turning;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((each(scale_t) * sign_y * mean_axis + v14 * each(mean_axis_t)) * v18 + v15 * (each(v16_t) * across + v16 * each(across_t) + (each(v17_t) * turning + v17 * each(turning_t))));
+        AT(work, patch + layout__PATCH_CREEP_MOMENT) = AT(work, patch + layout__PATCH_CREEP_MOMENT) + v15 * v18;
+    }
     at = at + ratio * correction__RATIO_STRIDE;
-    v6 = sign_x * bound;
-    derivative_correction__missing_t(&v7, &v7_t, tables, table, at, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (sign_x * each(bound_t) * v7 + v6 * each(v7_t));
-    AT(work, patch + layout__PATCH_CREEP_X) = AT(work, patch + layout__PATCH_CREEP_X) + v6 * v7;
-    v8 = sign_y * bound;
-    derivative_correction__missing_t(&v9, &v9_t, tables, table, at + 1, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (sign_y * each(bound_t) * v9 + v8 * each(v9_t));
-    AT(work, patch + layout__PATCH_CREEP_Y) = AT(work, patch + layout__PATCH_CREEP_Y) + v8 * v9;
-    v10 = sign_y * bound;
-    v11 = v10 * mean_axis;
-    derivative_correction__missing_t(&v12, &v12_t, tables, table, at + 2, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((sign_y * each(bound_t) * mean_axis + v10 * each(mean_axis_t)) * v12 + v11 * each(v12_t));
-    AT(work, patch + layout__PATCH_CREEP_MOMENT) = AT(work, patch + layout__PATCH_CREEP_MOMENT) + v11 * v12;
-    derivative_correction__missing_t(&v13, &v13_t, tables, table, at + 3, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) + each(v13_t);
-    AT(work, patch + layout__PATCH_STICK_SHARE) = AT(work, patch + layout__PATCH_STICK_SHARE) + v13;
-    v14 = AT(work, patch + layout__PATCH_STICK_SHARE);
-    EACH_LANE each(v14_t) = each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE));
-    if (0.0 > v14)
+    derivative_correction__middle_bend_t(&beyond, &bend, &bend_t, at, on_azimuth, on_azimuth_t);
+    v19 = sign_x * bound;
+    derivative_correction__missing_t(&v20, &v20_t, tables, table, at, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) + (sign_x * each(bound_t) * v20 + v19 * each(v20_t));
+    AT(work, patch + layout__PATCH_CREEP_X) = AT(work, patch + layout__PATCH_CREEP_X) + v19 * v20;
+    if (modulo(at, correction__RATIO_STRIDE) < correction__ELEVATION_STRIDE)
     {
-        v14 = 0.0;
-        v14_t = all_lanes(0.0);
+        EACH_LANE each(on_elevation_t) = each(on_elevation_t) * on_elevation + on_elevation * each(on_elevation_t);
+        on_elevation = on_elevation * on_elevation;
     }
-    v15 = v14;
-    EACH_LANE each(v15_t) = each(v14_t);
-    if (1.0 < v15)
+    v21 = sign_y * bound;
+    derivative_correction__missing_t(&v22, &v22_t, tables, table, at + 1, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (sign_y * each(bound_t) * v22 + v21 * each(v22_t));
+    AT(work, patch + layout__PATCH_CREEP_Y) = AT(work, patch + layout__PATCH_CREEP_Y) + v21 * v22;
+    derivative_correction__missing_t(&v23, &v23_t, tables, table, at + 2, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
+    EACH_LANE each(turned_t) = each(v23_t);
+    turned = v23;
+    v24 = sign_y * bound;
+    v25 = v24 * mean_axis;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_MOMENT)) + ((sign_y * each(bound_t) * mean_axis + v24 * each(mean_axis_t)) * turned + v25 * each(turned_t));
+    AT(work, patch + layout__PATCH_CREEP_MOMENT) = AT(work, patch + layout__PATCH_CREEP_MOMENT) + v25 * turned;
+    derivative_correction__missing_t(&v26, &v26_t, tables, table, at + 3, on_ratio, on_ratio_t, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) + each(v26_t);
+    AT(work, patch + layout__PATCH_STICK_SHARE) = AT(work, patch + layout__PATCH_STICK_SHARE) + v26;
+    v27 = AT(work, patch + layout__PATCH_STICK_SHARE);
+    EACH_LANE each(v27_t) = each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE));
+    if (0.0 > v27)
     {
-        v15 = 1.0;
-        v15_t = all_lanes(0.0);
+        v27 = 0.0;
+        v27_t = all_lanes(0.0);
     }
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = each(v15_t);
-    AT(work, patch + layout__PATCH_STICK_SHARE) = v15;
+    v28 = v27;
+    EACH_LANE each(v28_t) = each(v27_t);
+    if (1.0 < v28)
+    {
+        v28 = 1.0;
+        v28_t = all_lanes(0.0);
+    }
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = each(v28_t);
+    AT(work, patch + layout__PATCH_STICK_SHARE) = v28;
     derivative_tractions__cut_to_t(&force_x, &force_x_t, &force_y, &force_y_t, AT(work, patch + layout__PATCH_CREEP_X), RATE_AT(work_t, patch + layout__PATCH_CREEP_X), AT(work, patch + layout__PATCH_CREEP_Y), RATE_AT(work_t, patch + layout__PATCH_CREEP_Y), bound, bound_t);
     EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = each(force_x_t);
     AT(work, patch + layout__PATCH_CREEP_X) = force_x;
@@ -142,10 +174,10 @@ static inline void derivative_correction__scale_at_t(double* out_0, lanes* out_1
 }
 
 /* Derivative of ``node_at``. */
-static inline void derivative_correction__node_at_t(int64_t* at_out, double* on_elevation_out, lanes* on_elevation_t_out, double* on_azimuth_out, lanes* on_azimuth_t_out, double* on_radius_out, lanes* on_radius_t_out, array_double_1d tables, int64_t table, double along, lanes along_t, double across, lanes across_t, double turning, lanes turning_t)
+static inline void derivative_correction__node_at_t(int64_t* at_out, double* on_elevation_out, lanes* on_elevation_t_out, double* on_azimuth_out, lanes* on_azimuth_t_out, double* on_radius_out, lanes* on_radius_t_out, double* faint_out, lanes* faint_t_out, array_double_1d tables, int64_t table, double along, lanes along_t, double across, lanes across_t, double turning, lanes turning_t)
 {
-    double v1, v2, flat, v3, v4, radius, v5, place, v6, on_elevation, v7, v8, v9, on_azimuth, v10, v11, on_radius;
-    lanes flat_t, radius_t, v5_t, place_t, v6_t, on_elevation_t, v7_t, on_azimuth_t, on_radius_t, rates, rates_2, rates_3, rates_4;
+    double v1, v2, flat, v3, v4, radius, v5, place, v6, on_elevation, v7, v8, v9, on_azimuth, v10, v11, on_radius, faint, v12, v13, v14;
+    lanes flat_t, radius_t, v5_t, place_t, v6_t, on_elevation_t, v7_t, on_azimuth_t, on_radius_t, faint_t, rates, rates_2, rates_3, rates_4;
     int64_t elevation, azimuth, cell, at;
     v1 = across * across + turning * turning;
     v2 = sqrt(v1);
@@ -177,6 +209,18 @@ static inline void derivative_correction__node_at_t(int64_t* at_out, double* on_
     v11 = radius / v10;
     EACH_LANE each(rates_4) = (each(radius_t) - v11 * each(radius_t)) / v10;
     derivative_correction__radius_cell_t(&cell, &on_radius, &on_radius_t, tables, table, v11, rates_4);
+    faint_t = all_lanes(0.0);
+    faint = 0.0;
+    if (cell == 0)
+    {
+        v12 = 1.0 - on_radius;
+        v13 = 1.0 + radius;
+        v14 = v12 / v13;
+        EACH_LANE each(faint_t) = (-each(on_radius_t) - v14 * each(radius_t)) / v13;
+        faint = v14;
+        EACH_LANE each(on_radius_t) = each(on_radius_t) * on_radius + on_radius * each(on_radius_t);
+        on_radius = on_radius * on_radius;
+    }
     at = elevation * correction__ELEVATION_STRIDE + azimuth * layout__CORRECTION_LINE + cell * layout__CORRECTION_COLUMNS;
     *at_out = at;
     *on_elevation_out = on_elevation;
@@ -185,6 +229,19 @@ static inline void derivative_correction__node_at_t(int64_t* at_out, double* on_
     EACH_LANE each(*on_azimuth_t_out) = each(on_azimuth_t);
     *on_radius_out = on_radius;
     EACH_LANE each(*on_radius_t_out) = each(on_radius_t);
+    *faint_out = faint;
+    EACH_LANE each(*faint_t_out) = each(faint_t);
+}
+
+/* Derivative of ``slope_at``. */
+static inline void derivative_correction__slope_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t axis, int64_t ratio, double share, lanes share_t)
+{
+    int64_t at;
+    double v1;
+    at = layout__CORRECTION_AXES * ratio + axis;
+    v1 = AT(tables, table + layout__ROLLING_TABLE_SLOPES + (at + layout__CORRECTION_AXES)) - AT(tables, table + layout__ROLLING_TABLE_SLOPES + at);
+    *out_0 = AT(tables, table + layout__ROLLING_TABLE_SLOPES + at) + share * v1;
+    EACH_LANE each(*out_1) = each(share_t) * v1;
 }
 
 /* Derivative of ``radius_cell``. */
@@ -204,46 +261,99 @@ static inline void derivative_correction__radius_cell_t(int64_t* cell_out, doubl
     EACH_LANE each(*out_2) = each(place_t) / v2;
 }
 
-/* Derivative of ``missing``. */
-static inline void derivative_correction__missing_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_ratio, lanes on_ratio_t, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double on_radius, lanes on_radius_t)
+/* Derivative of ``middle_bend``. */
+static inline void derivative_correction__middle_bend_t(int64_t* beyond_out, double* bend_out, lanes* bend_t_out, int64_t at, double on_azimuth, lanes on_azimuth_t)
 {
-    double v1, low, v2, v3;
-    lanes v1_t, low_t, v2_t;
-    derivative_correction__on_plane_t(&v1, &v1_t, tables, table, at, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
+    int64_t azimuth, beyond;
+    lanes bend_t;
+    double bend, v1, v2, v3, v4;
+    azimuth = floor_div(modulo(at, correction__ELEVATION_STRIDE), layout__CORRECTION_LINE);
+    beyond = 0;
+    bend_t = all_lanes(0.0);
+    bend = 0.0;
+    if (azimuth == correction__MIDDLE_AZIMUTH)
+    {
+        beyond = -layout__CORRECTION_LINE;
+        v1 = 0.5 * on_azimuth;
+        v2 = on_azimuth - 1.0;
+        EACH_LANE each(bend_t) = 0.5 * each(on_azimuth_t) * v2 + v1 * each(on_azimuth_t);
+        bend = v1 * v2;
+    }
+    else if (azimuth == correction__MIDDLE_AZIMUTH - 1)
+    {
+        beyond = 2 * layout__CORRECTION_LINE;
+        v3 = 0.5 * on_azimuth;
+        v4 = on_azimuth - 1.0;
+        EACH_LANE each(bend_t) = 0.5 * each(on_azimuth_t) * v4 + v3 * each(on_azimuth_t);
+        bend = v3 * v4;
+    }
+    *beyond_out = beyond;
+    *bend_out = bend;
+    EACH_LANE each(*bend_t_out) = each(bend_t);
+}
+
+/* Derivative of ``missing``. */
+static inline void derivative_correction__missing_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_ratio, lanes on_ratio_t, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double bend, lanes bend_t, int64_t beyond, double on_radius, lanes on_radius_t)
+{
+    double v1, low, v2, high, v3;
+    lanes v1_t, low_t, v2_t, high_t;
+    derivative_correction__on_plane_t(&v1, &v1_t, tables, table, at, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
     EACH_LANE each(low_t) = each(v1_t);
     low = v1;
-    derivative_correction__on_plane_t(&v2, &v2_t, tables, table, at + correction__RATIO_STRIDE, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    v3 = v2 - low;
+    derivative_correction__on_plane_t(&v2, &v2_t, tables, table, at + correction__RATIO_STRIDE, on_elevation, on_elevation_t, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
+    EACH_LANE each(high_t) = each(v2_t);
+    high = v2;
+    v3 = high - low;
     *out_0 = low + on_ratio * v3;
-    EACH_LANE each(*out_1) = each(low_t) + (each(on_ratio_t) * v3 + on_ratio * (each(v2_t) - each(low_t)));
+    EACH_LANE each(*out_1) = each(low_t) + (each(on_ratio_t) * v3 + on_ratio * (each(high_t) - each(low_t)));
 }
 
 /* Derivative of ``on_plane``. */
-static inline void derivative_correction__on_plane_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double on_radius, lanes on_radius_t)
+static inline void derivative_correction__on_plane_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double bend, lanes bend_t, int64_t beyond, double on_radius, lanes on_radius_t)
 {
-    double v1, low, v2, v3;
-    lanes v1_t, low_t, v2_t;
-    derivative_correction__on_cone_t(&v1, &v1_t, tables, table, at, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
+    double v1, low, v2, high, v3;
+    lanes v1_t, low_t, v2_t, high_t;
+    derivative_correction__on_cone_t(&v1, &v1_t, tables, table, at, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
     EACH_LANE each(low_t) = each(v1_t);
     low = v1;
-    derivative_correction__on_cone_t(&v2, &v2_t, tables, table, at + correction__ELEVATION_STRIDE, on_azimuth, on_azimuth_t, on_radius, on_radius_t);
-    v3 = v2 - low;
+    derivative_correction__on_cone_t(&v2, &v2_t, tables, table, at + correction__ELEVATION_STRIDE, on_azimuth, on_azimuth_t, bend, bend_t, beyond, on_radius, on_radius_t);
+    EACH_LANE each(high_t) = each(v2_t);
+    high = v2;
+    v3 = high - low;
     *out_0 = low + on_elevation * v3;
-    EACH_LANE each(*out_1) = each(low_t) + (each(on_elevation_t) * v3 + on_elevation * (each(v2_t) - each(low_t)));
+    EACH_LANE each(*out_1) = each(low_t) + (each(on_elevation_t) * v3 + on_elevation * (each(high_t) - each(low_t)));
 }
 
 /* Derivative of ``on_cone``. */
-static inline void derivative_correction__on_cone_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_azimuth, lanes on_azimuth_t, double on_radius, lanes on_radius_t)
+static inline void derivative_correction__on_cone_t(double* found_out, lanes* found_t_out, array_double_1d tables, int64_t table, int64_t at, double on_azimuth, lanes on_azimuth_t, double bend, lanes bend_t, int64_t beyond, double on_radius, lanes on_radius_t)
 {
-    double v1, low, v2, v3;
-    lanes v1_t, low_t, v2_t;
+    double v1, low, v2, high, v3, found, v4, v5, v6, v7;
+    lanes v1_t, low_t, v2_t, high_t, found_t, v4_t, v6_t;
     derivative_correction__on_line_t(&v1, &v1_t, tables, table, at, on_radius, on_radius_t);
     EACH_LANE each(low_t) = each(v1_t);
     low = v1;
     derivative_correction__on_line_t(&v2, &v2_t, tables, table, at + layout__CORRECTION_LINE, on_radius, on_radius_t);
-    v3 = v2 - low;
-    *out_0 = low + on_azimuth * v3;
-    EACH_LANE each(*out_1) = each(low_t) + (each(on_azimuth_t) * v3 + on_azimuth * (each(v2_t) - each(low_t)));
+    EACH_LANE each(high_t) = each(v2_t);
+    high = v2;
+    v3 = high - low;
+    EACH_LANE each(found_t) = each(low_t) + (each(on_azimuth_t) * v3 + on_azimuth * (each(high_t) - each(low_t)));
+    found = low + on_azimuth * v3;
+    if (beyond < 0)
+    {
+        derivative_correction__on_line_t(&v4, &v4_t, tables, table, at + beyond, on_radius, on_radius_t);
+        v5 = v4 - low - (low - high);
+        EACH_LANE each(found_t) = each(found_t) + (each(bend_t) * v5 + bend * (each(v4_t) - each(low_t) - (each(low_t) - each(high_t))));
+        found = found + bend * v5;
+    }
+    else if (beyond > 0)
+    {
+        derivative_correction__on_line_t(&v6, &v6_t, tables, table, at + beyond, on_radius, on_radius_t);
+        v7 = v6 - high - (high - low);
+        EACH_LANE each(found_t) = each(found_t) + (each(bend_t) * v7 + bend * (each(v6_t) - each(high_t) - (each(high_t) - each(low_t))));
+        found = found + bend * v7;
+    }
+    *found_out = found;
+    EACH_LANE each(*found_t_out) = each(found_t);
 }
 
 /* Derivative of ``on_line``. */
@@ -372,6 +482,10 @@ static inline int64_t derivative_coupled_strips__find_stick_zone_t(array_double_
     AT(work, march + layout__ROLLING_MARCH_STICK_X) = 0.0;
     RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y) = all_lanes(0.0);
     AT(work, march + layout__ROLLING_MARCH_STICK_Y) = 0.0;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_X)) = each(u_t);
+    AT(work, march + layout__ROLLING_MARCH_LEAD_X) = u;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y)) = each(v_t);
+    AT(work, march + layout__ROLLING_MARCH_LEAD_Y) = v;
     if (weight > 0.0 && depth < a)
     {
         EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) = each(depth_t);
@@ -576,20 +690,27 @@ static inline void derivative_coupled_strips__smooth_step_t(double* value_out, l
 /* Derivative of ``solve_coupled_strips``. */
 static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    derivative_stiffness__find_stiffnesses_t(work, work_t, tables, patch);
-    derivative_coupled_strips__add_strips_t(work, work_t, tables, patch);
+    double v1, share;
+    lanes v1_t, share_t;
+    derivative_stiffness__patch_stiffnesses_t(work, work_t, tables, patch);
+    derivative_coupled_strips__add_strips_t(&v1, &v1_t, work, work_t, tables, patch);
+    EACH_LANE each(share_t) = each(v1_t);
+    share = v1;
     if (!(AT(work, layout__WORK_ROLLING + layout__ROLLING_BARE) == 1.0))
     {
-        derivative_correction__correct_force_t(work, work_t, tables, patch);
+        derivative_correction__correct_force_t(work, work_t, tables, patch, share, share_t);
     }
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * share + AT(work, patch + layout__PATCH_FRICTION) * each(share_t);
+    AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) * share;
     return 0;
 }
 
 /* Derivative of ``add_strips``. */
-static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+static inline void derivative_coupled_strips__add_strips_t(double* share_out, lanes* share_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    double v1, ratio, plane, spinning, v2, mean, stuck, v3, v4, v5, v6, v7;
-    lanes ratio_t, plane_t, spinning_t, v2_t, mean_t, stuck_t, v6_t;
+    double v1, ratio, plane, spinning, v2, mean, stuck, v3, v4, v5, v6, v7, share, v8, v9, v10;
+    lanes ratio_t, plane_t, spinning_t, v2_t, mean_t, stuck_t, v6_t, share_t, v8_t;
+    bool falls;
     int64_t i, march;
     v1 = AT(work, patch + layout__PATCH_HALF_LENGTH) / AT(work, patch + layout__PATCH_HALF_WIDTH);
     EACH_LANE each(ratio_t) = (each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) - v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
@@ -599,6 +720,11 @@ static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d wo
     derivative_coupled_strips__open_stick_zones_t(&v2, &v2_t, work, work_t, patch, ratio, ratio_t);
     EACH_LANE each(mean_t) = each(v2_t);
     mean = v2;
+    falls = AT(work, patch + layout__PATCH_FALL_RATE) > 0.0;
+    if (falls)
+    {
+        derivative_falling__open_falling_t(work, work_t, patch);
+    }
     stuck_t = all_lanes(0.0);
     stuck = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
@@ -616,13 +742,24 @@ static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d wo
             stuck = stuck + v5 * AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i + layout__ROLLING_STRIP_WIDTH);
         }
     }
-    derivative_march__march_strips_t(tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING));
+    derivative_march__march_strips_t(tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), falls);
     derivative_coupled_strips__finish_marches_t(work, work_t, patch);
     derivative_tractions__patch_area_t(&v6, &v6_t, work, work_t, patch);
     v7 = stuck / v6;
     EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = (each(stuck_t) - v7 * each(v6_t)) / v6;
     AT(work, patch + layout__PATCH_STICK_SHARE) = v7;
-    return 0;
+    share_t = all_lanes(0.0);
+    share = 1.0;
+    if (falls)
+    {
+        derivative_coupled_strips__lost_friction_t(&v8, &v8_t, work, work_t, patch);
+        v9 = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+        v10 = v8 / v9;
+        EACH_LANE each(share_t) = -((each(v8_t) - v10 * (each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD)))) / v9);
+        share = 1.0 - v10;
+    }
+    *share_out = share;
+    EACH_LANE each(*share_t_out) = each(share_t);
 }
 
 /* Derivative of ``open_stick_zones``. */
@@ -711,7 +848,7 @@ static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d w
     AT(work, march + layout__ROLLING_MARCH_LATERAL) = AT(work, strip + layout__ROLLING_STRIP_LATERAL);
     EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SPIN)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN));
     AT(work, march + layout__ROLLING_MARCH_SPIN) = AT(work, strip + layout__ROLLING_STRIP_SPIN);
-    derivative_stiffness__stiffnesses_at_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, index, AT(work, strip + layout__ROLLING_STRIP_STATION), RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION));
+    derivative_stiffness__stiffnesses_at_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, layout__WORK_ROLLING + layout__ROLLING_BLOCKS, index, AT(work, strip + layout__ROLLING_STRIP_STATION), RATE_AT(work_t, strip + layout__ROLLING_STRIP_STATION));
     EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ALONG)) = each(along_t);
     AT(work, march + layout__ROLLING_MARCH_ALONG) = along;
     EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_ACROSS)) = each(across_t);
@@ -763,6 +900,30 @@ static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1
     EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v6, each(largest_t));
     AT(work, patch + layout__PATCH_MAX_SHEAR) = v6;
     return 0;
+}
+
+/* Derivative of ``lost_friction``. */
+static inline void derivative_coupled_strips__lost_friction_t(double* lost_out, lanes* lost_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch)
+{
+    lanes lost_t, v1_t, v3_t, unit_t;
+    double lost, v1, v2, v3, v4, unit;
+    int64_t i, strip;
+    lost_t = all_lanes(0.0);
+    lost = 0.0;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        derivative_tractions__bound_rate_t(&v1, &v1_t, work, work_t, patch, strip);
+        v2 = v1 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+        derivative_tractions__point_weight_t(&v3, &v3_t, work, work_t, strip);
+        v4 = v2 * v3;
+        EACH_LANE each(unit_t) = ((each(v1_t) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH))) * v3 + v2 * each(v3_t)) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v4 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH));
+        unit = v4 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+        EACH_LANE each(lost_t) = each(lost_t) + (each(unit_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) + unit * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i)));
+        lost = lost + unit * AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i);
+    }
+    *lost_out = lost;
+    EACH_LANE each(*lost_t_out) = each(lost_t);
 }
 
 
@@ -880,28 +1041,19 @@ static inline int64_t derivative_creepage__move_patch_t(array_double_1d work, ar
     AT(work, patch + layout__PATCH_RADIUS_SHARE) = share;
     RATE_AT(work_t, patch + layout__PATCH_BACKWARDS) = all_lanes(0.0);
     AT(work, patch + layout__PATCH_BACKWARDS) = (double)(AT(work, motion + layout__MOTION_SPEED) + rolling_x < 0.0);
-    RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X) = all_lanes(0.0);
-    AT(work, patch + layout__PATCH_CREEPAGE_X) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y) = all_lanes(0.0);
-    AT(work, patch + layout__PATCH_CREEPAGE_Y) = 0.0;
-    RATE_AT(work_t, patch + layout__PATCH_SPIN) = all_lanes(0.0);
-    AT(work, patch + layout__PATCH_SPIN) = 0.0;
-    if (speed > creepage__STANDSTILL)
-    {
-        v5 = along / speed;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) = (each(along_t) - v5 * each(speed_t)) / speed;
-        AT(work, patch + layout__PATCH_CREEPAGE_X) = v5;
-        v6 = -(normal_z * lateral - normal_y * vertical);
-        v7 = v6 / speed;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) = (-(each(normal_z_t) * lateral + normal_z * each(lateral_t) - (each(normal_y_t) * vertical + normal_y * each(vertical_t))) - v7 * each(speed_t)) / speed;
-        AT(work, patch + layout__PATCH_CREEPAGE_Y) = v7;
-        v8 = AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Y);
-        v9 = AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Z);
-        v10 = -(v8 * normal_y + v9 * normal_z);
-        v11 = v10 / speed;
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) = (-((each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Y) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)))) * normal_y + v8 * each(normal_y_t) + ((each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) + each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Z) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)))) * normal_z + v9 * each(normal_z_t))) - v11 * each(speed_t)) / speed;
-        AT(work, patch + layout__PATCH_SPIN) = v11;
-    }
+    v5 = along / speed;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) = (each(along_t) - v5 * each(speed_t)) / speed;
+    AT(work, patch + layout__PATCH_CREEPAGE_X) = v5;
+    v6 = -(normal_z * lateral - normal_y * vertical);
+    v7 = v6 / speed;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) = (-(each(normal_z_t) * lateral + normal_z * each(lateral_t) - (each(normal_y_t) * vertical + normal_y * each(vertical_t))) - v7 * each(speed_t)) / speed;
+    AT(work, patch + layout__PATCH_CREEPAGE_Y) = v7;
+    v8 = AT(work, motion + layout__MOTION_TURN_Y) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Y);
+    v9 = AT(work, motion + layout__MOTION_TURN_Z) + AT(work, motion + layout__MOTION_TRACK_RATE) - AT(work, motion + layout__MOTION_WHEEL_RATE) * AT(work, motion + layout__MOTION_AXLE_Z);
+    v10 = -(v8 * normal_y + v9 * normal_z);
+    v11 = v10 / speed;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) = (-((each(RATE_AT(work_t, motion + layout__MOTION_TURN_Y)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Y) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Y)))) * normal_y + v8 * each(normal_y_t) + ((each(RATE_AT(work_t, motion + layout__MOTION_TURN_Z)) + each(RATE_AT(work_t, motion + layout__MOTION_TRACK_RATE)) - (each(RATE_AT(work_t, motion + layout__MOTION_WHEEL_RATE)) * AT(work, motion + layout__MOTION_AXLE_Z) + AT(work, motion + layout__MOTION_WHEEL_RATE) * each(RATE_AT(work_t, motion + layout__MOTION_AXLE_Z)))) * normal_z + v9 * each(normal_z_t))) - v11 * each(speed_t)) / speed;
+    AT(work, patch + layout__PATCH_SPIN) = v11;
     return 0;
 }
 
@@ -1002,12 +1154,17 @@ static inline void derivative_creepage__velocity_along_t(double* out_0, lanes* o
 }
 
 /* Derivative of ``reference_speed``. */
-static inline void derivative_creepage__reference_speed_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double rolling_x, lanes rolling_x_t)
+static inline void derivative_creepage__reference_speed_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double rolling_x, lanes rolling_x_t)
 {
-    double v1;
+    double v1, speed, v2, v3;
+    lanes speed_t;
     v1 = fabs(AT(work, motion + layout__MOTION_SPEED)) + fabs(rolling_x);
-    *out_0 = 0.5 * v1;
-    EACH_LANE each(*out_1) = 0.5 * (derivative_rates__size_rate(AT(work, motion + layout__MOTION_SPEED), each(RATE_AT(work_t, motion + layout__MOTION_SPEED))) + derivative_rates__size_rate(rolling_x, each(rolling_x_t)));
+    EACH_LANE each(speed_t) = 0.5 * (derivative_rates__size_rate(AT(work, motion + layout__MOTION_SPEED), each(RATE_AT(work_t, motion + layout__MOTION_SPEED))) + derivative_rates__size_rate(rolling_x, each(rolling_x_t)));
+    speed = 0.5 * v1;
+    v2 = speed * speed + creepage__REST * creepage__REST;
+    v3 = sqrt(v2);
+    *v3_out = v3;
+    EACH_LANE each(*out_1) = derivative_rates__root_rate(v3, each(speed_t) * speed + speed * each(speed_t));
 }
 
 /* Derivative of ``approach_rate``. */
@@ -1356,6 +1513,169 @@ static inline int64_t derivative_cut__plane_slips_t(array_double_1d work, array_
 }
 
 
+/* ---- From derivative_falling.py; change that one.
+ *
+ * Derivatives of falling.py.
+ */
+
+/* Derivative of ``open_falling``. */
+static inline int64_t derivative_falling__open_falling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+{
+    int64_t i, strip;
+    double v1;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR)) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR) = AT(work, patch + layout__PATCH_FALL_FLOOR);
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i)) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * AT(work, strip + layout__ROLLING_STRIP_SLIP) + AT(work, patch + layout__PATCH_FALL_RATE) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i) = AT(work, patch + layout__PATCH_FALL_RATE) * AT(work, strip + layout__ROLLING_STRIP_SLIP);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i)) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * AT(work, strip + layout__ROLLING_STRIP_LATERAL) + AT(work, patch + layout__PATCH_FALL_RATE) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i) = AT(work, patch + layout__PATCH_FALL_RATE) * AT(work, strip + layout__ROLLING_STRIP_LATERAL);
+        v1 = AT(work, patch + layout__PATCH_FALL_RATE) * AT(work, strip + layout__ROLLING_STRIP_SPIN);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i)) = (each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * AT(work, strip + layout__ROLLING_STRIP_SPIN) + AT(work, patch + layout__PATCH_FALL_RATE) * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN))) * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH) + v1 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i) = v1 * AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
+        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) = all_lanes(0.0);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) = 0.0;
+    }
+    return 0;
+}
+
+/* Derivative of ``find_shares``. */
+static inline int64_t derivative_falling__find_shares_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t)
+{
+    lanes floor_t, along_t, across_t, v2_t, rates;
+    double floor, along, across, v1, v3, v4, v2;
+    int64_t i;
+    EACH_LANE each(floor_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR));
+    floor = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_FLOOR);
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        EACH_LANE each(along_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i));
+        along = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_X + i);
+        EACH_LANE each(across_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i)) + (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i)) * x + AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i) * each(x_t));
+        across = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_Y + i) + AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIDE_TURN + i) * x;
+        v1 = 1.0 - floor;
+        v3 = along * along + across * across;
+        v4 = sqrt(v3);
+        EACH_LANE each(rates) = derivative_rates__root_rate(v4, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
+        derivative_falling__decay_t(&v2, &v2_t, v4, rates);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i)) = each(floor_t) + (-each(floor_t) * v2 + v1 * each(v2_t));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i) = floor + v1 * v2;
+    }
+    return 0;
+}
+
+/* Derivative of ``point_share``. */
+static inline void derivative_falling__point_share_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double x, lanes x_t)
+{
+    lanes along_t, across_t, slide_t, v4_t;
+    double along, across, v1, v2, slide, v3, v4;
+    EACH_LANE each(along_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SLIP));
+    along = AT(work, strip + layout__ROLLING_STRIP_SLIP);
+    EACH_LANE each(across_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_LATERAL)) + (each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * x + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(x_t));
+    across = AT(work, strip + layout__ROLLING_STRIP_LATERAL) + AT(work, strip + layout__ROLLING_STRIP_SPIN) * x;
+    v1 = along * along + across * across;
+    v2 = sqrt(v1);
+    EACH_LANE each(slide_t) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) * v2 + AT(work, patch + layout__PATCH_FALL_RATE) * derivative_rates__root_rate(v2, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
+    slide = AT(work, patch + layout__PATCH_FALL_RATE) * v2;
+    v3 = 1.0 - AT(work, patch + layout__PATCH_FALL_FLOOR);
+    derivative_falling__decay_t(&v4, &v4_t, slide, slide_t);
+    *out_0 = AT(work, patch + layout__PATCH_FALL_FLOOR) + v3 * v4;
+    EACH_LANE each(*out_1) = each(RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR)) + (-each(RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR)) * v4 + v3 * each(v4_t));
+}
+
+/* Derivative of ``decay``. */
+static inline void derivative_falling__decay_t(double* out_0, lanes* out_1, double t, lanes t_t)
+{
+    double v1, z, v2, v3, v4, v5, p, v6, v7, v8, v9, v10, v11, v12, v13;
+    lanes v1_t, z_t, p_t;
+    v1 = t;
+    EACH_LANE each(v1_t) = each(t_t);
+    if (falling__LARGEST < v1)
+    {
+        v1 = falling__LARGEST;
+        v1_t = all_lanes(0.0);
+    }
+    EACH_LANE each(z_t) = each(v1_t) / falling__POWER;
+    z = v1 / falling__POWER;
+    v2 = z / 6.0;
+    v3 = z / 7.0;
+    v4 = 1.0 - z / 8.0;
+    v5 = 1.0 - v3 * v4;
+    EACH_LANE each(p_t) = -(each(z_t) / 6.0 * v5 + v2 * -(each(z_t) / 7.0 * v4 + v3 * -(each(z_t) / 8.0)));
+    p = 1.0 - v2 * v5;
+    v6 = z / 2.0;
+    v7 = z / 3.0;
+    v8 = z / 4.0;
+    v9 = z / 5.0;
+    v10 = 1.0 - v9 * p;
+    v11 = 1.0 - v8 * v10;
+    v12 = 1.0 - v7 * v11;
+    v13 = 1.0 - v6 * v12;
+    EACH_LANE each(p_t) = -(each(z_t) * v13 + z * -(each(z_t) / 2.0 * v12 + v6 * -(each(z_t) / 3.0 * v11 + v7 * -(each(z_t) / 4.0 * v10 + v8 * -(each(z_t) / 5.0 * p + v9 * each(p_t))))));
+    p = 1.0 - z * v13;
+    EACH_LANE each(p_t) = each(p_t) * p + p * each(p_t);
+    p = p * p;
+    EACH_LANE each(p_t) = each(p_t) * p + p * each(p_t);
+    p = p * p;
+    EACH_LANE each(p_t) = each(p_t) * p + p * each(p_t);
+    p = p * p;
+    EACH_LANE each(p_t) = each(p_t) * p + p * each(p_t);
+    p = p * p;
+    EACH_LANE each(p_t) = each(p_t) * p + p * each(p_t);
+    p = p * p;
+    *out_0 = p * p;
+    EACH_LANE each(*out_1) = each(p_t) * p + p * each(p_t);
+}
+
+/* Derivative of ``weigh_slips``. */
+static inline int64_t derivative_falling__weigh_slips_t(array_double_1d work, array_lanes_1d work_t, double bound, lanes bound_t)
+{
+    int64_t i;
+    lanes share_t, slips_t, noted_t;
+    double share, slips, noted, v1, v2, v3, v4;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        EACH_LANE each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i));
+        share = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + i);
+        EACH_LANE each(slips_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
+        slips = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i);
+        EACH_LANE each(noted_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i));
+        noted = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i)) = each(slips_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i) = slips;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i)) = each(noted_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i) = noted;
+        v1 = bound * bound;
+        v2 = v1 * slips;
+        v3 = 1.0 - share;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i)) + (((each(bound_t) * bound + bound * each(bound_t)) * slips + v1 * each(slips_t)) * v3 + v2 * -each(share_t));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + i) + v2 * v3;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = each(slips_t) * share + slips * each(share_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = slips * share;
+        v4 = noted * share;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = (each(noted_t) * share + noted * each(share_t)) * share + v4 * each(share_t);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = v4 * share;
+    }
+    return 0;
+}
+
+/* Derivative of ``restore_slips``. */
+static inline int64_t derivative_falling__restore_slips_t(array_double_1d work, array_lanes_1d work_t)
+{
+    int64_t i;
+    for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
+    {
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SLIPS + i);
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i));
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NOTED + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_NOTED + i);
+    }
+    return 0;
+}
+
+
 /* ---- From derivative_fastrip.py; change that one.
  *
  * Derivatives of fastrip.py.
@@ -1364,8 +1684,8 @@ static inline int64_t derivative_cut__plane_slips_t(array_double_1d work, array_
 /* Derivative of ``solve_fastrip``. */
 static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    double along, across, turning, stuck, v1, rate, slanted, v2, v3, v4, v5, v6, v7, v8, v9;
-    lanes along_t, across_t, turning_t, stuck_t, v1_t, rate_t, slanted_t, v2_t, v3_t, v8_t;
+    double along, across, turning, stuck, lost, v1, rate, slanted, v2, v3, v4, v5, v6, v7, v8, v9, v10, v11;
+    lanes along_t, across_t, turning_t, stuck_t, lost_t, v1_t, rate_t, slanted_t, v2_t, v3_t, v5_t, v10_t;
     int64_t i, strip;
     derivative_fastsim__stiffnesses_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch);
     derivative_fastrip__set_stiffnesses_t(work, work_t, tables, patch, layout__WORK_ROLLING + layout__ROLLING_MARCH);
@@ -1373,6 +1693,8 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
     AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST) = 0.0;
     stuck_t = all_lanes(0.0);
     stuck = 0.0;
+    lost_t = all_lanes(0.0);
+    lost = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
@@ -1397,20 +1719,25 @@ static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, 
             AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_Y) = v4 * across + slanted * turning;
             EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN)) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_SPIN)) * turning + AT(work, strip + layout__ROLLING_STRIP_SPIN) * each(turning_t);
             AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_PUSH_TURN) = AT(work, strip + layout__ROLLING_STRIP_SPIN) * turning;
-            derivative_fastrip__add_tractions_t(tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, layout__WORK_ROLLING + layout__ROLLING_MARCH, strip);
-            v5 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH);
-            v6 = 2.0 * v5;
-            EACH_LANE each(stuck_t) = each(stuck_t) + (2.0 * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v6 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
-            stuck = stuck + v6 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+            derivative_fastrip__add_tractions_t(&v5, &v5_t, tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, layout__WORK_ROLLING + layout__ROLLING_MARCH, strip);
+            EACH_LANE each(lost_t) = each(lost_t) + each(v5_t);
+            lost = lost + v5;
+            v6 = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH);
+            v7 = 2.0 * v6;
+            EACH_LANE each(stuck_t) = each(stuck_t) + (2.0 * (each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_HALF_LENGTH)) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_DEPTH))) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v7 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH)));
+            stuck = stuck + v7 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
         }
     }
-    v7 = sqrt(AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST));
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v7, each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)));
-    AT(work, patch + layout__PATCH_MAX_SHEAR) = v7;
-    derivative_tractions__patch_area_t(&v8, &v8_t, work, work_t, patch);
-    v9 = stuck / v8;
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = (each(stuck_t) - v9 * each(v8_t)) / v8;
-    AT(work, patch + layout__PATCH_STICK_SHARE) = v9;
+    v8 = lost / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) - (each(lost_t) - v8 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) - v8;
+    v9 = sqrt(AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST));
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v9, each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCH + layout__ROLLING_MARCH_LARGEST)));
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = v9;
+    derivative_tractions__patch_area_t(&v10, &v10_t, work, work_t, patch);
+    v11 = stuck / v10;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_STICK_SHARE)) = (each(stuck_t) - v11 * each(v10_t)) / v10;
+    AT(work, patch + layout__PATCH_STICK_SHARE) = v11;
     return 0;
 }
 
@@ -1523,6 +1850,10 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
     AT(work, march + layout__ROLLING_MARCH_TWIST) = k;
     EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
     AT(work, march + layout__ROLLING_MARCH_DEPTH) = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_X)) = each(u_t);
+    AT(work, march + layout__ROLLING_MARCH_LEAD_X) = u;
+    EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y)) = each(v_t);
+    AT(work, march + layout__ROLLING_MARCH_LEAD_Y) = v;
     RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X) = all_lanes(0.0);
     AT(work, march + layout__ROLLING_MARCH_STICK_X) = 0.0;
     RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y) = all_lanes(0.0);
@@ -1546,10 +1877,10 @@ static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, arr
 }
 
 /* Derivative of ``add_tractions``. */
-static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t march, int64_t strip)
+static inline void derivative_fastrip__add_tractions_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t march, int64_t strip)
 {
-    lanes a_t, x_t, bound_t, p_x_t, p_y_t, square_t, v2_t, v4_t, weight_t, rates, rates_2, rates_3;
-    double a, x, v1, bound, p_x, p_y, square, v2, v3, v4, weight;
+    lanes a_t, lost_t, x_t, bound_t, p_x_t, p_y_t, without_x_t, without_y_t, v2_t, share_t, square_t, v5_t, v10_t, weight_t, rates, rates_2, rates_3;
+    double a, lost, x, v1, bound, p_x, p_y, without_x, without_y, v2, share, v3, v4, square, v5, v6, v7, v8, v9, v10, weight, v11;
     int64_t q;
     EACH_LANE each(a_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH));
     a = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
@@ -1559,12 +1890,9 @@ static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables
     AT(work, march + layout__ROLLING_MARCH_FIRST_X) = 0.0;
     RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_Y) = all_lanes(0.0);
     AT(work, march + layout__ROLLING_MARCH_FIRST_Y) = 0.0;
-    RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X) = all_lanes(0.0);
-    AT(work, march + layout__ROLLING_MARCH_SUM_X) = 0.0;
-    RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y) = all_lanes(0.0);
-    AT(work, march + layout__ROLLING_MARCH_SUM_Y) = 0.0;
-    RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT) = all_lanes(0.0);
-    AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = 0.0;
+    lost_t = all_lanes(0.0);
+    lost = 0.0;
+    derivative_fastrip__open_stick_t(work, work_t, march);
     for (q = 0; q < layout__POINT_LIMIT; q += 1)
     {
         EACH_LANE each(x_t) = each(a_t) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
@@ -1572,41 +1900,109 @@ static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables
         v1 = AT(work, march + layout__ROLLING_MARCH_RATE) * a;
         EACH_LANE each(bound_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) * a + AT(work, march + layout__ROLLING_MARCH_RATE) * each(a_t)) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
         bound = v1 * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
-        derivative_fastrip__next_traction_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, march, x, x_t, bound, bound_t);
+        derivative_fastrip__march_on_t(work, work_t, march, x, x_t, bound, bound_t);
+        derivative_fastrip__slip_direction_t(&p_x, &p_x_t, &p_y, &p_y_t, work, work_t, march, bound, bound_t);
+        EACH_LANE each(without_x_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) * bound + AT(work, march + layout__ROLLING_MARCH_STICK_X) * each(bound_t);
+        without_x = AT(work, march + layout__ROLLING_MARCH_STICK_X) * bound;
+        EACH_LANE each(without_y_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) * bound + AT(work, march + layout__ROLLING_MARCH_STICK_Y) * each(bound_t);
+        without_y = AT(work, march + layout__ROLLING_MARCH_STICK_Y) * bound;
+        if (x > AT(work, march + layout__ROLLING_MARCH_EDGE))
+        {
+            derivative_fastrip__stick_traction_t(&without_x, &without_x_t, &without_y, &without_y_t, work, work_t, march, x, x_t, bound, bound_t);
+            derivative_tractions__cut_to_t(&p_x, &p_x_t, &p_y, &p_y_t, without_x, without_x_t, without_y, without_y_t, bound, bound_t);
+        }
+        else if (AT(work, patch + layout__PATCH_FALL_RATE) > 0.0)
+        {
+            derivative_falling__point_share_t(&v2, &v2_t, work, work_t, patch, strip, x, x_t);
+            EACH_LANE each(share_t) = each(v2_t);
+            share = v2;
+            EACH_LANE each(p_x_t) = each(p_x_t) * share + p_x * each(share_t);
+            p_x = p_x * share;
+            EACH_LANE each(p_y_t) = each(p_y_t) * share + p_y * each(share_t);
+            p_y = p_y * share;
+            v3 = AT(tables, table + layout__ROLLING_TABLE_SINES + q) * bound;
+            v4 = 1.0 - share;
+            EACH_LANE each(lost_t) = each(lost_t) + (AT(tables, table + layout__ROLLING_TABLE_SINES + q) * each(bound_t) * v4 + v3 * -each(share_t));
+            lost = lost + v3 * v4;
+        }
         EACH_LANE each(square_t) = each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t));
         square = p_x * p_x + p_y * p_y;
-        v2 = AT(work, march + layout__ROLLING_MARCH_LARGEST);
-        EACH_LANE each(v2_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LARGEST));
-        if (square > v2)
+        v5 = AT(work, march + layout__ROLLING_MARCH_LARGEST);
+        EACH_LANE each(v5_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LARGEST));
+        if (square > v5)
         {
-            v2 = square;
-            EACH_LANE each(v2_t) = each(square_t);
+            v5 = square;
+            EACH_LANE each(v5_t) = each(square_t);
         }
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LARGEST)) = each(v2_t);
-        AT(work, march + layout__ROLLING_MARCH_LARGEST) = v2;
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X)) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * each(p_x_t);
-        AT(work, march + layout__ROLLING_MARCH_SUM_X) = AT(work, march + layout__ROLLING_MARCH_SUM_X) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * p_x;
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y)) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * each(p_y_t);
-        AT(work, march + layout__ROLLING_MARCH_SUM_Y) = AT(work, march + layout__ROLLING_MARCH_SUM_Y) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * p_y;
-        v3 = AT(tables, table + layout__ROLLING_TABLE_SINES + q) * x;
-        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) + (AT(tables, table + layout__ROLLING_TABLE_SINES + q) * each(x_t) * p_y + v3 * each(p_y_t));
-        AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) + v3 * p_y;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LARGEST)) = each(v5_t);
+        AT(work, march + layout__ROLLING_MARCH_LARGEST) = v5;
+        v6 = p_x - without_x;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X)) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (each(p_x_t) - each(without_x_t));
+        AT(work, march + layout__ROLLING_MARCH_SUM_X) = AT(work, march + layout__ROLLING_MARCH_SUM_X) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * v6;
+        v7 = p_y - without_y;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y)) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * (each(p_y_t) - each(without_y_t));
+        AT(work, march + layout__ROLLING_MARCH_SUM_Y) = AT(work, march + layout__ROLLING_MARCH_SUM_Y) + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * v7;
+        v8 = AT(tables, table + layout__ROLLING_TABLE_SINES + q) * x;
+        v9 = p_y - without_y;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) + (AT(tables, table + layout__ROLLING_TABLE_SINES + q) * each(x_t) * v9 + v8 * (each(p_y_t) - each(without_y_t)));
+        AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) + v8 * v9;
     }
-    derivative_tractions__point_weight_t(&v4, &v4_t, work, work_t, strip);
-    EACH_LANE each(weight_t) = each(v4_t);
-    weight = v4;
+    derivative_tractions__point_weight_t(&v10, &v10_t, work, work_t, strip);
+    EACH_LANE each(weight_t) = each(v10_t);
+    weight = v10;
     EACH_LANE each(rates) = each(weight_t) * AT(work, march + layout__ROLLING_MARCH_SUM_X) + weight * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X));
     EACH_LANE each(rates_2) = each(weight_t) * AT(work, march + layout__ROLLING_MARCH_SUM_Y) + weight * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y));
     EACH_LANE each(rates_3) = each(weight_t) * AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) + weight * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT));
     derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * AT(work, march + layout__ROLLING_MARCH_SUM_X), rates, weight * AT(work, march + layout__ROLLING_MARCH_SUM_Y), rates_2, weight * AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT), rates_3);
+    v11 = weight * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+    *out_0 = v11 * lost;
+    EACH_LANE each(*out_1) = (each(weight_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + weight * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) * lost + v11 * each(lost_t);
+}
+
+/* Derivative of ``open_stick``. */
+static inline int64_t derivative_fastrip__open_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t march)
+{
+    double v1, depth, v2, whole, v3, v4, v5, v6, v7, v8, v9, v10, v11, v12;
+    lanes depth_t, whole_t;
+    RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X) = all_lanes(0.0);
+    AT(work, march + layout__ROLLING_MARCH_SUM_X) = 0.0;
+    RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y) = all_lanes(0.0);
+    AT(work, march + layout__ROLLING_MARCH_SUM_Y) = 0.0;
+    RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT) = all_lanes(0.0);
+    AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = 0.0;
+    if (AT(work, march + layout__ROLLING_MARCH_DEPTH) < AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH))
+    {
+        v1 = AT(work, march + layout__ROLLING_MARCH_DEPTH) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        EACH_LANE each(depth_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH)) - v1 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        depth = v1;
+        v2 = 0.5 * (double)(layout__POINT_LIMIT + 1);
+        EACH_LANE each(whole_t) = v2 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE));
+        whole = v2 * AT(work, march + layout__ROLLING_MARCH_RATE);
+        v3 = whole * AT(work, march + layout__ROLLING_MARCH_LEAD_X);
+        v4 = 2.0 - depth;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_X)) = (each(whole_t) * AT(work, march + layout__ROLLING_MARCH_LEAD_X) + whole * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_X))) * v4 + v3 * -each(depth_t);
+        AT(work, march + layout__ROLLING_MARCH_SUM_X) = v3 * v4;
+        v5 = 2.0 - depth;
+        v6 = AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * v5 + AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_Y)) = each(whole_t) * v6 + whole * (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y)) * v5 + AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * -each(depth_t) + (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) + AT(work, march + layout__ROLLING_MARCH_TWIST) * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))));
+        AT(work, march + layout__ROLLING_MARCH_SUM_Y) = whole * v6;
+        v7 = -whole;
+        v8 = v7 * AT(work, march + layout__ROLLING_MARCH_LEAD_Y);
+        v9 = v8 * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        v10 = 1.0 - depth;
+        v11 = v9 * v10;
+        v12 = 1.0 - depth;
+        EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_SUM_MOMENT)) = (((-each(whole_t) * AT(work, march + layout__ROLLING_MARCH_LEAD_Y) + v7 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y))) * AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) + v8 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) * v10 + v9 * -each(depth_t)) * v12 + v11 * -each(depth_t);
+        AT(work, march + layout__ROLLING_MARCH_SUM_MOMENT) = v11 * v12;
+    }
     return 0;
 }
 
-/* Derivative of ``next_traction``. */
-static inline void derivative_fastrip__next_traction_t(double* p_x_out, lanes* p_x_t_out, double* p_y_out, lanes* p_y_t_out, array_double_1d work, array_lanes_1d work_t, int64_t march, double x, lanes x_t, double bound, lanes bound_t)
+/* Derivative of ``march_on``. */
+static inline int64_t derivative_fastrip__march_on_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double x, lanes x_t, double bound, lanes bound_t)
 {
-    lanes step_t, across_t, p_x_t, p_y_t, reach_t, inner_t, root_t, size_t, rates, rates_2, rates_3, rates_4;
-    double step, v1, across, p_x, p_y, reach, v2, v3, inner, v4, root, v5, v6, v7, v8, size, v9, v10;
+    lanes step_t, across_t, p_x_t, p_y_t, rates, rates_2;
+    double step, v1, across, p_x, p_y;
     EACH_LANE each(step_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_X)) - each(x_t);
     step = AT(work, march + layout__ROLLING_MARCH_X) - x;
     v1 = x + 0.5 * step;
@@ -1621,43 +2017,68 @@ static inline void derivative_fastrip__next_traction_t(double* p_x_out, lanes* p
     AT(work, march + layout__ROLLING_MARCH_FIRST_X) = p_x;
     EACH_LANE each(RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_Y)) = each(p_y_t);
     AT(work, march + layout__ROLLING_MARCH_FIRST_Y) = p_y;
-    EACH_LANE each(reach_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH));
-    reach = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, march + layout__ROLLING_MARCH_DEPTH);
-    v2 = x - AT(work, march + layout__ROLLING_MARCH_DEPTH);
-    v3 = x - AT(work, march + layout__ROLLING_MARCH_DEPTH);
-    EACH_LANE each(inner_t) = each(reach_t) * reach + reach * each(reach_t) - ((each(x_t) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH))) * v3 + v2 * (each(x_t) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH))));
-    inner = reach * reach - v2 * v3;
-    if (inner > 0.0)
+    return 0;
+}
+
+/* Derivative of ``slip_direction``. */
+static inline void derivative_fastrip__slip_direction_t(double* p_x_out, lanes* p_x_t_out, double* p_y_out, lanes* p_y_t_out, array_double_1d work, array_lanes_1d work_t, int64_t march, double bound, lanes bound_t)
+{
+    lanes p_x_t, p_y_t, size_t;
+    double p_x, p_y, v1, v2, size, v3, v4;
+    EACH_LANE each(p_x_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_X));
+    p_x = AT(work, march + layout__ROLLING_MARCH_FIRST_X);
+    EACH_LANE each(p_y_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_FIRST_Y));
+    p_y = AT(work, march + layout__ROLLING_MARCH_FIRST_Y);
+    v1 = p_x * p_x + p_y * p_y;
+    v2 = sqrt(v1);
+    EACH_LANE each(size_t) = derivative_rates__root_rate(v2, each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t)));
+    size = v2;
+    if (size > 0.0)
     {
-        v4 = sqrt(inner);
-        EACH_LANE each(root_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) * v4 + AT(work, march + layout__ROLLING_MARCH_RATE) * derivative_rates__root_rate(v4, each(inner_t));
-        root = AT(work, march + layout__ROLLING_MARCH_RATE) * v4;
-        v5 = bound - root;
-        v6 = bound - root;
-        EACH_LANE each(rates_3) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) * v5 + AT(work, march + layout__ROLLING_MARCH_STICK_X) * (each(bound_t) - each(root_t));
-        EACH_LANE each(rates_4) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) * v6 + AT(work, march + layout__ROLLING_MARCH_STICK_Y) * (each(bound_t) - each(root_t)) + (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * root + AT(work, march + layout__ROLLING_MARCH_TWIST) * each(root_t));
-        derivative_tractions__cut_to_t(&p_x, &p_x_t, &p_y, &p_y_t, AT(work, march + layout__ROLLING_MARCH_STICK_X) * v5, rates_3, AT(work, march + layout__ROLLING_MARCH_STICK_Y) * v6 + AT(work, march + layout__ROLLING_MARCH_TWIST) * root, rates_4, bound, bound_t);
-    }
-    else
-    {
-        v7 = p_x * p_x + p_y * p_y;
-        v8 = sqrt(v7);
-        EACH_LANE each(size_t) = derivative_rates__root_rate(v8, each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t)));
-        size = v8;
-        if (size > 0.0)
-        {
-            v9 = bound / size;
-            EACH_LANE each(p_x_t) = each(p_x_t) * v9 + p_x * ((each(bound_t) - v9 * each(size_t)) / size);
-            p_x = p_x * v9;
-            v10 = bound / size;
-            EACH_LANE each(p_y_t) = each(p_y_t) * v10 + p_y * ((each(bound_t) - v10 * each(size_t)) / size);
-            p_y = p_y * v10;
-        }
+        v3 = bound / size;
+        EACH_LANE each(p_x_t) = each(p_x_t) * v3 + p_x * ((each(bound_t) - v3 * each(size_t)) / size);
+        p_x = p_x * v3;
+        v4 = bound / size;
+        EACH_LANE each(p_y_t) = each(p_y_t) * v4 + p_y * ((each(bound_t) - v4 * each(size_t)) / size);
+        p_y = p_y * v4;
     }
     *p_x_out = p_x;
     EACH_LANE each(*p_x_t_out) = each(p_x_t);
     *p_y_out = p_y;
     EACH_LANE each(*p_y_t_out) = each(p_y_t);
+}
+
+/* Derivative of ``stick_traction``. */
+static inline void derivative_fastrip__stick_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t march, double x, lanes x_t, double bound, lanes bound_t)
+{
+    lanes reach_t, v3_t, root_t, lead_t;
+    double reach, v1, v2, v3, v4, root, v5, v6, v7, v8, v9, v10, lead;
+    EACH_LANE each(reach_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH));
+    reach = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - AT(work, march + layout__ROLLING_MARCH_DEPTH);
+    v1 = x - AT(work, march + layout__ROLLING_MARCH_DEPTH);
+    v2 = x - AT(work, march + layout__ROLLING_MARCH_DEPTH);
+    v3 = reach * reach - v1 * v2;
+    EACH_LANE each(v3_t) = each(reach_t) * reach + reach * each(reach_t) - ((each(x_t) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH))) * v2 + v1 * (each(x_t) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_DEPTH))));
+    if (0.0 > v3)
+    {
+        v3 = 0.0;
+        v3_t = all_lanes(0.0);
+    }
+    v4 = sqrt(v3);
+    EACH_LANE each(root_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) * v4 + AT(work, march + layout__ROLLING_MARCH_RATE) * derivative_rates__root_rate(v4, each(v3_t));
+    root = AT(work, march + layout__ROLLING_MARCH_RATE) * v4;
+    v5 = 2.0 * AT(work, march + layout__ROLLING_MARCH_RATE);
+    v6 = v5 * AT(work, march + layout__ROLLING_MARCH_RATE);
+    v7 = AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) - x;
+    v8 = v6 * v7;
+    v9 = bound + root;
+    v10 = v8 / v9;
+    EACH_LANE each(lead_t) = ((2.0 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE)) * AT(work, march + layout__ROLLING_MARCH_RATE) + v5 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_RATE))) * v7 + v6 * (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH)) - each(x_t)) - v10 * (each(bound_t) + each(root_t))) / v9;
+    lead = v10;
+    *out_0 = AT(work, march + layout__ROLLING_MARCH_LEAD_X) * lead;
+    EACH_LANE each(*out_1) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_X)) * lead + AT(work, march + layout__ROLLING_MARCH_LEAD_X) * each(lead_t);
+    *out_2 = AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * lead + AT(work, march + layout__ROLLING_MARCH_TWIST) * bound;
+    EACH_LANE each(*out_3) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y)) * lead + AT(work, march + layout__ROLLING_MARCH_LEAD_Y) * each(lead_t) + (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * bound + AT(work, march + layout__ROLLING_MARCH_TWIST) * each(bound_t));
 }
 
 
@@ -1669,12 +2090,14 @@ static inline void derivative_fastrip__next_traction_t(double* p_x_out, lanes* p
 /* Derivative of ``solve_fastsim``. */
 static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    double along, across, turning, stuck, v1, rate, v2, push, v3, v4, area, v5;
-    lanes along_t, across_t, turning_t, stuck_t, v1_t, rate_t, v2_t, push_t, v3_t, v4_t, area_t;
+    double along, across, turning, stuck, lost, v1, rate, v2, push, sticks, loses, v3, v4, area, v5;
+    lanes along_t, across_t, turning_t, stuck_t, lost_t, v1_t, rate_t, v2_t, push_t, sticks_t, loses_t, v4_t, area_t;
     int64_t i, strip;
     derivative_fastsim__stiffnesses_t(&along, &along_t, &across, &across_t, &turning, &turning_t, work, work_t, tables, patch);
     stuck_t = all_lanes(0.0);
     stuck = 0.0;
+    lost_t = all_lanes(0.0);
+    lost = 0.0;
     for (i = 0; i < layout__ROLLING_STRIP_LIMIT; i += 1)
     {
         strip = patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * i;
@@ -1686,11 +2109,16 @@ static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, 
             derivative_fastsim__strip_push_t(&v2, &v2_t, work, work_t, patch, strip, along, along_t, turning, turning_t);
             EACH_LANE each(push_t) = each(v2_t);
             push = v2;
-            derivative_fastsim__march_strip_t(&v3, &v3_t, tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, strip, rate, rate_t, push, push_t, across, across_t, turning, turning_t);
-            EACH_LANE each(stuck_t) = each(stuck_t) + each(v3_t);
-            stuck = stuck + v3;
+            derivative_fastsim__march_strip_t(&sticks, &sticks_t, &loses, &loses_t, tables, work, work_t, (int64_t)AT(tables, layout__TABLES_ROLLING), patch, strip, rate, rate_t, push, push_t, across, across_t, turning, turning_t);
+            EACH_LANE each(stuck_t) = each(stuck_t) + each(sticks_t);
+            stuck = stuck + sticks;
+            EACH_LANE each(lost_t) = each(lost_t) + each(loses_t);
+            lost = lost + loses;
         }
     }
+    v3 = lost / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) - (each(lost_t) - v3 * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD))) / AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
+    AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) - v3;
     derivative_tractions__patch_area_t(&v4, &v4_t, work, work_t, patch);
     EACH_LANE each(area_t) = each(v4_t);
     area = v4;
@@ -1755,10 +2183,11 @@ static inline void derivative_fastsim__strip_push_t(double* push_out, lanes* pus
 }
 
 /* Derivative of ``march_strip``. */
-static inline void derivative_fastsim__march_strip_t(double* v12_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, lanes rate_t, double push, lanes push_t, double across, lanes across_t, double turning, lanes turning_t)
+static inline void derivative_fastsim__march_strip_t(double* v17_out, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, lanes rate_t, double push, lanes push_t, double across, lanes across_t, double turning, lanes turning_t)
 {
-    lanes a_t, slanted_t, lateral_t, turn_t, before_t, p_x_t, p_y_t, force_x_t, force_y_t, moment_t, stuck_t, total_t, largest_t, x_t, weight_t, step_t, free_x_t, free_y_t, square_t, v5_t, v8_t, rates, rates_2, rates_3, rates_4;
-    double a, slanted, v1, lateral, turn, before, p_x, p_y, force_x, force_y, moment, stuck, total, largest, x, weight, step, free_x, v2, v3, free_y, v4, square, v5, v6, v7, v8, v9, v10, v11, v12;
+    lanes a_t, slanted_t, lateral_t, turn_t, before_t, p_x_t, p_y_t, force_x_t, force_y_t, moment_t, stuck_t, total_t, lost_t, largest_t, x_t, weight_t, step_t, free_x_t, free_y_t, bound_t, last_x_t, last_y_t, along_t, sideways_t, v5_t, share_t, v7_t, square_t, v10_t, v13_t, rates, rates_2, rates_3, rates_4, rates_5;
+    double a, slanted, v1, lateral, turn, before, p_x, p_y, force_x, force_y, moment, stuck, total, lost, largest, x, weight, step, free_x, v2, v3, free_y, v4, bound, last_x, last_y, along, sideways, v5, share, v6, v7, v8, v9, square, v10, v11, v12, v13, v14, v15, v16, v17, v18;
+    bool falls;
     int64_t q;
     EACH_LANE each(a_t) = each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_HALF_LENGTH));
     a = AT(work, strip + layout__ROLLING_STRIP_HALF_LENGTH);
@@ -1785,6 +2214,9 @@ static inline void derivative_fastsim__march_strip_t(double* v12_out, lanes* out
     stuck = 0.0;
     total_t = all_lanes(0.0);
     total = 0.0;
+    lost_t = all_lanes(0.0);
+    lost = 0.0;
+    falls = AT(work, patch + layout__PATCH_FALL_RATE) > 0.0;
     EACH_LANE each(largest_t) = each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) * AT(work, patch + layout__PATCH_MAX_SHEAR) + AT(work, patch + layout__PATCH_MAX_SHEAR) * each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR));
     largest = AT(work, patch + layout__PATCH_MAX_SHEAR) * AT(work, patch + layout__PATCH_MAX_SHEAR);
     for (q = 0; q < layout__POINT_LIMIT; q += 1)
@@ -1802,52 +2234,116 @@ static inline void derivative_fastsim__march_strip_t(double* v12_out, lanes* out
         EACH_LANE each(free_y_t) = each(p_y_t) - (each(step_t) * v3 + step * (each(lateral_t) + (each(turn_t) * v2 + turn * (each(x_t) + 0.5 * each(step_t)))));
         free_y = p_y - step * v3;
         v4 = rate * a;
-        EACH_LANE each(rates) = (each(rate_t) * a + rate * each(a_t)) * weight + v4 * each(weight_t);
-        derivative_tractions__cut_to_t(&p_x, &p_x_t, &p_y, &p_y_t, free_x, free_x_t, free_y, free_y_t, v4 * weight, rates);
+        EACH_LANE each(bound_t) = (each(rate_t) * a + rate * each(a_t)) * weight + v4 * each(weight_t);
+        bound = v4 * weight;
+        EACH_LANE each(last_x_t) = each(p_x_t);
+        last_x = p_x;
+        EACH_LANE each(last_y_t) = each(p_y_t);
+        last_y = p_y;
+        derivative_tractions__cut_to_t(&p_x, &p_x_t, &p_y, &p_y_t, free_x, free_x_t, free_y, free_y_t, bound, bound_t);
+        EACH_LANE each(along_t) = each(p_x_t);
+        along = p_x;
+        EACH_LANE each(sideways_t) = each(p_y_t);
+        sideways = p_y;
         if (p_x == free_x && p_y == free_y)
         {
             EACH_LANE each(stuck_t) = each(stuck_t) + each(weight_t);
             stuck = stuck + weight;
         }
+        else if (falls)
+        {
+            derivative_falling__point_share_t(&v5, &v5_t, work, work_t, patch, strip, x, x_t);
+            EACH_LANE each(share_t) = each(v5_t);
+            share = v5;
+            v6 = 1.0 - share;
+            EACH_LANE each(rates) = each(free_x_t) - each(last_x_t);
+            EACH_LANE each(rates_2) = each(free_y_t) - each(last_y_t);
+            derivative_fastsim__sticking_t(&v7, &v7_t, free_x, free_x_t, free_y, free_y_t, free_x - last_x, rates, free_y - last_y, rates_2, bound, bound_t);
+            EACH_LANE each(share_t) = each(share_t) + (-each(share_t) * v7 + v6 * each(v7_t));
+            share = share + v6 * v7;
+            EACH_LANE each(along_t) = each(along_t) * share + along * each(share_t);
+            along = along * share;
+            EACH_LANE each(sideways_t) = each(sideways_t) * share + sideways * each(share_t);
+            sideways = sideways * share;
+            v8 = weight * bound;
+            v9 = 1.0 - share;
+            EACH_LANE each(lost_t) = each(lost_t) + ((each(weight_t) * bound + weight * each(bound_t)) * v9 + v8 * -each(share_t));
+            lost = lost + v8 * v9;
+        }
         EACH_LANE each(total_t) = each(total_t) + each(weight_t);
         total = total + weight;
-        EACH_LANE each(square_t) = each(p_x_t) * p_x + p_x * each(p_x_t) + (each(p_y_t) * p_y + p_y * each(p_y_t));
-        square = p_x * p_x + p_y * p_y;
-        v5 = largest;
-        EACH_LANE each(v5_t) = each(largest_t);
-        if (square > v5)
+        EACH_LANE each(square_t) = each(along_t) * along + along * each(along_t) + (each(sideways_t) * sideways + sideways * each(sideways_t));
+        square = along * along + sideways * sideways;
+        v10 = largest;
+        EACH_LANE each(v10_t) = each(largest_t);
+        if (square > v10)
         {
-            v5 = square;
-            EACH_LANE each(v5_t) = each(square_t);
+            v10 = square;
+            EACH_LANE each(v10_t) = each(square_t);
         }
-        EACH_LANE each(largest_t) = each(v5_t);
-        largest = v5;
-        EACH_LANE each(force_x_t) = each(force_x_t) + (each(weight_t) * p_x + weight * each(p_x_t));
-        force_x = force_x + weight * p_x;
-        EACH_LANE each(force_y_t) = each(force_y_t) + (each(weight_t) * p_y + weight * each(p_y_t));
-        force_y = force_y + weight * p_y;
-        v6 = weight * x;
-        EACH_LANE each(moment_t) = each(moment_t) + ((each(weight_t) * x + weight * each(x_t)) * p_y + v6 * each(p_y_t));
-        moment = moment + v6 * p_y;
+        EACH_LANE each(largest_t) = each(v10_t);
+        largest = v10;
+        EACH_LANE each(force_x_t) = each(force_x_t) + (each(weight_t) * along + weight * each(along_t));
+        force_x = force_x + weight * along;
+        EACH_LANE each(force_y_t) = each(force_y_t) + (each(weight_t) * sideways + weight * each(sideways_t));
+        force_y = force_y + weight * sideways;
+        v11 = weight * x;
+        EACH_LANE each(moment_t) = each(moment_t) + ((each(weight_t) * x + weight * each(x_t)) * sideways + v11 * each(sideways_t));
+        moment = moment + v11 * sideways;
         EACH_LANE each(before_t) = each(x_t);
         before = x;
     }
-    v7 = sqrt(largest);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v7, each(largest_t));
-    AT(work, patch + layout__PATCH_MAX_SHEAR) = v7;
-    derivative_tractions__point_weight_t(&v8, &v8_t, work, work_t, strip);
-    EACH_LANE each(weight_t) = each(v8_t);
-    weight = v8;
-    EACH_LANE each(rates_2) = each(weight_t) * force_x + weight * each(force_x_t);
-    EACH_LANE each(rates_3) = each(weight_t) * force_y + weight * each(force_y_t);
-    EACH_LANE each(rates_4) = each(weight_t) * moment + weight * each(moment_t);
-    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * force_x, rates_2, weight * force_y, rates_3, weight * moment, rates_4);
-    v9 = 2.0 * a;
-    v10 = v9 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
-    v11 = v10 * stuck;
-    v12 = v11 / total;
-    *v12_out = v12;
-    EACH_LANE each(*out_1) = ((2.0 * each(a_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v9 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) * stuck + v10 * each(stuck_t) - v12 * each(total_t)) / total;
+    v12 = sqrt(largest);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = derivative_rates__root_rate(v12, each(largest_t));
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = v12;
+    derivative_tractions__point_weight_t(&v13, &v13_t, work, work_t, strip);
+    EACH_LANE each(weight_t) = each(v13_t);
+    weight = v13;
+    EACH_LANE each(rates_3) = each(weight_t) * force_x + weight * each(force_x_t);
+    EACH_LANE each(rates_4) = each(weight_t) * force_y + weight * each(force_y_t);
+    EACH_LANE each(rates_5) = each(weight_t) * moment + weight * each(moment_t);
+    derivative_tractions__add_strip_t(work, work_t, patch, strip, weight * force_x, rates_3, weight * force_y, rates_4, weight * moment, rates_5);
+    v14 = 2.0 * a;
+    v15 = v14 * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+    v16 = v15 * stuck;
+    v17 = v16 / total;
+    v18 = weight * AT(work, strip + layout__ROLLING_STRIP_WIDTH);
+    *v17_out = v17;
+    EACH_LANE each(*out_1) = ((2.0 * each(a_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + v14 * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) * stuck + v15 * each(stuck_t) - v17 * each(total_t)) / total;
+    *out_2 = v18 * lost;
+    EACH_LANE each(*out_3) = (each(weight_t) * AT(work, strip + layout__ROLLING_STRIP_WIDTH) + weight * each(RATE_AT(work_t, strip + layout__ROLLING_STRIP_WIDTH))) * lost + v18 * each(lost_t);
+}
+
+/* Derivative of ``sticking``. */
+static inline void derivative_fastsim__sticking_t(double* part_out, lanes* part_t_out, double free_x, lanes free_x_t, double free_y, lanes free_y_t, double push_x, lanes push_x_t, double push_y, lanes push_y_t, double bound, lanes bound_t)
+{
+    double v1, v2, excess, part, v3, v4, push, v5, v6;
+    lanes excess_t, part_t, push_t, v5_t;
+    v1 = free_x * free_x + free_y * free_y;
+    v2 = sqrt(v1);
+    EACH_LANE each(excess_t) = derivative_rates__root_rate(v2, each(free_x_t) * free_x + free_x * each(free_x_t) + (each(free_y_t) * free_y + free_y * each(free_y_t))) - each(bound_t);
+    excess = v2 - bound;
+    part_t = all_lanes(0.0);
+    part = 0.0;
+    v3 = push_x * push_x + push_y * push_y;
+    v4 = sqrt(v3);
+    EACH_LANE each(push_t) = fastsim__NEAR_STICK * derivative_rates__root_rate(v4, each(push_x_t) * push_x + push_x * each(push_x_t) + (each(push_y_t) * push_y + push_y * each(push_y_t)));
+    push = fastsim__NEAR_STICK * v4;
+    if (excess < push)
+    {
+        v5 = excess;
+        EACH_LANE each(v5_t) = each(excess_t);
+        if (0.0 > v5)
+        {
+            v5 = 0.0;
+            v5_t = all_lanes(0.0);
+        }
+        v6 = v5 / push;
+        EACH_LANE each(part_t) = -((each(v5_t) - v6 * each(push_t)) / push);
+        part = 1.0 - v6;
+    }
+    *part_out = part;
+    EACH_LANE each(*part_t_out) = each(part_t);
 }
 
 
@@ -1856,34 +2352,53 @@ static inline void derivative_fastsim__march_strip_t(double* v12_out, lanes* out
  * Derivatives of friction.py.
  */
 
-/* Derivative of ``patch_friction``. */
-static inline void derivative_friction__patch_friction_t(double* found_out, lanes* found_t_out, array_double_1d tables, double friction, lanes friction_t, double angle, lanes angle_t, double sliding, lanes sliding_t)
+/* Derivative of ``set_friction``. */
+static inline int64_t derivative_friction__set_friction_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t, bool resting)
 {
-    lanes found_t, v2_t, v5_t, rates;
-    double found, v1, v2, v3, fall, v4, v6, v5, v7;
-    EACH_LANE each(found_t) = each(friction_t);
-    found = friction;
+    double v1, share, v2, v3, fall, v4, v5, creepage, sliding, v6, v8, v7, v9;
+    lanes v1_t, share_t, creepage_t, sliding_t, v7_t, rates;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(friction_t);
+    AT(work, patch + layout__PATCH_FRICTION) = friction;
+    RATE_AT(work_t, patch + layout__PATCH_FALL_RATE) = all_lanes(0.0);
+    AT(work, patch + layout__PATCH_FALL_RATE) = 0.0;
     if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO) != 1.0)
     {
-        v1 = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO) - 1.0;
-        derivative_friction__flange_share_t(&v2, &v2_t, tables, angle, angle_t);
-        v3 = 1.0 + v1 * v2;
-        EACH_LANE each(found_t) = each(found_t) * v3 + found * (v1 * each(v2_t));
-        found = found * v3;
+        derivative_friction__flange_share_t(&v1, &v1_t, tables, AT(work, patch + layout__PATCH_CONTACT_ANGLE), RATE_AT(work_t, patch + layout__PATCH_CONTACT_ANGLE));
+        EACH_LANE each(share_t) = each(v1_t);
+        share = v1;
+        v2 = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FLANGE_FRICTION_RATIO) - 1.0;
+        v3 = 1.0 + v2 * share;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * v3 + AT(work, patch + layout__PATCH_FRICTION) * (v2 * each(share_t));
+        AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) * v3;
     }
-    if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) > 0.0)
+    if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) > 0.0 && !resting)
     {
         fall = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL);
-        v4 = 1.0 - fall;
-        v6 = -AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE);
-        EACH_LANE each(rates) = v6 * each(sliding_t);
-        derivative_powers__exp_rule_t(&v5, &v5_t, v6 * sliding, rates);
-        v7 = v4 * v5 + fall;
-        EACH_LANE each(found_t) = each(found_t) * v7 + found * (v4 * each(v5_t));
-        found = found * v7;
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) == layout__TANGENTIAL_POLACH)
+        {
+            v4 = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+            v5 = sqrt(v4);
+            EACH_LANE each(creepage_t) = derivative_rates__root_rate(v5, each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y))));
+            creepage = v5;
+            EACH_LANE each(sliding_t) = each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) * creepage + AT(work, patch + layout__PATCH_SPEED) * each(creepage_t);
+            sliding = AT(work, patch + layout__PATCH_SPEED) * creepage;
+            v6 = 1.0 - fall;
+            v8 = -AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE);
+            EACH_LANE each(rates) = v8 * each(sliding_t);
+            derivative_powers__exp_rule_t(&v7, &v7_t, v8 * sliding, rates);
+            v9 = v6 * v7 + fall;
+            EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * v9 + AT(work, patch + layout__PATCH_FRICTION) * (v6 * each(v7_t));
+            AT(work, patch + layout__PATCH_FRICTION) = AT(work, patch + layout__PATCH_FRICTION) * v9;
+        }
+        else
+        {
+            EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) * each(RATE_AT(work_t, patch + layout__PATCH_SPEED));
+            AT(work, patch + layout__PATCH_FALL_RATE) = AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) * AT(work, patch + layout__PATCH_SPEED);
+            RATE_AT(work_t, patch + layout__PATCH_FALL_FLOOR) = all_lanes(0.0);
+            AT(work, patch + layout__PATCH_FALL_FLOOR) = fall;
+        }
     }
-    *found_out = found;
-    EACH_LANE each(*found_t_out) = each(found_t);
+    return 0;
 }
 
 /* Derivative of ``flange_share``. */
@@ -1968,7 +2483,11 @@ static inline void derivative_friction__slope_factor_t(double* factor_out, lanes
 /* Derivative of ``multiply_creepages``. */
 static inline int64_t derivative_friction__multiply_creepages_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t)
 {
+    double v1;
     int64_t index, strip;
+    v1 = AT(work, patch + layout__PATCH_FALL_RATE) / factor;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) = (each(RATE_AT(work_t, patch + layout__PATCH_FALL_RATE)) - v1 * each(factor_t)) / factor;
+    AT(work, patch + layout__PATCH_FALL_RATE) = v1;
     EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * factor + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(factor_t);
     AT(work, patch + layout__PATCH_CREEPAGE_X) = AT(work, patch + layout__PATCH_CREEPAGE_X) * factor;
     EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * factor + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(factor_t);
@@ -2186,8 +2705,8 @@ static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array
 /* Derivative of ``set_stick``. */
 static inline int64_t derivative_march__set_stick_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t march, int64_t number)
 {
-    lanes weight_t, depth_t, edge_t, inner_t, across_t;
-    double weight, v1, v2, v3, depth, edge, total, moment, v4, v5, v6, v7, inner, v8, v9, across, v10, v11, v12, v13;
+    lanes weight_t, depth_t, edge_t, lead_x_t, lead_y_t, inner_t;
+    double weight, v1, v2, v3, depth, edge, behind, turning, v4, lead_x, v5, lead_y, v6, v7, inner, v8, v9, v10, v11, v12, v13;
     int64_t q;
     EACH_LANE each(weight_t) = each(RATE_AT(work_t, march + layout__ROLLING_MARCH_WEIGHT));
     weight = AT(work, march + layout__ROLLING_MARCH_WEIGHT);
@@ -2204,14 +2723,14 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
         depth = v3;
         EACH_LANE each(edge_t) = 2.0 * each(depth_t);
         edge = 2.0 * depth - 1.0;
-        total = 0.0;
-        moment = 0.0;
-        q = 0;
-        while (q < layout__POINT_LIMIT && AT(tables, table + layout__ROLLING_TABLE_COSINES + q) >= edge)
+        q = layout__POINT_LIMIT;
+        behind = 0.0;
+        turning = 0.0;
+        while (q > 0 && AT(tables, table + layout__ROLLING_TABLE_COSINES + (q - 1)) < edge)
         {
-            total = total + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
-            moment = moment + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
-            q = q + 1;
+            q = q - 1;
+            behind = behind + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q);
+            turning = turning + AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_SINES + q) * AT(tables, table + layout__ROLLING_TABLE_COSINES + q);
         }
         EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number)) = each(weight_t);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + number) = weight;
@@ -2221,26 +2740,28 @@ static inline int64_t derivative_march__set_stick_t(array_double_1d tables, arra
         AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + number) = AT(work, march + layout__ROLLING_MARCH_STICK_Y);
         EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number)) = each(edge_t);
         AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + number) = edge;
-        v4 = 0.5 * (double)(layout__POINT_LIMIT + 1);
-        v5 = 1.0 - depth;
-        v6 = v4 * v5;
+        v4 = AT(work, march + layout__ROLLING_MARCH_LEAD_X) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        EACH_LANE each(lead_x_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_X)) - v4 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * march__WHOLE;
+        lead_x = v4 * march__WHOLE;
+        v5 = AT(work, march + layout__ROLLING_MARCH_LEAD_Y) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH);
+        EACH_LANE each(lead_y_t) = (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_LEAD_Y)) - v5 * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_HALF_LENGTH))) / AT(work, march + layout__ROLLING_MARCH_HALF_LENGTH) * march__WHOLE;
+        lead_y = v5 * march__WHOLE;
+        v6 = 1.0 - depth;
         v7 = 1.0 - depth;
-        EACH_LANE each(inner_t) = v4 * -each(depth_t) * v7 + v6 * -each(depth_t);
+        EACH_LANE each(inner_t) = -each(depth_t) * v7 + v6 * -each(depth_t);
         inner = v6 * v7;
-        v8 = AT(work, march + layout__ROLLING_MARCH_STICK_Y) - AT(work, march + layout__ROLLING_MARCH_TWIST);
-        v9 = weight * v8;
-        EACH_LANE each(across_t) = (each(weight_t) * v8 + weight * (each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)))) * inner + v9 * each(inner_t);
-        across = v9 * inner;
-        v10 = weight * AT(work, march + layout__ROLLING_MARCH_STICK_X);
-        v11 = total - inner;
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = (each(weight_t) * AT(work, march + layout__ROLLING_MARCH_STICK_X) + weight * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X))) * v11 + v10 * -each(inner_t);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number) = v10 * v11;
-        v12 = weight * AT(work, march + layout__ROLLING_MARCH_STICK_Y);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = (each(weight_t) * AT(work, march + layout__ROLLING_MARCH_STICK_Y) + weight * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y))) * total - each(across_t);
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number) = v12 * total - across;
-        v13 = weight * AT(work, march + layout__ROLLING_MARCH_STICK_Y);
-        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = (each(weight_t) * AT(work, march + layout__ROLLING_MARCH_STICK_Y) + weight * each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y))) * moment - (each(across_t) * depth + across * each(depth_t));
-        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number) = v13 * moment - across * depth;
+        v8 = 2.0 - depth;
+        v9 = lead_x * v8 - AT(work, march + layout__ROLLING_MARCH_STICK_X) * behind;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number)) = each(weight_t) * v9 + weight * (each(lead_x_t) * v8 + lead_x * -each(depth_t) - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_X)) * behind);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + number) = weight * v9;
+        v10 = 2.0 - depth;
+        v11 = lead_y * v10 + AT(work, march + layout__ROLLING_MARCH_TWIST) * march__WHOLE - AT(work, march + layout__ROLLING_MARCH_STICK_Y) * behind;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number)) = each(weight_t) * v11 + weight * (each(lead_y_t) * v10 + lead_y * -each(depth_t) + each(RATE_AT(work_t, march + layout__ROLLING_MARCH_TWIST)) * march__WHOLE - each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) * behind);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + number) = weight * v11;
+        v12 = -weight;
+        v13 = lead_y * inner + AT(work, march + layout__ROLLING_MARCH_STICK_Y) * turning;
+        EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number)) = -each(weight_t) * v13 + v12 * (each(lead_y_t) * inner + lead_y * each(inner_t) + each(RATE_AT(work_t, march + layout__ROLLING_MARCH_STICK_Y)) * turning);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + number) = v12 * v13;
         if (AT(work, march + layout__ROLLING_MARCH_TWIST) * AT(work, march + layout__ROLLING_MARCH_TWIST) > 1.0)
         {
             derivative_march__add_beyond_t(tables, work, work_t, table, march, number, q);
@@ -2304,11 +2825,12 @@ static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, arr
 }
 
 /* Derivative of ``march_strips``. */
-static inline int64_t derivative_march__march_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table)
+static inline int64_t derivative_march__march_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, bool falls)
 {
-    double before, x, bound;
+    double before, x, bound, friction, v1, v2, v3;
     bool slipping;
     int64_t q, first, strip;
+    lanes friction_t;
     before = 1.0;
     slipping = march__has_slip(work);
     for (q = 0; q < layout__POINT_LIMIT; q += 1)
@@ -2323,14 +2845,38 @@ static inline int64_t derivative_march__march_strips_t(array_double_1d tables, a
             strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip);
         }
         derivative_march__march_first_t(work, work_t, x, all_lanes(0.0), bound, all_lanes(0.0), before - x, all_lanes(0.0));
+        if (falls)
+        {
+            derivative_falling__find_shares_t(work, work_t, x, all_lanes(0.0));
+        }
         if (slipping)
         {
+            if (falls)
+            {
+                derivative_falling__weigh_slips_t(work, work_t, bound, all_lanes(0.0));
+            }
             derivative_march__march_second_t(work, work_t, x, all_lanes(0.0), bound, all_lanes(0.0), before - x, all_lanes(0.0));
+            if (falls)
+            {
+                derivative_falling__restore_slips_t(work, work_t);
+            }
         }
         strip = first;
         while (strip >= 0)
         {
-            derivative_march__leave_edge_t(work, work_t, strip, x, all_lanes(0.0), bound, all_lanes(0.0));
+            friction_t = all_lanes(0.0);
+            friction = 1.0;
+            if (falls)
+            {
+                EACH_LANE each(friction_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + strip));
+                friction = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_SHARE + strip);
+                v1 = bound * bound;
+                v2 = v1 * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + strip);
+                v3 = 1.0 - friction;
+                EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip)) + (v1 * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + strip)) * v3 + v2 * -each(friction_t));
+                AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip) = AT(work, layout__WORK_ROLLING + layout__ROLLING_FALLING + layout__FALLING_FRICTION_LOST + strip) + v2 * v3;
+            }
+            derivative_march__leave_edge_t(work, work_t, strip, x, all_lanes(0.0), bound, all_lanes(0.0), friction, friction_t);
             slipping = true;
             strip = (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_NEXT + strip);
         }
@@ -2525,10 +3071,10 @@ static inline int64_t derivative_march__reach_edge_t(array_double_1d work, array
 }
 
 /* Derivative of ``leave_edge``. */
-static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double x, lanes x_t, double bound, lanes bound_t)
+static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double x, lanes x_t, double bound, lanes bound_t, double friction, lanes friction_t)
 {
     lanes weight_t, near_t, p_x_t, p_y_t, slip_x_t, slip_y_t, step_t, to_x_t, to_y_t, kept_t, share_t, rates, rates_2;
-    double weight, near, p_x, p_y, slip_x, slip_y, step, to_x, to_y, kept, v1, v2, share, v3, v4, v5;
+    double weight, near, p_x, p_y, slip_x, slip_y, v1, v2, step, to_x, to_y, kept, v3, v4, share, v5, v6, v7, v8, v9;
     EACH_LANE each(weight_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i));
     weight = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICKS + i);
     EACH_LANE each(near_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SLIPS + i));
@@ -2540,10 +3086,12 @@ static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array
     if (weight < 1.0)
     {
         derivative_march__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, i, bound, bound_t);
-        EACH_LANE each(p_x_t) = each(near_t) * slip_x + near * each(slip_x_t);
-        p_x = near * slip_x;
-        EACH_LANE each(p_y_t) = each(near_t) * slip_y + near * each(slip_y_t);
-        p_y = near * slip_y;
+        v1 = near * friction;
+        EACH_LANE each(p_x_t) = (each(near_t) * friction + near * each(friction_t)) * slip_x + v1 * each(slip_x_t);
+        p_x = v1 * slip_x;
+        v2 = near * friction;
+        EACH_LANE each(p_y_t) = (each(near_t) * friction + near * each(friction_t)) * slip_y + v2 * each(slip_y_t);
+        p_y = v2 * slip_y;
     }
     EACH_LANE each(step_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i)) - each(x_t);
     step = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE + i) - x;
@@ -2553,12 +3101,12 @@ static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array
     {
         EACH_LANE each(kept_t) = each(weight_t) / march__FAINT;
         kept = weight / march__FAINT;
-        v1 = to_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i);
-        EACH_LANE each(to_x_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) + (each(kept_t) * v1 + kept * (each(to_x_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))));
-        to_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) + kept * v1;
-        v2 = to_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i);
-        EACH_LANE each(to_y_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) + (each(kept_t) * v2 + kept * (each(to_y_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))));
-        to_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) + kept * v2;
+        v3 = to_x - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i);
+        EACH_LANE each(to_x_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) + (each(kept_t) * v3 + kept * (each(to_x_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i))));
+        to_x = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) + kept * v3;
+        v4 = to_y - AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i);
+        EACH_LANE each(to_y_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i)) + (each(kept_t) * v4 + kept * (each(to_y_t) - each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i))));
+        to_y = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_Y + i) + kept * v4;
     }
     EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i)) = each(to_x_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SECOND_X + i) = to_x;
@@ -2567,21 +3115,23 @@ static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array
     derivative_march__slip_traction_t(&slip_x, &slip_x_t, &slip_y, &slip_y_t, work, work_t, i, bound, bound_t);
     EACH_LANE each(share_t) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i));
     share = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_EDGE_SHARE + i);
-    EACH_LANE each(slip_x_t) = each(slip_x_t) * share + slip_x * each(share_t);
-    slip_x = slip_x * share;
-    EACH_LANE each(slip_y_t) = each(slip_y_t) * share + slip_y * each(share_t);
-    slip_y = slip_y * share;
+    v5 = share * friction;
+    EACH_LANE each(slip_x_t) = each(slip_x_t) * v5 + slip_x * (each(share_t) * friction + share * each(friction_t));
+    slip_x = slip_x * v5;
+    v6 = share * friction;
+    EACH_LANE each(slip_y_t) = each(slip_y_t) * v6 + slip_y * (each(share_t) * friction + share * each(friction_t));
+    slip_y = slip_y * v6;
     EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i)) + (each(bound_t) * slip_x + bound * each(slip_x_t));
     AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_X + i) + bound * slip_x;
     EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i)) + (each(bound_t) * slip_y + bound * each(slip_y_t));
     AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_Y + i) + bound * slip_y;
-    v3 = bound * x;
-    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + ((each(bound_t) * x + bound * each(x_t)) * slip_y + v3 * each(slip_y_t));
-    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) + v3 * slip_y;
-    v4 = 1.0 - share;
-    v5 = v4 * bound;
-    EACH_LANE each(weight_t) = each(weight_t) * v5 + weight * (-each(share_t) * bound + v4 * each(bound_t));
-    weight = weight * v5;
+    v7 = bound * x;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i)) + ((each(bound_t) * x + bound * each(x_t)) * slip_y + v7 * each(slip_y_t));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) = AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_SUM_MOMENT + i) + v7 * slip_y;
+    v8 = 1.0 - share;
+    v9 = v8 * bound;
+    EACH_LANE each(weight_t) = each(weight_t) * v9 + weight * (-each(share_t) * bound + v8 * each(bound_t));
+    weight = weight * v9;
     EACH_LANE each(rates) = each(p_x_t) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i))) + each(slip_x_t);
     EACH_LANE each(rates_2) = each(p_y_t) + (each(weight_t) * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) + weight * each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i))) + each(slip_y_t);
     derivative_march__note_largest_t(work, work_t, i, p_x + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_X + i) + slip_x, rates, p_y + weight * AT(work, layout__WORK_ROLLING + layout__ROLLING_MARCHES + layout__ROLLING_MARCHES_STICK_Y + i) + slip_y, rates_2);
@@ -2967,77 +3517,75 @@ static inline int64_t derivative_motion__set_contact_rates_t(array_double_1d wor
 /* Derivative of ``solve_polach``. */
 static inline int64_t derivative_polach__solve_polach_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
 {
-    lanes a_t, slip_t, across_t, whole_t, first_t, second_t, third_t, v7_t, v6_t, push_t, v11_t, v12_t, rates;
-    double a, v1, v2, slip, across, v3, v4, whole, v5, first, second, third, v7, v6, v8, push, v9, v10, v11, v12;
+    lanes a_t, reach_t, whole_t, first_t, second_t, third_t, v4_t, along_t, v5_t, across_t, v6_t, v8_t, v10_t, v11_t, rates;
+    double a, reach, v1, v2, whole, v3, first, second, third, modulus, v4, along, v5, across, v6, v7, v8, v9, v10, v11;
     EACH_LANE each(a_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
     a = AT(work, patch + layout__PATCH_HALF_LENGTH);
-    v1 = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+    EACH_LANE each(reach_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * a + AT(work, patch + layout__PATCH_SPIN) * each(a_t));
+    reach = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * a;
+    if (fabs(reach) < fabs(AT(work, patch + layout__PATCH_CREEPAGE_Y)))
+    {
+        EACH_LANE each(reach_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
+        reach = AT(work, patch + layout__PATCH_CREEPAGE_Y);
+    }
+    v1 = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + reach * reach;
     v2 = sqrt(v1);
-    EACH_LANE each(slip_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y))));
-    slip = v2;
-    EACH_LANE each(across_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) + (each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) * a + AT(work, patch + layout__PATCH_SPIN) * each(a_t));
-    across = AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_SPIN) * a;
-    if (fabs(across) < fabs(AT(work, patch + layout__PATCH_CREEPAGE_Y)))
-    {
-        EACH_LANE each(across_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
-        across = AT(work, patch + layout__PATCH_CREEPAGE_Y);
-    }
-    v3 = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + across * across;
-    v4 = sqrt(v3);
-    EACH_LANE each(whole_t) = derivative_rates__root_rate(v4, each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(across_t) * across + across * each(across_t)));
-    whole = v4;
-    if (whole > polach__SMALLEST)
-    {
-        v5 = a / AT(work, patch + layout__PATCH_HALF_WIDTH);
-        EACH_LANE each(rates) = (each(a_t) - v5 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
-        derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), v5, rates);
-        if (slip > polach__SMALLEST)
-        {
-            derivative_polach__mean_coefficient_t(&v7, &v7_t, work, work_t, patch, first, first_t, second, second_t, slip, slip_t);
-            derivative_polach__creep_force_t(&v6, &v6_t, work, work_t, AT(tables, layout__TABLES_SHEAR_MODULUS), all_lanes(0.0), patch, v7, v7_t, whole, whole_t);
-            v8 = v6 / whole;
-            EACH_LANE each(push_t) = (each(v6_t) - v8 * each(whole_t)) / whole;
-            push = v8;
-            v9 = -push;
-            EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = -each(push_t) * AT(work, patch + layout__PATCH_CREEPAGE_X) + v9 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
-            AT(work, patch + layout__PATCH_CREEP_X) = v9 * AT(work, patch + layout__PATCH_CREEPAGE_X);
-            v10 = -push;
-            EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = -each(push_t) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + v10 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
-            AT(work, patch + layout__PATCH_CREEP_Y) = v10 * AT(work, patch + layout__PATCH_CREEPAGE_Y);
-        }
-        derivative_polach__spin_force_t(&v11, &v11_t, work, work_t, AT(tables, layout__TABLES_SHEAR_MODULUS), all_lanes(0.0), patch, third, third_t, whole, whole_t);
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + each(v11_t);
-        AT(work, patch + layout__PATCH_CREEP_Y) = AT(work, patch + layout__PATCH_CREEP_Y) + v11;
-        derivative_polach__cut_force_t(work, work_t, patch);
-        derivative_polach__largest_shear_t(&v12, &v12_t, work, work_t, patch);
-        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = each(v12_t);
-        AT(work, patch + layout__PATCH_MAX_SHEAR) = v12;
-    }
+    EACH_LANE each(whole_t) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(reach_t) * reach + reach * each(reach_t)));
+    whole = v2;
+    v3 = a / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    EACH_LANE each(rates) = (each(a_t) - v3 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) / AT(work, patch + layout__PATCH_HALF_WIDTH);
+    derivative_tractions__kalker_coefficients_t(&first, &first_t, &second, &second_t, &third, &third_t, tables, (int64_t)AT(tables, layout__TABLES_ROLLING), v3, rates);
+    modulus = AT(tables, layout__TABLES_SHEAR_MODULUS);
+    derivative_polach__mean_coefficient_t(&v4, &v4_t, work, work_t, patch, first, first_t, second, second_t, first, first_t);
+    EACH_LANE each(along_t) = each(v4_t);
+    along = v4;
+    derivative_polach__mean_coefficient_t(&v5, &v5_t, work, work_t, patch, first, first_t, second, second_t, second, second_t);
+    EACH_LANE each(across_t) = each(v5_t);
+    across = v5;
+    derivative_polach__slope_t(&v6, &v6_t, work, work_t, modulus, all_lanes(0.0), patch, along, along_t, whole, whole_t);
+    v7 = -v6;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X)) = -each(v6_t) * AT(work, patch + layout__PATCH_CREEPAGE_X) + v7 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
+    AT(work, patch + layout__PATCH_CREEP_X) = v7 * AT(work, patch + layout__PATCH_CREEPAGE_X);
+    derivative_polach__slope_t(&v8, &v8_t, work, work_t, modulus, all_lanes(0.0), patch, across, across_t, whole, whole_t);
+    v9 = -v8;
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = -each(v8_t) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + v9 * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
+    AT(work, patch + layout__PATCH_CREEP_Y) = v9 * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+    derivative_polach__spin_slope_t(&v10, &v10_t, work, work_t, modulus, all_lanes(0.0), patch, third, third_t, whole, whole_t);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y)) + (each(v10_t) * AT(work, patch + layout__PATCH_SPIN) + v10 * each(RATE_AT(work_t, patch + layout__PATCH_SPIN)));
+    AT(work, patch + layout__PATCH_CREEP_Y) = AT(work, patch + layout__PATCH_CREEP_Y) + v10 * AT(work, patch + layout__PATCH_SPIN);
+    derivative_polach__cut_force_t(work, work_t, patch);
+    derivative_polach__largest_shear_t(&v11, &v11_t, work, work_t, patch);
+    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_MAX_SHEAR)) = each(v11_t);
+    AT(work, patch + layout__PATCH_MAX_SHEAR) = v11;
     return 0;
 }
 
 /* Derivative of ``mean_coefficient``. */
-static inline void derivative_polach__mean_coefficient_t(double* v4_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double first, lanes first_t, double second, lanes second_t, double slip, lanes slip_t)
+static inline void derivative_polach__mean_coefficient_t(double* v7_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double first, lanes first_t, double second, lanes second_t, double own, lanes own_t)
 {
-    double v1, along, v2, across, v3, v4;
-    lanes along_t, across_t;
-    v1 = AT(work, patch + layout__PATCH_CREEPAGE_X) / slip;
-    EACH_LANE each(along_t) = each(first_t) * v1 + first * ((each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) - v1 * each(slip_t)) / slip);
-    along = first * v1;
-    v2 = AT(work, patch + layout__PATCH_CREEPAGE_Y) / slip;
-    EACH_LANE each(across_t) = each(second_t) * v2 + second * ((each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) - v2 * each(slip_t)) / slip);
-    across = second * v2;
-    v3 = along * along + across * across;
-    v4 = sqrt(v3);
-    *v4_out = v4;
-    EACH_LANE each(*out_1) = derivative_rates__root_rate(v4, each(along_t) * along + along * each(along_t) + (each(across_t) * across + across * each(across_t)));
+    lanes x_t, y_t;
+    double x, y, floor, v1, v2, v3, v4, v5, v6, v7;
+    EACH_LANE each(x_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
+    x = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X);
+    EACH_LANE each(y_t) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y));
+    y = AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+    floor = polach__AIMLESS * polach__AIMLESS;
+    v1 = first * first;
+    v2 = second * second;
+    v3 = own * own;
+    v4 = v1 * x + v2 * y + v3 * floor;
+    v5 = x + y + floor;
+    v6 = v4 / v5;
+    v7 = sqrt(v6);
+    *v7_out = v7;
+    EACH_LANE each(*out_1) = derivative_rates__root_rate(v7, ((each(first_t) * first + first * each(first_t)) * x + v1 * each(x_t) + ((each(second_t) * second + second * each(second_t)) * y + v2 * each(y_t)) + (each(own_t) * own + own * each(own_t)) * floor - v6 * (each(x_t) + each(y_t))) / v5);
 }
 
-/* Derivative of ``creep_force``. */
-static inline void derivative_polach__creep_force_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t)
+/* Derivative of ``slope``. */
+static inline void derivative_polach__slope_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t)
 {
-    lanes bound_t, e_t, v8_t, share_t;
-    double bound, v1, v2, v3, v4, v5, v6, v7, e, v8, share, v9, v10, v11, v12, v13, v14, v15;
+    lanes bound_t, rate_t, e_t, share_t, v7_t;
+    double bound, v1, v2, v3, v4, v5, v6, rate, e, share, v7, v8, v9, v10, v11, v12, v13, v14, v15;
     EACH_LANE each(bound_t) = each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) + AT(work, patch + layout__PATCH_FRICTION) * each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD));
     bound = AT(work, patch + layout__PATCH_FRICTION) * AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD);
     v1 = 0.25 * M_PI;
@@ -3045,27 +3593,36 @@ static inline void derivative_polach__creep_force_t(double* out_0, lanes* out_1,
     v3 = v2 * AT(work, patch + layout__PATCH_HALF_WIDTH);
     v4 = v3 * shear_modulus;
     v5 = v4 * coefficient;
-    v6 = v5 * whole;
-    v7 = v6 / bound;
-    EACH_LANE each(e_t) = ((((v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + v2 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) * shear_modulus + v3 * each(shear_modulus_t)) * coefficient + v4 * each(coefficient_t)) * whole + v5 * each(whole_t) - v7 * each(bound_t)) / bound;
-    e = v7;
-    derivative_circle__atan_rule_t(&v8, &v8_t, e, e_t);
-    EACH_LANE each(share_t) = each(v8_t);
-    share = v8;
-    if (e < 1.0)
+    v6 = v5 / bound;
+    EACH_LANE each(rate_t) = (((v1 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH)) * AT(work, patch + layout__PATCH_HALF_WIDTH) + v2 * each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH))) * shear_modulus + v3 * each(shear_modulus_t)) * coefficient + v4 * each(coefficient_t) - v6 * each(bound_t)) / bound;
+    rate = v6;
+    EACH_LANE each(e_t) = each(rate_t) * whole + rate * each(whole_t);
+    e = rate * whole;
+    EACH_LANE each(share_t) = 2.0 * each(rate_t);
+    share = 2.0 * rate;
+    if (whole > polach__SMALLEST)
     {
-        v9 = 1.0 + e * e;
-        v10 = e / v9;
-        EACH_LANE each(share_t) = each(share_t) + (each(e_t) - v10 * (each(e_t) * e + e * each(e_t))) / v9;
-        share = share + v10;
-    }
-    else
-    {
-        v11 = 1.0 / e;
-        v12 = e + v11;
-        v13 = 1.0 / v12;
-        EACH_LANE each(share_t) = each(share_t) + -v13 * (each(e_t) + -v11 * each(e_t) / e) / v12;
-        share = share + v13;
+        derivative_circle__atan_rule_t(&v7, &v7_t, e, e_t);
+        EACH_LANE each(share_t) = each(v7_t);
+        share = v7;
+        if (e < 1.0)
+        {
+            v8 = 1.0 + e * e;
+            v9 = e / v8;
+            EACH_LANE each(share_t) = each(share_t) + (each(e_t) - v9 * (each(e_t) * e + e * each(e_t))) / v8;
+            share = share + v9;
+        }
+        else
+        {
+            v10 = 1.0 / e;
+            v11 = e + v10;
+            v12 = 1.0 / v11;
+            EACH_LANE each(share_t) = each(share_t) + -v12 * (each(e_t) + -v10 * each(e_t) / e) / v11;
+            share = share + v12;
+        }
+        v13 = share / whole;
+        EACH_LANE each(share_t) = (each(share_t) - v13 * each(whole_t)) / whole;
+        share = v13;
     }
     v14 = 2.0 / M_PI;
     v15 = v14 * bound;
@@ -3073,11 +3630,11 @@ static inline void derivative_polach__creep_force_t(double* out_0, lanes* out_1,
     EACH_LANE each(*out_1) = v14 * each(bound_t) * share + v15 * each(share_t);
 }
 
-/* Derivative of ``spin_force``. */
-static inline void derivative_polach__spin_force_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t)
+/* Derivative of ``spin_slope``. */
+static inline void derivative_polach__spin_slope_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t)
 {
-    lanes a_t, b_t, bound_t, v1_t, wide_t, e_t, v19_t, rates;
-    double a, b, bound, v2, v3, v1, v4, wide, v5, v6, v7, v8, v9, v10, v11, v12, v13, v14, e, v15, v16, v17, v18, v19, v20, v21;
+    lanes a_t, b_t, bound_t, v1_t, wide_t, rate_t, share_t, v15_t, rates, rates_2;
+    double a, b, bound, v2, v3, v1, v4, wide, v5, v6, v7, v8, v9, v10, v11, v12, v13, rate, v14, share, v15, v16, v17, v18, v19, v20;
     EACH_LANE each(a_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH));
     a = AT(work, patch + layout__PATCH_HALF_LENGTH);
     EACH_LANE each(b_t) = each(RATE_AT(work_t, patch + layout__PATCH_HALF_WIDTH));
@@ -3098,20 +3655,27 @@ static inline void derivative_polach__spin_force_t(double* out_0, lanes* out_1, 
     v9 = sqrt(v8);
     v10 = v7 * v9;
     v11 = v10 * coefficient;
-    v12 = v11 * whole;
-    v13 = bound * wide;
-    v14 = v12 / v13;
-    EACH_LANE each(e_t) = ((((v5 * each(shear_modulus_t) * b + v6 * each(b_t)) * v9 + v7 * derivative_rates__root_rate(v9, each(a_t) * b + a * each(b_t))) * coefficient + v10 * each(coefficient_t)) * whole + v11 * each(whole_t) - v14 * (each(bound_t) * wide + bound * each(wide_t))) / v13;
-    e = v14;
-    v15 = 9.0 / 16.0;
-    v16 = v15 * a;
-    v17 = v16 * bound;
-    v18 = v17 * wide;
-    derivative_polach__spin_share_t(&v19, &v19_t, e, e_t);
-    v20 = v18 * v19;
-    v21 = AT(work, patch + layout__PATCH_SPIN) / whole;
-    *out_0 = v20 * v21;
-    EACH_LANE each(*out_1) = (((v15 * each(a_t) * bound + v16 * each(bound_t)) * wide + v17 * each(wide_t)) * v19 + v18 * each(v19_t)) * v21 + v20 * ((each(RATE_AT(work_t, patch + layout__PATCH_SPIN)) - v21 * each(whole_t)) / whole);
+    v12 = bound * wide;
+    v13 = v11 / v12;
+    EACH_LANE each(rate_t) = (((v5 * each(shear_modulus_t) * b + v6 * each(b_t)) * v9 + v7 * derivative_rates__root_rate(v9, each(a_t) * b + a * each(b_t))) * coefficient + v10 * each(coefficient_t) - v13 * (each(bound_t) * wide + bound * each(wide_t))) / v12;
+    rate = v13;
+    v14 = -2.0 / 3.0;
+    EACH_LANE each(share_t) = v14 * each(rate_t);
+    share = v14 * rate;
+    if (whole > polach__SMALLEST)
+    {
+        EACH_LANE each(rates_2) = each(rate_t) * whole + rate * each(whole_t);
+        derivative_polach__spin_share_t(&v15, &v15_t, rate * whole, rates_2);
+        v16 = v15 / whole;
+        EACH_LANE each(share_t) = (each(v15_t) - v16 * each(whole_t)) / whole;
+        share = v16;
+    }
+    v17 = 9.0 / 16.0;
+    v18 = v17 * a;
+    v19 = v18 * bound;
+    v20 = v19 * wide;
+    *out_0 = v20 * share;
+    EACH_LANE each(*out_1) = ((v17 * each(a_t) * bound + v18 * each(bound_t)) * wide + v19 * each(wide_t)) * share + v20 * each(share_t);
 }
 
 /* Derivative of ``spin_share``. */
@@ -3227,7 +3791,85 @@ static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d w
     EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = each(v10_t);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT) = v10;
     derivative_stiffness__mean_share_t(&v11, &v11_t, ratio, ratio_t);
-    derivative_stiffness__spread_turning_t(work, work_t, v11, v11_t);
+    derivative_stiffness__spread_turning_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_BLOCKS, v11, v11_t);
+    return 0;
+}
+
+/* Derivative of ``patch_stiffnesses``. */
+static inline int64_t derivative_stiffness__patch_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch)
+{
+    int64_t kept, i_1, i_2, i_3, i_4;
+    kept = layout__WORK_ROLLING + layout__ROLLING_STIFFNESSES + layout__KEPT_STIFFNESSES_SIZE * (int64_t)AT(work, layout__WORK_ROLLING + layout__ROLLING_PLACE);
+    if (AT(work, layout__WORK_ROLLING + layout__ROLLING_KEEPING) == 1.0 && AT(work, layout__WORK_ROLLING + layout__ROLLING_KEPT) == 1.0)
+    {
+        for (i_1 = 0; i_1 < 56; i_1 += 1)
+        {
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_1)) = each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_1));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_1) = AT(work, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_1);
+        }
+        for (i_2 = 0; i_2 < 80; i_2 += 1)
+        {
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_2)) = each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_2));
+            AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_2) = AT(work, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_2);
+        }
+        derivative_stiffness__renew_shift_t(work, work_t, patch);
+    }
+    else
+    {
+        derivative_stiffness__find_stiffnesses_t(work, work_t, tables, patch);
+        if (AT(work, layout__WORK_ROLLING + layout__ROLLING_KEEPING) == 1.0)
+        {
+            for (i_3 = 0; i_3 < 56; i_3 += 1)
+            {
+                EACH_LANE each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_3)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_3));
+                AT(work, kept + layout__KEPT_STIFFNESSES_BLOCKS + i_3) = AT(work, layout__WORK_ROLLING + layout__ROLLING_BLOCKS + i_3);
+            }
+            for (i_4 = 0; i_4 < 80; i_4 += 1)
+            {
+                EACH_LANE each(RATE_AT(work_t, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_4)) = each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_4));
+                AT(work, kept + layout__KEPT_STIFFNESSES_EQUATIONS_X + i_4) = AT(work, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + i_4);
+            }
+        }
+    }
+    return 0;
+}
+
+/* Derivative of ``renew_shift``. */
+static inline int64_t derivative_stiffness__renew_shift_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+{
+    int64_t side, i, block, row, k, pivot;
+    double v1, v2, inverse, factor, v3;
+    lanes inverse_t, factor_t, v3_t;
+    side = layout__BLOCK_COUNT + 1;
+    for (i = 0; i < layout__BLOCK_COUNT; i += 1)
+    {
+        block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
+        v1 = AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i) + layout__ROLLING_STRIP_SLIP) + AT(work, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i + 1) + layout__ROLLING_STRIP_SLIP);
+        EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP)) = 0.5 * (each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i) + layout__ROLLING_STRIP_SLIP)) + each(RATE_AT(work_t, patch + layout__PATCH_STRIPS + layout__ROLLING_STRIP_SIZE * (2 * i + 1) + layout__ROLLING_STRIP_SLIP)));
+        AT(work, block + layout__ROLLING_BLOCK_SLIP) = 0.5 * v1;
+        EACH_LANE each(RATE_AT(work_t, row + side)) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_SLIP));
+        AT(work, row + side) = AT(work, block + layout__ROLLING_BLOCK_SLIP);
+    }
+    for (k = 0; k < layout__BLOCK_COUNT; k += 1)
+    {
+        pivot = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * k;
+        v2 = 1.0 / AT(work, pivot + k);
+        EACH_LANE each(inverse_t) = -v2 * each(RATE_AT(work_t, pivot + k)) / AT(work, pivot + k);
+        inverse = v2;
+        for (i = k + 1; i < layout__BLOCK_COUNT; i += 1)
+        {
+            row = layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X + 10 * i;
+            EACH_LANE each(factor_t) = each(RATE_AT(work_t, row + k)) * inverse + AT(work, row + k) * each(inverse_t);
+            factor = AT(work, row + k) * inverse;
+            EACH_LANE each(RATE_AT(work_t, row + side)) = each(RATE_AT(work_t, row + side)) - (each(factor_t) * AT(work, pivot + side) + factor * each(RATE_AT(work_t, pivot + side)));
+            AT(work, row + side) = AT(work, row + side) - factor * AT(work, pivot + side);
+        }
+    }
+    derivative_stiffness__substitute_t(work, work_t, layout__WORK_ROLLING + layout__ROLLING_EQUATIONS_X, side);
+    derivative_stiffness__creepage_shift_t(&v3, &v3_t, work, work_t);
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_SHIFT)) = each(v3_t);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_SHIFT) = v3;
     return 0;
 }
 
@@ -3396,9 +4038,9 @@ static inline void derivative_stiffness__reach_cubic_t(double* out_0, lanes* out
 /* Derivative of ``solve_blocks``. */
 static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_lanes_1d work_t, int64_t equations, int64_t sides)
 {
-    int64_t stop, k, pivot, i, row, j, side, back, known;
-    double v1, inverse, factor, value, v2;
-    lanes inverse_t, factor_t, value_t;
+    int64_t stop, k, pivot, i, row, j, side;
+    double v1, inverse, factor;
+    lanes inverse_t, factor_t;
     stop = layout__BLOCK_COUNT + sides;
     for (k = 0; k < layout__BLOCK_COUNT; k += 1)
     {
@@ -3420,22 +4062,32 @@ static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work,
     }
     for (side = layout__BLOCK_COUNT; side < stop; side += 1)
     {
-        for (back = 0; back < layout__BLOCK_COUNT; back += 1)
+        derivative_stiffness__substitute_t(work, work_t, equations, side);
+    }
+    return 0;
+}
+
+/* Derivative of ``substitute``. */
+static inline int64_t derivative_stiffness__substitute_t(array_double_1d work, array_lanes_1d work_t, int64_t equations, int64_t side)
+{
+    int64_t back, k, pivot, j, known;
+    lanes value_t;
+    double value, v1;
+    for (back = 0; back < layout__BLOCK_COUNT; back += 1)
+    {
+        k = layout__BLOCK_COUNT - 1 - back;
+        pivot = equations + 10 * k;
+        EACH_LANE each(value_t) = each(RATE_AT(work_t, pivot + side));
+        value = AT(work, pivot + side);
+        for (j = k + 1; j < layout__BLOCK_COUNT; j += 1)
         {
-            k = layout__BLOCK_COUNT - 1 - back;
-            pivot = equations + 10 * k;
-            EACH_LANE each(value_t) = each(RATE_AT(work_t, pivot + side));
-            value = AT(work, pivot + side);
-            for (j = k + 1; j < layout__BLOCK_COUNT; j += 1)
-            {
-                known = equations + 10 * j;
-                EACH_LANE each(value_t) = each(value_t) - (each(RATE_AT(work_t, pivot + j)) * AT(work, known + side) + AT(work, pivot + j) * each(RATE_AT(work_t, known + side)));
-                value = value - AT(work, pivot + j) * AT(work, known + side);
-            }
-            v2 = value / AT(work, pivot + k);
-            EACH_LANE each(RATE_AT(work_t, pivot + side)) = (each(value_t) - v2 * each(RATE_AT(work_t, pivot + k))) / AT(work, pivot + k);
-            AT(work, pivot + side) = v2;
+            known = equations + 10 * j;
+            EACH_LANE each(value_t) = each(value_t) - (each(RATE_AT(work_t, pivot + j)) * AT(work, known + side) + AT(work, pivot + j) * each(RATE_AT(work_t, known + side)));
+            value = value - AT(work, pivot + j) * AT(work, known + side);
         }
+        v1 = value / AT(work, pivot + k);
+        EACH_LANE each(RATE_AT(work_t, pivot + side)) = (each(value_t) - v1 * each(RATE_AT(work_t, pivot + k))) / AT(work, pivot + k);
+        AT(work, pivot + side) = v1;
     }
     return 0;
 }
@@ -3497,7 +4149,7 @@ static inline void derivative_stiffness__mean_share_t(double* share_out, lanes* 
 }
 
 /* Derivative of ``spread_turning``. */
-static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d work, array_lanes_1d work_t, double share, lanes share_t)
+static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d work, array_lanes_1d work_t, int64_t blocks, double share, lanes share_t)
 {
     lanes total_t, mean_t, along_t, across_t, weight_t, v5_t, v8_t, v11_t, rates, rates_2, rates_3;
     double total, mean, along, across, v1, v2, weight, v3, v4, v6, v7, v5, v9, v10, v8, v12, v13, v11;
@@ -3512,7 +4164,7 @@ static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d wor
     across = 0.0;
     for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
-        block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        block = blocks + layout__ROLLING_BLOCK_SIZE * i;
         v1 = AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH);
         v2 = AT(work, block + layout__ROLLING_BLOCK_STOP) - AT(work, block + layout__ROLLING_BLOCK_START);
         EACH_LANE each(weight_t) = (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH)) * AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) + AT(work, block + layout__ROLLING_BLOCK_HALF_LENGTH) * each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_HALF_LENGTH))) * v2 + v1 * (each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_STOP)) - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_START)));
@@ -3528,7 +4180,7 @@ static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d wor
     }
     for (i = 0; i < layout__BLOCK_COUNT; i += 1)
     {
-        block = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * i;
+        block = blocks + layout__ROLLING_BLOCK_SIZE * i;
         v3 = mean / total;
         v4 = v3 - AT(work, block + layout__ROLLING_BLOCK_TURNING);
         EACH_LANE each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) = each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING)) + (each(share_t) * v4 + share * ((each(mean_t) - v3 * each(total_t)) / total - each(RATE_AT(work_t, block + layout__ROLLING_BLOCK_TURNING))));
@@ -3574,12 +4226,12 @@ static inline void derivative_stiffness__not_below_t(double* value_out, lanes* v
 }
 
 /* Derivative of ``stiffnesses_at``. */
-static inline void derivative_stiffness__stiffnesses_at_t(double* along_out, lanes* along_t_out, double* across_out, lanes* across_t_out, double* turning_out, lanes* turning_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index, double station, lanes station_t)
+static inline void derivative_stiffness__stiffnesses_at_t(double* along_out, lanes* along_t_out, double* across_out, lanes* across_t_out, double* turning_out, lanes* turning_t_out, array_double_1d work, array_lanes_1d work_t, int64_t blocks, int64_t index, double station, lanes station_t)
 {
     int64_t own, towards, other;
     lanes along_t, across_t, turning_t, middle_t, share_t;
     double along, across, turning, v1, middle, v2, v3, v4, v5, share, v6, v7, v8;
-    own = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * floor_div(index, 2);
+    own = blocks + layout__ROLLING_BLOCK_SIZE * floor_div(index, 2);
     towards = floor_div(index, 2) - 1;
     if (modulo(index, 2) == 1)
     {
@@ -3593,7 +4245,7 @@ static inline void derivative_stiffness__stiffnesses_at_t(double* along_out, lan
     turning = AT(work, own + layout__ROLLING_BLOCK_TURNING);
     if (towards >= 0 && towards < layout__BLOCK_COUNT)
     {
-        other = layout__WORK_ROLLING + layout__ROLLING_BLOCKS + layout__ROLLING_BLOCK_SIZE * towards;
+        other = blocks + layout__ROLLING_BLOCK_SIZE * towards;
         v1 = AT(work, own + layout__ROLLING_BLOCK_START) + AT(work, own + layout__ROLLING_BLOCK_STOP);
         EACH_LANE each(middle_t) = 0.5 * (each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_START)) + each(RATE_AT(work_t, own + layout__ROLLING_BLOCK_STOP)));
         middle = 0.5 * v1;

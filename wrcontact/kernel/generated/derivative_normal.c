@@ -2499,6 +2499,10 @@ static inline void derivative_strip_contact__strip_contact_t(double* penetration
         penetration = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     }
     satisfied = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) > 0;
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0 && satisfied)
+    {
+        satisfied = strip_contact__agrees_with_levels(work, tables);
+    }
     if (satisfied)
     {
         derivative_strip_patches__add_stiffness_t(work, work_t, tables, count);
@@ -3993,7 +3997,7 @@ static inline void derivative_strip_pressures__equilibrium_penetration_t(double*
 /* Derivative of ``begin_runs``. */
 static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t waves)
 {
-    int64_t low, high, region, k, run, first, j, i, strip, zone, k_end, i_end;
+    int64_t low, high, k, run, first, j, zone, i, strip, k_end, i_end;
     double v1, station, v2, v4, v3;
     lanes v1_t, station_t, v2_t, v3_t, rates, rates_2;
     RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = all_lanes(0.0);
@@ -4002,8 +4006,7 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
     while (low < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))
     {
         high = low;
-        region = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION);
-        while (high < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) - 1 && (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (high + 1) + layout__TRACED_STATION_REGION) == region)
+        while (high < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) - 1 && strip_runs__is_one_curve(work, high))
         {
             high = high + 1;
         }
@@ -4018,6 +4021,8 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
     {
         run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
         first = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+        j = strip_surfaces__interval(work, (int64_t)AT(work, run + layout__STRIP_RUN_LOW), (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), strip_runs__run_station(work, run, 0.0));
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_REGION);
         j = (int64_t)AT(work, run + layout__STRIP_RUN_LOW);
         i_end = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
         for (i = 0; i < i_end; i += 1)
@@ -4030,7 +4035,6 @@ static inline int64_t derivative_strip_runs__begin_runs_t(array_double_1d tables
             derivative_strip_runs__level_length_t(&v2, &v2_t, work, work_t, j, station, station_t);
             EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_AXIS)) = each(v2_t) / AT(tables, waves + layout__WAVES_SIN + i);
             AT(work, strip + layout__STRIP_AXIS) = v2 / AT(tables, waves + layout__WAVES_SIN + i);
-            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_REGION);
             v4 = station - AT(work, zone + layout__STRIP_ZONE_MIDDLE);
             EACH_LANE each(rates) = each(RATE_AT(work_t, zone + layout__STRIP_ZONE_LEAN)) * v4 + AT(work, zone + layout__STRIP_ZONE_LEAN) * (each(station_t) - each(RATE_AT(work_t, zone + layout__STRIP_ZONE_MIDDLE)));
             EACH_LANE each(rates_2) = strip_runs__FIRST_LEAD * each(RATE_AT(work_t, strip + layout__STRIP_AXIS));
@@ -4065,14 +4069,14 @@ static inline void derivative_strip_runs__deepen_levels_t(double* rise_out, lane
             v1 = AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_COUNTED);
             EACH_LANE each(line_t) = (each(RATE_AT(work_t, zone + layout__STRIP_ZONE_LINE)) * AT(work, at + layout__TRACED_STATION_COUNTED) + AT(work, zone + layout__STRIP_ZONE_LINE) * each(RATE_AT(work_t, at + layout__TRACED_STATION_COUNTED))) * AT(work, zone + layout__STRIP_ZONE_SPACING) + v1 * each(RATE_AT(work_t, zone + layout__STRIP_ZONE_SPACING));
             line = v1 * AT(work, zone + layout__STRIP_ZONE_SPACING);
-            EACH_LANE each(level_t) = each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) + each(rise_t);
-            level = AT(work, at + layout__TRACED_STATION_LEVEL) + rise;
+            EACH_LANE each(level_t) = each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) + (each(rise_t) * AT(work, at + layout__TRACED_STATION_SHARE) + rise * each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)));
+            level = AT(work, at + layout__TRACED_STATION_LEVEL) + rise * AT(work, at + layout__TRACED_STATION_SHARE);
             if (level > 0.0)
             {
                 EACH_LANE each(load_t) = each(load_t) + (each(line_t) * level + line * each(level_t));
                 load = load + line * level;
-                EACH_LANE each(stiffness_t) = each(stiffness_t) + each(line_t);
-                stiffness = stiffness + line;
+                EACH_LANE each(stiffness_t) = each(stiffness_t) + (each(line_t) * AT(work, at + layout__TRACED_STATION_SHARE) + line * each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)));
+                stiffness = stiffness + line * AT(work, at + layout__TRACED_STATION_SHARE);
             }
         }
         if (stiffness > 0.0)
@@ -4087,8 +4091,8 @@ static inline void derivative_strip_runs__deepen_levels_t(double* rise_out, lane
     for (i = 0; i < i_end_2; i += 1)
     {
         at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-        EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) = each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) + each(rise_t);
-        AT(work, at + layout__TRACED_STATION_LEVEL) = AT(work, at + layout__TRACED_STATION_LEVEL) + rise;
+        EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) = each(RATE_AT(work_t, at + layout__TRACED_STATION_LEVEL)) + (each(rise_t) * AT(work, at + layout__TRACED_STATION_SHARE) + rise * each(RATE_AT(work_t, at + layout__TRACED_STATION_SHARE)));
+        AT(work, at + layout__TRACED_STATION_LEVEL) = AT(work, at + layout__TRACED_STATION_LEVEL) + rise * AT(work, at + layout__TRACED_STATION_SHARE);
     }
     *rise_out = rise;
     EACH_LANE each(*rise_t_out) = each(rise_t);
@@ -4244,15 +4248,14 @@ static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, 
 /* Derivative of ``add_run``. */
 static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, array_lanes_1d work_t, int64_t low, int64_t high, double start, lanes start_t, double stop, lanes stop_t)
 {
-    int64_t at, before, zone, run;
-    bool joins, wide;
+    bool joins, wide, room, n3;
+    int64_t before, zone, run;
     double v1, v2;
-    lanes v1_t, v2_t;
-    at = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT);
+    lanes v1_t, v2_t, rates;
     joins = false;
-    if (at > 0)
+    if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) > 0)
     {
-        before = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (at - 1);
+        before = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) - 1);
         if ((int64_t)AT(work, before + layout__STRIP_RUN_LOW) == low && AT(work, before + layout__STRIP_RUN_NEXT_STOP) >= start)
         {
             joins = true;
@@ -4280,9 +4283,16 @@ static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, arr
     }
     zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION);
     wide = stop - start > strip_runs__NARROW * (AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START));
-    if (!joins && wide && at < layout__STRIP_RUN_LIMIT)
+    room = false;
+    if (wide && !joins)
     {
-        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * at;
+        EACH_LANE each(rates) = each(stop_t) - each(start_t);
+        n3 = derivative_strip_runs__has_room_t(work, work_t, stop - start, rates);
+        room = n3;
+    }
+    if (room)
+    {
+        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT);
         RATE_AT(work_t, run + layout__STRIP_RUN_LOW) = all_lanes(0.0);
         AT(work, run + layout__STRIP_RUN_LOW) = (double)low;
         RATE_AT(work_t, run + layout__STRIP_RUN_HIGH) = all_lanes(0.0);
@@ -4298,9 +4308,51 @@ static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, arr
         RATE_AT(work_t, run + layout__STRIP_RUN_ORIGIN) = all_lanes(0.0);
         AT(work, run + layout__STRIP_RUN_ORIGIN) = (double)(-1);
         RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = all_lanes(0.0);
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)(at + 1);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) + 1);
     }
     return 0;
+}
+
+/* Derivative of ``has_room``. */
+static inline bool derivative_strip_runs__has_room_t(array_double_1d work, array_lanes_1d work_t, double width, lanes width_t)
+{
+    int64_t narrowest, k, i_1, k_end, k_end_2;
+    if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) < layout__STRIP_RUN_LIMIT)
+    {
+        return true;
+    }
+    narrowest = 0;
+    k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT);
+    for (k = 1; k < k_end; k += 1)
+    {
+        if (strip_runs__run_width(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k) < strip_runs__run_width(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * narrowest))
+        {
+            narrowest = k;
+        }
+    }
+    if (!(strip_runs__run_width(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * narrowest) < width))
+    {
+        return false;
+    }
+    k_end_2 = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) - 1;
+    for (k = narrowest; k < k_end_2; k += 1)
+    {
+        for (i_1 = 0; i_1 < layout__STRIP_RUN_SIZE; i_1 += 1)
+        {
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (k + 1) + i_1));
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (k + 1) + i_1);
+        }
+    }
+    RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = all_lanes(0.0);
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) - 1);
+    return true;
+}
+
+/* Derivative of ``run_width``. */
+static inline void derivative_strip_runs__run_width_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t run)
+{
+    *out_0 = AT(work, run + layout__STRIP_RUN_NEXT_STOP) - AT(work, run + layout__STRIP_RUN_NEXT_START);
+    EACH_LANE each(*out_1) = each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP)) - each(RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START));
 }
 
 /* Derivative of ``adopt_runs``. */
@@ -4340,11 +4392,14 @@ static inline void derivative_strip_runs__run_station_t(double* out_0, lanes* ou
 /* Derivative of ``gap_beside``. */
 static inline void derivative_strip_runs__gap_beside_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t strip, double x, lanes x_t)
 {
-    double v1, v2;
+    double v1, v2, v3;
+    lanes v2_t, rates;
     v1 = x * x;
-    v2 = AT(work, strip + layout__STRIP_A) + AT(work, strip + layout__STRIP_SKEW) * x;
-    *out_0 = v1 * v2;
-    EACH_LANE each(*out_1) = (each(x_t) * x + x * each(x_t)) * v2 + v1 * (each(RATE_AT(work_t, strip + layout__STRIP_A)) + (each(RATE_AT(work_t, strip + layout__STRIP_SKEW)) * x + AT(work, strip + layout__STRIP_SKEW) * each(x_t)));
+    EACH_LANE each(rates) = each(RATE_AT(work_t, strip + layout__STRIP_SKEW)) * x + AT(work, strip + layout__STRIP_SKEW) * each(x_t);
+    derivative_pressed__limited_t(&v2, &v2_t, AT(work, strip + layout__STRIP_SKEW) * x, rates, AT(work, strip + layout__STRIP_ODD), RATE_AT(work_t, strip + layout__STRIP_ODD));
+    v3 = AT(work, strip + layout__STRIP_A) + v2;
+    *out_0 = v1 * v3;
+    EACH_LANE each(*out_1) = (each(x_t) * x + x * each(x_t)) * v3 + v1 * (each(RATE_AT(work_t, strip + layout__STRIP_A)) + each(v2_t));
 }
 
 /* Derivative of ``lay_strips``. */
@@ -4447,8 +4502,8 @@ static inline int64_t derivative_strip_runs__smooth_gaps_t(array_double_1d table
 /* Derivative of ``lay_strip``. */
 static inline int64_t derivative_strip_runs__lay_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t strip, int64_t low, int64_t high, double u, lanes u_t)
 {
-    double v1, v2, v3, v4, v5, v6, v7, v8, v9;
-    lanes v1_t, v2_t, v3_t, v4_t, v5_t, v6_t, v7_t, v8_t, v9_t;
+    double v1, v2, v3, v4, v5, v6, v7, v8, v9, v10;
+    lanes v1_t, v2_t, v3_t, v4_t, v5_t, v6_t, v7_t, v8_t, v9_t, v10_t;
     RATE_AT(work_t, strip + layout__STRIP_REGION) = all_lanes(0.0);
     AT(work, strip + layout__STRIP_REGION) = (double)((int64_t)AT(work, low + layout__TRACED_STATION_REGION));
     if (u > 0.5)
@@ -4477,12 +4532,15 @@ static inline int64_t derivative_strip_runs__lay_strip_t(array_double_1d work, a
     derivative_strip_surfaces__between_t(&v7, &v7_t, AT(work, low + layout__TRACED_STATION_SKEW), RATE_AT(work_t, low + layout__TRACED_STATION_SKEW), AT(work, high + layout__TRACED_STATION_SKEW), RATE_AT(work_t, high + layout__TRACED_STATION_SKEW), u, u_t);
     EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_SKEW)) = each(v7_t);
     AT(work, strip + layout__STRIP_SKEW) = v7;
-    derivative_strip_surfaces__between_t(&v8, &v8_t, AT(work, low + layout__TRACED_STATION_SHARE), RATE_AT(work_t, low + layout__TRACED_STATION_SHARE), AT(work, high + layout__TRACED_STATION_SHARE), RATE_AT(work_t, high + layout__TRACED_STATION_SHARE), u, u_t);
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_SHARE)) = each(v8_t);
-    AT(work, strip + layout__STRIP_SHARE) = v8;
-    derivative_strip_surfaces__between_t(&v9, &v9_t, AT(work, low + layout__TRACED_STATION_COUNTED), RATE_AT(work_t, low + layout__TRACED_STATION_COUNTED), AT(work, high + layout__TRACED_STATION_COUNTED), RATE_AT(work_t, high + layout__TRACED_STATION_COUNTED), u, u_t);
-    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_COUNTED)) = each(v9_t);
-    AT(work, strip + layout__STRIP_COUNTED) = v9;
+    derivative_strip_surfaces__between_t(&v8, &v8_t, AT(work, low + layout__TRACED_STATION_ODD), RATE_AT(work_t, low + layout__TRACED_STATION_ODD), AT(work, high + layout__TRACED_STATION_ODD), RATE_AT(work_t, high + layout__TRACED_STATION_ODD), u, u_t);
+    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_ODD)) = each(v8_t);
+    AT(work, strip + layout__STRIP_ODD) = v8;
+    derivative_strip_surfaces__between_t(&v9, &v9_t, AT(work, low + layout__TRACED_STATION_SHARE), RATE_AT(work_t, low + layout__TRACED_STATION_SHARE), AT(work, high + layout__TRACED_STATION_SHARE), RATE_AT(work_t, high + layout__TRACED_STATION_SHARE), u, u_t);
+    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_SHARE)) = each(v9_t);
+    AT(work, strip + layout__STRIP_SHARE) = v9;
+    derivative_strip_surfaces__between_t(&v10, &v10_t, AT(work, low + layout__TRACED_STATION_COUNTED), RATE_AT(work_t, low + layout__TRACED_STATION_COUNTED), AT(work, high + layout__TRACED_STATION_COUNTED), RATE_AT(work_t, high + layout__TRACED_STATION_COUNTED), u, u_t);
+    EACH_LANE each(RATE_AT(work_t, strip + layout__STRIP_COUNTED)) = each(v10_t);
+    AT(work, strip + layout__STRIP_COUNTED) = v10;
     return 0;
 }
 
@@ -4569,13 +4627,13 @@ static inline int64_t derivative_strip_runs__renew_runs_t(array_double_1d tables
 /* Derivative of ``keep_run``. */
 static inline int64_t derivative_strip_runs__keep_run_t(array_double_1d work, array_lanes_1d work_t, int64_t k)
 {
-    int64_t run, before, kept;
+    int64_t run, last, kept;
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-    before = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT);
     derivative_strip_runs__add_run_t(work, work_t, (int64_t)AT(work, run + layout__STRIP_RUN_LOW), (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), AT(work, run + layout__STRIP_RUN_NEXT_START), RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_START), AT(work, run + layout__STRIP_RUN_NEXT_STOP), RATE_AT(work_t, run + layout__STRIP_RUN_NEXT_STOP));
-    if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) > before)
+    last = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) - 1;
+    if (last >= 0 && AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * last + layout__STRIP_RUN_NEXT_START) == AT(work, run + layout__STRIP_RUN_NEXT_START))
     {
-        kept = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before;
+        kept = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * last;
         RATE_AT(work_t, kept + layout__STRIP_RUN_ORIGIN) = all_lanes(0.0);
         AT(work, kept + layout__STRIP_RUN_ORIGIN) = (double)k;
         EACH_LANE each(RATE_AT(work_t, kept + layout__STRIP_RUN_START_MOVE)) = each(RATE_AT(work_t, run + layout__STRIP_RUN_START_MOVE));
@@ -5013,6 +5071,8 @@ static inline int64_t derivative_strip_surfaces__trace_station_t(array_double_1d
     AT(work, at + layout__TRACED_STATION_A) = 0.5 * curvature;
     RATE_AT(work_t, at + layout__TRACED_STATION_SKEW) = all_lanes(0.0);
     AT(work, at + layout__TRACED_STATION_SKEW) = 0.0;
+    RATE_AT(work_t, at + layout__TRACED_STATION_ODD) = all_lanes(0.0);
+    AT(work, at + layout__TRACED_STATION_ODD) = 0.0;
     EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_WHEEL)) = each(RATE_AT(work_t, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA));
     AT(work, at + layout__TRACED_STATION_WHEEL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
     if (frame__is_yawed(work))
@@ -5085,7 +5145,7 @@ static inline void derivative_strip_surfaces__profile_within_t(double* z_out, la
 /* Derivative of ``measure_ridge``. */
 static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t place, int64_t at, double away, lanes away_t)
 {
-    double v1, across, z, slope, bend, v2, before, v3, after, mean, square, v4, v5, v6, v7, odd, v8, v9, v10, v11, v12, v13;
+    double v1, across, z, slope, bend, v2, before, v3, after, mean, square, v4, v5, v6, v7, odd, v8, v9, v10, v11, v12, v13, v14;
     lanes across_t, z_t, slope_t, bend_t, v2_t, before_t, v3_t, after_t, mean_t, square_t, v6_t, odd_t, rates, rates_2;
     if ((int64_t)AT(tables, layout__TABLES_LONGITUDINAL) != layout__LONGITUDINAL_BASIC)
     {
@@ -5126,6 +5186,9 @@ static inline int64_t derivative_strip_surfaces__measure_ridge_t(array_double_1d
         v13 = odd / v12;
         EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_SKEW)) = (each(odd_t) - v13 * (((derivative_rates__root_rate(v9, each(slope_t) * slope + slope * each(slope_t)) * away + v9 * each(away_t)) * away + v10 * each(away_t)) * away + v11 * each(away_t))) / v12;
         AT(work, at + layout__TRACED_STATION_SKEW) = v13;
+        v14 = fabs(AT(work, at + layout__TRACED_STATION_SKEW));
+        EACH_LANE each(RATE_AT(work_t, at + layout__TRACED_STATION_ODD)) = derivative_rates__size_rate(AT(work, at + layout__TRACED_STATION_SKEW), each(RATE_AT(work_t, at + layout__TRACED_STATION_SKEW))) * away + v14 * each(away_t);
+        AT(work, at + layout__TRACED_STATION_ODD) = v14 * away;
     }
     return 0;
 }
@@ -5262,7 +5325,7 @@ static inline int64_t derivative_strip_surfaces__bend_gaps_t(array_double_1d wor
     {
         low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
         high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i + 1);
-        if ((int64_t)AT(work, low + layout__TRACED_STATION_REGION) == (int64_t)AT(work, high + layout__TRACED_STATION_REGION))
+        if (AT(work, low + layout__TRACED_STATION_JOINED) == 1.0)
         {
             EACH_LANE each(way_t) = each(RATE_AT(work_t, high + layout__TRACED_STATION_STATION)) - each(RATE_AT(work_t, low + layout__TRACED_STATION_STATION));
             way = AT(work, high + layout__TRACED_STATION_STATION) - AT(work, low + layout__TRACED_STATION_STATION);

@@ -70,12 +70,12 @@ static inline int64_t derivative_filling__forget_t(array_double_1d work, array_l
     AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = 0.0;
     RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE) = all_lanes(0.0);
     AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE) = 0.0;
-    for (i_2 = 0; i_2 < 3; i_2 += 1)
+    for (i_2 = 0; i_2 < 4; i_2 += 1)
     {
         RATE_AT(work_t, patch + layout__PATCH_LOADS + i_2) = all_lanes(0.0);
         AT(work, patch + layout__PATCH_LOADS + i_2) = 0.0;
     }
-    for (i_3 = 0; i_3 < 3; i_3 += 1)
+    for (i_3 = 0; i_3 < 4; i_3 += 1)
     {
         RATE_AT(work_t, patch + layout__PATCH_MOMENTS + i_3) = all_lanes(0.0);
         AT(work, patch + layout__PATCH_MOMENTS + i_3) = 0.0;
@@ -155,6 +155,35 @@ static inline int64_t derivative_filling__finish_patch_t(array_double_1d work, a
         EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)));
         AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH) = v2;
         derivative_filling__complete_totals_t(work, work_t, patch + layout__PATCH_TOTALS);
+        if (AT(work, patch + layout__PATCH_PRESSURE_SQUARE) == 0.0 && AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) > 0.0)
+        {
+            derivative_filling__fill_sliver_t(work, work_t, patch);
+        }
+    }
+    return 0;
+}
+
+/* Derivative of ``fill_sliver``. */
+static inline int64_t derivative_filling__fill_sliver_t(array_double_1d work, array_lanes_1d work_t, int64_t patch)
+{
+    int64_t totals;
+    double v1, v2, v3, v4, v5;
+    totals = patch + layout__PATCH_TOTALS;
+    if (AT(work, totals + layout__PATCH_TOTALS_AREA) > 0.0 && AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0)
+    {
+        v1 = 1.5 * AT(work, totals + layout__PATCH_TOTALS_LOAD);
+        v2 = v1 / AT(work, totals + layout__PATCH_TOTALS_AREA);
+        EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) = (1.5 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_LOAD)) - v2 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA))) / AT(work, totals + layout__PATCH_TOTALS_AREA);
+        AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) = v2;
+        v3 = 2.0 * AT(work, totals + layout__PATCH_TOTALS_AREA);
+        v4 = M_PI * AT(work, totals + layout__PATCH_TOTALS_WIDTH);
+        v5 = v3 / v4;
+        EACH_LANE each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) = (2.0 * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_AREA)) - v5 * (M_PI * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_WIDTH)))) / v4;
+        AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) = v5;
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_PRESSURE_SQUARE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE)) * AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) + AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_PRESSURE));
+        AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) * AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE);
+        EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_HALF_LENGTH_SQUARE)) = each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH)) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) + AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * each(RATE_AT(work_t, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH));
+        AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE) = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
     }
     return 0;
 }

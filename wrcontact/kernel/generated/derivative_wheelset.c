@@ -529,6 +529,25 @@ static inline int64_t derivative_forces__add_vector_t(array_double_1d work, arra
 }
 
 
+/* ---- From derivative_free_rolling.py; change that one.
+ *
+ * Derivatives of free_rolling.py.
+ */
+
+/* Derivative of ``nominal_rate``. */
+static inline void derivative_free_rolling__nominal_rate_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+{
+    double radius;
+    radius = AT(tables, layout__TABLES_HEIGHT);
+    if (motion__are_independent(tables))
+    {
+        radius = AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * index + layout__PAIR_RADIUS);
+    }
+    *out_0 = AT(work, layout__WORK_INPUTS + layout__INPUTS_SPEED) / radius;
+    EACH_LANE each(*out_1) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_SPEED)) / radius;
+}
+
+
 /* ---- From derivative_leaning.py; change that one.
  *
  * Derivatives of leaning.py.
@@ -553,6 +572,8 @@ static inline int64_t derivative_leaning__set_reference_t(array_double_1d work, 
 /* Derivative of ``report``. */
 static inline int64_t derivative_report__report_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
+    double v1, v2, v3;
+    lanes v1_t, v2_t;
     int64_t index, i;
     EACH_LANE each(RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL));
     AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_ROLL) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL);
@@ -564,6 +585,11 @@ static inline int64_t derivative_report__report_t(array_double_1d tables, array_
     derivative_report__write_vector_t(work, work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_MOMENT, 1.0, all_lanes(0.0), 1.0, all_lanes(0.0));
     EACH_LANE each(RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE)) = each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE));
     AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE);
+    derivative_report__found_rate_t(&v1, &v1_t, tables, work, work_t, 0);
+    derivative_report__found_rate_t(&v2, &v2_t, tables, work, work_t, 1);
+    v3 = v1 + v2;
+    EACH_LANE each(RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_WHEEL_RATE_FOUND)) = 0.5 * (each(v1_t) + each(v2_t));
+    AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_WHEEL_RATE_FOUND) = 0.5 * v3;
     for (index = 0; index < 2; index += 1)
     {
         derivative_report__report_side_t(tables, work, work_t, index);
@@ -583,15 +609,35 @@ static inline int64_t derivative_report__report_t(array_double_1d tables, array_
         }
         RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = all_lanes(0.0);
         AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(tables, layout__TABLES_ABSENT);
+        RATE_AT(work_t, layout__WORK_OUTPUTS + layout__OUTPUTS_WHEEL_RATE_FOUND) = all_lanes(0.0);
+        AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_WHEEL_RATE_FOUND) = AT(tables, layout__TABLES_ABSENT);
     }
     return 0;
+}
+
+/* Derivative of ``found_rate``. */
+static inline void derivative_report__found_rate_t(double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+{
+    lanes rate_t;
+    double rate;
+    rate_t = all_lanes(0.0);
+    rate = 0.0;
+    if (requested__is_rolling(work, tables, layout__WORK_INPUTS) || requested__has_creep_forces(tables, work))
+    {
+        EACH_LANE each(rate_t) = each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE));
+        rate = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE);
+    }
+    *rate_out = rate;
+    EACH_LANE each(*rate_t_out) = each(rate_t);
 }
 
 /* Derivative of ``report_side``. */
 static inline int64_t derivative_report__report_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
     int64_t side, out, first, i, outline, i_end;
-    double mirror;
+    double mirror, v1;
+    bool rolling;
+    lanes v1_t;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     mirror = (double)(2 * index - 1);
@@ -602,12 +648,16 @@ static inline int64_t derivative_report__report_side_t(array_double_1d tables, a
     }
     if (first > layout__SIDE_PENETRATION)
     {
-        derivative_report__report_load_t(work, work_t, side, out, mirror, all_lanes(0.0));
+        rolling = requested__is_rolling(work, tables, layout__WORK_INPUTS);
+        derivative_report__report_load_t(work, work_t, side, out, mirror, all_lanes(0.0), rolling);
+        derivative_report__found_rate_t(&v1, &v1_t, tables, work, work_t, index);
+        EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WHEEL_RATE_FOUND)) = each(v1_t);
+        AT(work, out + layout__SIDE_OUTPUTS_WHEEL_RATE_FOUND) = v1;
         derivative_report__report_deflection_t(work, work_t, tables, side, out, mirror, all_lanes(0.0));
-        derivative_report__report_patches_t(work, work_t, side, out, mirror, all_lanes(0.0));
+        derivative_report__report_patches_t(work, work_t, side, out, mirror, all_lanes(0.0), rolling);
         if (AT(tables, layout__TABLES_FATIGUE) == 1.0)
         {
-            derivative_report__report_fatigue_t(work, work_t, side, out, AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR), all_lanes(0.0));
+            derivative_report__report_fatigue_t(work, work_t, side, out, AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR), all_lanes(0.0), rolling);
         }
     }
     for (i = first; i < layout__SIDE_SIZE; i += 1)
@@ -680,7 +730,7 @@ static inline int64_t derivative_report__report_point_t(array_double_1d work, ar
 }
 
 /* Derivative of ``report_load``. */
-static inline int64_t derivative_report__report_load_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t)
+static inline int64_t derivative_report__report_load_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t, bool rolling)
 {
     int64_t totals, forces;
     double v1;
@@ -708,8 +758,13 @@ static inline int64_t derivative_report__report_load_t(array_double_1d work, arr
     derivative_report__write_vector_t(work, work_t, out + layout__SIDE_OUTPUTS_NORMAL_MOMENT, forces + layout__FORCES_NORMAL_MOMENT, mirror, mirror_t, 1.0, all_lanes(0.0));
     EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_FRICTION_POWER)) = each(RATE_AT(work_t, forces + layout__FORCES_FRICTION_POWER));
     AT(work, out + layout__SIDE_OUTPUTS_FRICTION_POWER) = AT(work, forces + layout__FORCES_FRICTION_POWER);
-    EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = each(RATE_AT(work_t, forces + layout__FORCES_WEAR_NUMBER));
-    AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = AT(work, forces + layout__FORCES_WEAR_NUMBER);
+    RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = all_lanes(0.0);
+    AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = 0.0;
+    if (rolling)
+    {
+        EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_WEAR_NUMBER)) = each(RATE_AT(work_t, forces + layout__FORCES_WEAR_NUMBER));
+        AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = AT(work, forces + layout__FORCES_WEAR_NUMBER);
+    }
     EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE)) = each(RATE_AT(work_t, forces + layout__FORCES_DRIVING_TORQUE));
     AT(work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE) = AT(work, forces + layout__FORCES_DRIVING_TORQUE);
     EACH_LANE each(RATE_AT(work_t, out + layout__SIDE_OUTPUTS_DAMPING_POWER)) = each(RATE_AT(work_t, forces + layout__FORCES_DAMPING_POWER));
@@ -743,7 +798,7 @@ static inline int64_t derivative_report__report_deflection_t(array_double_1d wor
 }
 
 /* Derivative of ``report_patches``. */
-static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t)
+static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t, bool rolling)
 {
     int64_t rank, i_1, number, i_2, number_end;
     for (rank = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT); rank < layout__PATCH_LIMIT; rank += 1)
@@ -768,14 +823,14 @@ static inline int64_t derivative_report__report_patches_t(array_double_1d work, 
         }
         else if (rank > 0 && rank <= layout__PATCH_LIMIT)
         {
-            derivative_report__report_patch_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - 1), mirror, mirror_t);
+            derivative_report__report_patch_t(work, work_t, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - 1), mirror, mirror_t, rolling);
         }
     }
     return 0;
 }
 
 /* Derivative of ``report_patch``. */
-static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t)
+static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t, bool rolling)
 {
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
@@ -804,12 +859,21 @@ static inline int64_t derivative_report__report_patch_t(array_double_1d work, ar
     EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_Z_TRACK)) = each(RATE_AT(work_t, patch + layout__PATCH_Z_TRACK));
     AT(work, out + layout__PATCH_OUTPUTS_Z_TRACK) = AT(work, patch + layout__PATCH_Z_TRACK);
     derivative_report__write_vector_t(work, work_t, out + layout__PATCH_OUTPUTS_FORCE, patch + layout__PATCH_FORCES + layout__FORCES_FORCE, 1.0, all_lanes(0.0), mirror, mirror_t);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
-    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = AT(work, patch + layout__PATCH_CREEPAGE_X);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_Y)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)));
-    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEPAGE_Y);
-    EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SPIN)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_SPIN) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_SPIN)));
-    AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0 - mirror * AT(work, patch + layout__PATCH_SPIN);
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = all_lanes(0.0);
+    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = 0.0;
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = all_lanes(0.0);
+    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0;
+    RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SPIN) = all_lanes(0.0);
+    AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0;
+    if (rolling)
+    {
+        EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X));
+        AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = AT(work, patch + layout__PATCH_CREEPAGE_X);
+        EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEPAGE_Y)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)));
+        AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+        EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_SPIN)) = -(each(mirror_t) * AT(work, patch + layout__PATCH_SPIN) + mirror * each(RATE_AT(work_t, patch + layout__PATCH_SPIN)));
+        AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0 - mirror * AT(work, patch + layout__PATCH_SPIN);
+    }
     EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_X));
     AT(work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X) = AT(work, patch + layout__PATCH_CREEP_X);
     EACH_LANE each(RATE_AT(work_t, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y)) = each(RATE_AT(work_t, patch + layout__PATCH_CREEP_Y));
@@ -836,7 +900,7 @@ static inline int64_t derivative_report__report_patch_t(array_double_1d work, ar
 }
 
 /* Derivative of ``report_fatigue``. */
-static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t)
+static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t, bool rolling)
 {
     int64_t number, patch, found, number_end;
     double v1, v2, ratio, v3, v4, force, v5, v6;
@@ -848,11 +912,14 @@ static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, 
         if ((int64_t)AT(work, patch + layout__PATCH_RANK) > 0 && (int64_t)AT(work, patch + layout__PATCH_RANK) <= layout__PATCH_LIMIT)
         {
             found = out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * ((int64_t)AT(work, patch + layout__PATCH_RANK) - 1);
-            EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
-            AT(work, found + layout__PATCH_OUTPUTS_WEAR_NUMBER) = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER);
-            derivative_fatigue__wear_number_damage_t(&v1, &v1_t, AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER), RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
-            EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = each(v1_t);
-            AT(work, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = v1;
+            if (rolling)
+            {
+                EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_WEAR_NUMBER)) = each(RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
+                AT(work, found + layout__PATCH_OUTPUTS_WEAR_NUMBER) = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER);
+                derivative_fatigue__wear_number_damage_t(&v1, &v1_t, AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER), RATE_AT(work_t, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
+                EACH_LANE each(RATE_AT(work_t, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE)) = each(v1_t);
+                AT(work, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = v1;
+            }
             derivative_fatigue__shakedown_ratio_t(&v2, &v2_t, work, work_t, patch, yield_shear, yield_shear_t);
             EACH_LANE each(ratio_t) = each(v2_t);
             ratio = v2;
@@ -1021,6 +1088,27 @@ static inline void derivative_requested__side_force_t(double* out_0, lanes* out_
     EACH_LANE each(*out_1) = (each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE)) * v1 + AT(work, layout__WORK_INPUTS + layout__INPUTS_NORMAL_FORCE) * (sign * each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LOAD_TRANSFER)))) * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD) + v2 * each(RATE_AT(work_t, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * index + layout__SUPPORT_FRICTION_LOAD));
 }
 
+/* Derivative of ``outer_torque``. */
+static inline void derivative_requested__outer_torque_t(double* torque_out, lanes* torque_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, int64_t index)
+{
+    lanes torque_t;
+    double torque;
+    EACH_LANE each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_AXLE_TORQUE));
+    torque = AT(work, inputs + layout__INPUTS_AXLE_TORQUE);
+    if (motion__are_independent(tables))
+    {
+        EACH_LANE each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_LEFT_AXLE_TORQUE));
+        torque = AT(work, inputs + layout__INPUTS_LEFT_AXLE_TORQUE);
+        if (index == 1)
+        {
+            EACH_LANE each(torque_t) = each(RATE_AT(work_t, inputs + layout__INPUTS_RIGHT_AXLE_TORQUE));
+            torque = AT(work, inputs + layout__INPUTS_RIGHT_AXLE_TORQUE);
+        }
+    }
+    *torque_out = torque;
+    EACH_LANE each(*torque_t_out) = each(torque_t);
+}
+
 
 /* ---- From derivative_rigid.py; change that one.
  *
@@ -1030,9 +1118,9 @@ static inline void derivative_requested__side_force_t(double* out_0, lanes* out_
 /* Derivative of ``solve_rigid``. */
 static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t)
 {
-    int64_t status, n1, n3, outcome;
-    double v2, v4;
-    lanes v2_t, v4_t;
+    int64_t status, index, n1, outcome;
+    double v2;
+    lanes v2_t;
     status = layout__VALID;
     EACH_LANE each(RATE_AT(work_t, layout__WORK_WHEELSET + layout__WHEELSET_ROLL)) = each(roll_t);
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
@@ -1040,18 +1128,15 @@ static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, ar
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST);
     derivative_side__clear_side_t(work, work_t, layout__WORK_SIDES);
     derivative_side__clear_side_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1);
-    if (requested__is_requested(tables, 0))
+    for (index = 0; index < 2; index += 1)
     {
-        derivative_requested__side_force_t(&v2, &v2_t, work, work_t, 0);
-        n1 = derivative_side__solve_side_t(tables, work, work_t, 0, v2, v2_t);
-        status = n1;
-    }
-    if (requested__is_requested(tables, 1))
-    {
-        derivative_requested__side_force_t(&v4, &v4_t, work, work_t, 1);
-        n3 = derivative_side__solve_side_t(tables, work, work_t, 1, v4, v4_t);
-        outcome = n3;
-        status = int64_max(status, outcome);
+        if (requested__is_needed(work, tables, layout__WORK_INPUTS, index))
+        {
+            derivative_requested__side_force_t(&v2, &v2_t, work, work_t, index);
+            n1 = derivative_side__solve_side_t(tables, work, work_t, index, v2, v2_t);
+            outcome = n1;
+            status = requested__counted_outcome(tables, index, status, outcome);
+        }
     }
     return status;
 }
@@ -1065,7 +1150,7 @@ static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, ar
 /* Derivative of ``open_given_motion``. */
 static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    int64_t right;
+    int64_t right, index;
     right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
     derivative_motion__open_motion_t(work, work_t, tables, right, layout__WORK_INPUTS);
     derivative_motion__mirror_motion_t(work, work_t, right, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
@@ -1080,6 +1165,14 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d ta
         derivative_motion__carry_rail_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_DEFLECTION);
         derivative_motion__carry_rail_t(work, work_t, right + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_DEFLECTION);
     }
+    for (index = 0; index < 2; index += 1)
+    {
+        if (requested__is_free(work, tables, layout__WORK_INPUTS, index))
+        {
+            EACH_LANE each(RATE_AT(work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE)) = each(RATE_AT(work_t, layout__WORK_TURNING + layout__TURNING_RATES + index));
+            AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index);
+        }
+    }
     derivative_motion__set_rates_t(work, work_t, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY), AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE), RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE));
     return 0;
 }
@@ -1087,7 +1180,7 @@ static inline int64_t derivative_rubbing__open_given_motion_t(array_double_1d ta
 /* Derivative of ``move_wheelset``. */
 static inline int64_t derivative_rubbing__move_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
-    if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         derivative_rubbing__open_given_motion_t(tables, work, work_t);
         if ((int64_t)AT(tables, layout__TABLES_MODE) != layout__MODE_COMPLIANT)
@@ -1104,7 +1197,7 @@ static inline int64_t derivative_rubbing__move_wheelset_t(array_double_1d tables
 static inline int64_t derivative_rubbing__move_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t)
 {
     int64_t index;
-    if (!requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (!requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         return 0;
     }
@@ -1124,7 +1217,7 @@ static inline int64_t derivative_rubbing__move_side_t(array_double_1d work, arra
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         derivative_creepage__move_patch_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
-        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE && AT(work, patch + layout__PATCH_SPEED) > creepage__STANDSTILL)
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE)
         {
             derivative_creepage__move_strips_t(work, work_t, side + layout__SIDE_SEARCH_MOTION, patch);
         }
@@ -1144,7 +1237,7 @@ static inline int64_t derivative_rubbing__constrain_side_t(array_double_1d table
     }
     else
     {
-        if (!requested__is_requested(tables, index))
+        if (!requested__is_needed(work, tables, layout__WORK_INPUTS, index))
         {
             derivative_side__touch_side_t(tables, work, work_t, index);
         }
@@ -1331,30 +1424,14 @@ static inline int64_t derivative_rubbing__rub_patches_t(array_double_1d tables, 
 /* Derivative of ``rub_side``. */
 static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
 {
-    int64_t side, number, patch, number_end;
-    lanes friction_t, v1_t, factor_t;
-    double friction, v1, factor;
-    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    EACH_LANE each(friction_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION));
-    friction = AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION);
-    if (index == 1)
-    {
-        EACH_LANE each(friction_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION));
-        friction = AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION);
-    }
-    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
-    for (number = 0; number < number_end; number += 1)
-    {
-        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        if (AT(work, patch + layout__PATCH_SPEED) > creepage__STANDSTILL)
-        {
-            derivative_rubbing__open_rolling_t(&v1, &v1_t, work, work_t, tables, patch, friction, friction_t);
-            EACH_LANE each(factor_t) = each(v1_t);
-            factor = v1;
-            derivative_creep_force__solve_creep_force_t(work, work_t, tables, patch);
-            derivative_rubbing__close_rolling_t(work, work_t, patch, factor, factor_t);
-        }
-    }
+    derivative_rubbing__rub_wheel_t(tables, work, work_t, index);
+    derivative_rubbing__write_side_wear_t(work, work_t, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
+    return 0;
+}
+
+/* Derivative of ``write_side_wear``. */
+static inline int64_t derivative_rubbing__write_side_wear_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side)
+{
     if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_ALL)
     {
         derivative_rubbing__write_wear_t(work, work_t, side, (int64_t)AT(tables, layout__TABLES_STATIONS));
@@ -1362,25 +1439,60 @@ static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, arr
     return 0;
 }
 
+/* Derivative of ``side_friction``. */
+static inline void derivative_rubbing__side_friction_t(double* friction_out, lanes* friction_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index)
+{
+    lanes friction_t;
+    double friction;
+    EACH_LANE each(friction_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION));
+    friction = AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION);
+    if (index == 1)
+    {
+        EACH_LANE each(friction_t) = each(RATE_AT(work_t, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION));
+        friction = AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION);
+    }
+    *friction_out = friction;
+    EACH_LANE each(*friction_t_out) = each(friction_t);
+}
+
+/* Derivative of ``rub_wheel``. */
+static inline int64_t derivative_rubbing__rub_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index)
+{
+    int64_t side, number, patch, number_end;
+    double v1, friction, v2, factor;
+    lanes v1_t, friction_t, v2_t, factor_t;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    derivative_rubbing__side_friction_t(&v1, &v1_t, work, work_t, index);
+    EACH_LANE each(friction_t) = each(v1_t);
+    friction = v1;
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
+    {
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+        RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_PLACE) = all_lanes(0.0);
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_PLACE) = (double)(layout__SOLVED_PATCH_LIMIT * index + number);
+        derivative_rubbing__open_rolling_t(&v2, &v2_t, work, work_t, tables, patch, friction, friction_t);
+        EACH_LANE each(factor_t) = each(v2_t);
+        factor = v2;
+        derivative_creep_force__solve_creep_force_t(work, work_t, tables, patch);
+        derivative_rubbing__close_rolling_t(work, work_t, patch, factor, factor_t);
+    }
+    return 0;
+}
+
 /* Derivative of ``open_rolling``. */
 static inline void derivative_rubbing__open_rolling_t(double* factor_out, lanes* factor_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t)
 {
-    double v1, v2, sliding, v3, v4, factor;
-    lanes sliding_t, v3_t, v4_t, factor_t;
+    double v1, factor;
+    lanes v1_t, factor_t;
     RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_BARE) = all_lanes(0.0);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_BARE) = (double)false;
     RATE_AT(work_t, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) = all_lanes(0.0);
     AT(work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) = (double)(AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_PUBLISHED_SPIN) == 1.0);
-    v1 = AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y);
-    v2 = sqrt(v1);
-    EACH_LANE each(sliding_t) = each(RATE_AT(work_t, patch + layout__PATCH_SPEED)) * v2 + AT(work, patch + layout__PATCH_SPEED) * derivative_rates__root_rate(v2, each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_X) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_X)) + (each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y)) * AT(work, patch + layout__PATCH_CREEPAGE_Y) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * each(RATE_AT(work_t, patch + layout__PATCH_CREEPAGE_Y))));
-    sliding = AT(work, patch + layout__PATCH_SPEED) * v2;
-    derivative_friction__patch_friction_t(&v3, &v3_t, tables, friction, friction_t, AT(work, patch + layout__PATCH_CONTACT_ANGLE), RATE_AT(work_t, patch + layout__PATCH_CONTACT_ANGLE), sliding, sliding_t);
-    EACH_LANE each(RATE_AT(work_t, patch + layout__PATCH_FRICTION)) = each(v3_t);
-    AT(work, patch + layout__PATCH_FRICTION) = v3;
-    derivative_friction__slope_factor_t(&v4, &v4_t, work, work_t, tables, patch);
-    EACH_LANE each(factor_t) = each(v4_t);
-    factor = v4;
+    derivative_friction__set_friction_t(work, work_t, tables, patch, friction, friction_t, AT(work, layout__WORK_ROLLING + layout__ROLLING_RESTING) == 1.0);
+    derivative_friction__slope_factor_t(&v1, &v1_t, work, work_t, tables, patch);
+    EACH_LANE each(factor_t) = each(v1_t);
+    factor = v1;
     if (factor != 1.0)
     {
         derivative_friction__multiply_creepages_t(work, work_t, patch, factor, factor_t);
@@ -2077,7 +2189,7 @@ static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, a
     {
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
         rubbing = requested__has_creep_forces(tables, work);
-        if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
+        if (requested__is_moving(work, tables, layout__WORK_INPUTS))
         {
             derivative_rubbing__move_side_t(work, work_t, tables, side);
         }

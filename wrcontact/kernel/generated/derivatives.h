@@ -46,14 +46,16 @@ static inline int64_t derivative_coefficients__weigh_nodes_t(array_double_1d wor
 static inline void derivative_coefficients__skew_factors_t(double* v4_out, lanes* out_1, double* v5_out, lanes* out_3, double* v6_out, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double A, lanes A_t);
 
 /* derivative_correction.py */
-static inline int64_t derivative_correction__correct_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
+static inline int64_t derivative_correction__correct_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double share, lanes share_t);
 static inline void derivative_correction__saturation_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t cell, double share, lanes share_t);
 static inline void derivative_correction__scale_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double share, lanes share_t);
-static inline void derivative_correction__node_at_t(int64_t* at_out, double* on_elevation_out, lanes* on_elevation_t_out, double* on_azimuth_out, lanes* on_azimuth_t_out, double* on_radius_out, lanes* on_radius_t_out, array_double_1d tables, int64_t table, double along, lanes along_t, double across, lanes across_t, double turning, lanes turning_t);
+static inline void derivative_correction__node_at_t(int64_t* at_out, double* on_elevation_out, lanes* on_elevation_t_out, double* on_azimuth_out, lanes* on_azimuth_t_out, double* on_radius_out, lanes* on_radius_t_out, double* faint_out, lanes* faint_t_out, array_double_1d tables, int64_t table, double along, lanes along_t, double across, lanes across_t, double turning, lanes turning_t);
+static inline void derivative_correction__slope_at_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t axis, int64_t ratio, double share, lanes share_t);
 static inline void derivative_correction__radius_cell_t(int64_t* cell_out, double* out_1, lanes* out_2, array_double_1d tables, int64_t table, double place, lanes place_t);
-static inline void derivative_correction__missing_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_ratio, lanes on_ratio_t, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double on_radius, lanes on_radius_t);
-static inline void derivative_correction__on_plane_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double on_radius, lanes on_radius_t);
-static inline void derivative_correction__on_cone_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_azimuth, lanes on_azimuth_t, double on_radius, lanes on_radius_t);
+static inline void derivative_correction__middle_bend_t(int64_t* beyond_out, double* bend_out, lanes* bend_t_out, int64_t at, double on_azimuth, lanes on_azimuth_t);
+static inline void derivative_correction__missing_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_ratio, lanes on_ratio_t, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double bend, lanes bend_t, int64_t beyond, double on_radius, lanes on_radius_t);
+static inline void derivative_correction__on_plane_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_elevation, lanes on_elevation_t, double on_azimuth, lanes on_azimuth_t, double bend, lanes bend_t, int64_t beyond, double on_radius, lanes on_radius_t);
+static inline void derivative_correction__on_cone_t(double* found_out, lanes* found_t_out, array_double_1d tables, int64_t table, int64_t at, double on_azimuth, lanes on_azimuth_t, double bend, lanes bend_t, int64_t beyond, double on_radius, lanes on_radius_t);
 static inline void derivative_correction__on_line_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double on_radius, lanes on_radius_t);
 
 /* derivative_coupled_strips.py */
@@ -65,11 +67,12 @@ static inline void derivative_coupled_strips__later_share_t(double* share_out, l
 static inline void derivative_coupled_strips__edge_weight_t(double* weight_out, lanes* weight_t_out, array_double_1d work, array_lanes_1d work_t, int64_t march);
 static inline void derivative_coupled_strips__smooth_step_t(double* value_out, lanes* value_t_out, double z, lanes z_t);
 static inline int64_t derivative_coupled_strips__solve_coupled_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
-static inline int64_t derivative_coupled_strips__add_strips_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
+static inline void derivative_coupled_strips__add_strips_t(double* share_out, lanes* share_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
 static inline void derivative_coupled_strips__open_stick_zones_t(double* v4_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double ratio, lanes ratio_t);
 static inline void derivative_coupled_strips__flexibilities_t(double* v4_out, lanes* out_1, double* v7_out, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t patch);
 static inline int64_t derivative_coupled_strips__begin_march_t(array_double_1d work, array_lanes_1d work_t, int64_t march, int64_t strip, int64_t index);
 static inline int64_t derivative_coupled_strips__finish_marches_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
+static inline void derivative_coupled_strips__lost_friction_t(double* lost_out, lanes* lost_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch);
 
 /* derivative_creep_force.py */
 static inline int64_t derivative_creep_force__solve_creep_force_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
@@ -81,7 +84,7 @@ static inline int64_t derivative_creepage__move_strips_t(array_double_1d work, a
 static inline int64_t derivative_creepage__move_strip_t(array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t strip, double x_track, lanes x_track_t, double inverse, lanes inverse_t);
 static inline void derivative_creepage__rolling_velocity_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, double* out_4, lanes* out_5, double* v5_out, lanes* out_7, array_double_1d work, array_lanes_1d work_t, int64_t motion, double x, lanes x_t, double y, lanes y_t, double z, lanes z_t, double radius, lanes radius_t);
 static inline void derivative_creepage__velocity_along_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double y, lanes y_t, double z, lanes z_t, double rolling_x, lanes rolling_x_t);
-static inline void derivative_creepage__reference_speed_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double rolling_x, lanes rolling_x_t);
+static inline void derivative_creepage__reference_speed_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, double rolling_x, lanes rolling_x_t);
 static inline void derivative_creepage__approach_rate_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t motion, int64_t patch);
 
 /* derivative_curvature.py */
@@ -133,19 +136,31 @@ static inline void derivative_estimate__estimate_penetration_t(double* out_0, la
 static inline void derivative_estimate__first_penetration_t(double* v1_out, lanes* v1_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, double force, lanes force_t);
 static inline int64_t derivative_estimate__start_penetrations_t(array_double_1d work, array_lanes_1d work_t, int64_t count, double penetration, lanes penetration_t);
 
+/* derivative_falling.py */
+static inline int64_t derivative_falling__open_falling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
+static inline int64_t derivative_falling__find_shares_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t);
+static inline void derivative_falling__point_share_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double x, lanes x_t);
+static inline void derivative_falling__decay_t(double* out_0, lanes* out_1, double t, lanes t_t);
+static inline int64_t derivative_falling__weigh_slips_t(array_double_1d work, array_lanes_1d work_t, double bound, lanes bound_t);
+static inline int64_t derivative_falling__restore_slips_t(array_double_1d work, array_lanes_1d work_t);
+
 /* derivative_fastrip.py */
 static inline int64_t derivative_fastrip__solve_fastrip_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
 static inline int64_t derivative_fastrip__set_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t march);
 static inline void derivative_fastrip__longitudinal_t(double* push_out, lanes* push_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, int64_t strip);
 static inline int64_t derivative_fastrip__find_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double push, lanes push_t, double lateral, lanes lateral_t, double spin, lanes spin_t);
-static inline int64_t derivative_fastrip__add_tractions_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t march, int64_t strip);
-static inline void derivative_fastrip__next_traction_t(double* p_x_out, lanes* p_x_t_out, double* p_y_out, lanes* p_y_t_out, array_double_1d work, array_lanes_1d work_t, int64_t march, double x, lanes x_t, double bound, lanes bound_t);
+static inline void derivative_fastrip__add_tractions_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t march, int64_t strip);
+static inline int64_t derivative_fastrip__open_stick_t(array_double_1d work, array_lanes_1d work_t, int64_t march);
+static inline int64_t derivative_fastrip__march_on_t(array_double_1d work, array_lanes_1d work_t, int64_t march, double x, lanes x_t, double bound, lanes bound_t);
+static inline void derivative_fastrip__slip_direction_t(double* p_x_out, lanes* p_x_t_out, double* p_y_out, lanes* p_y_t_out, array_double_1d work, array_lanes_1d work_t, int64_t march, double bound, lanes bound_t);
+static inline void derivative_fastrip__stick_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t march, double x, lanes x_t, double bound, lanes bound_t);
 
 /* derivative_fastsim.py */
 static inline int64_t derivative_fastsim__solve_fastsim_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
 static inline void derivative_fastsim__stiffnesses_t(double* v5_out, lanes* out_1, double* v9_out, lanes* out_3, double* v15_out, lanes* out_5, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
 static inline void derivative_fastsim__strip_push_t(double* push_out, lanes* push_t_out, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip, double along, lanes along_t, double turning, lanes turning_t);
-static inline void derivative_fastsim__march_strip_t(double* v12_out, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, lanes rate_t, double push, lanes push_t, double across, lanes across_t, double turning, lanes turning_t);
+static inline void derivative_fastsim__march_strip_t(double* v17_out, lanes* out_1, double* out_2, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t patch, int64_t strip, double rate, lanes rate_t, double push, lanes push_t, double across, lanes across_t, double turning, lanes turning_t);
+static inline void derivative_fastsim__sticking_t(double* part_out, lanes* part_t_out, double free_x, lanes free_x_t, double free_y, lanes free_y_t, double push_x, lanes push_x_t, double push_y, lanes push_y_t, double bound, lanes bound_t);
 
 /* derivative_fatigue.py */
 static inline void derivative_fatigue__wear_number_damage_t(double* damage_out, lanes* damage_t_out, double wear_number, lanes wear_number_t);
@@ -157,6 +172,7 @@ static inline int64_t derivative_filling__begin_patch_t(array_double_1d work, ar
 static inline int64_t derivative_filling__forget_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
 static inline int64_t derivative_filling__add_load_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t region, double load, lanes load_t, double moment, lanes moment_t);
 static inline int64_t derivative_filling__finish_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t side);
+static inline int64_t derivative_filling__fill_sliver_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
 static inline int64_t derivative_filling__complete_totals_t(array_double_1d work, array_lanes_1d work_t, int64_t totals);
 static inline int64_t derivative_filling__remove_unloaded_t(array_double_1d work, array_lanes_1d work_t, int64_t side);
 static inline int64_t derivative_filling__remove_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t index);
@@ -181,8 +197,11 @@ static inline int64_t derivative_frame__leave_plane_t(array_double_1d work, arra
 static inline int64_t derivative_frame__incline_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region, double slope, lanes slope_t);
 static inline int64_t derivative_frame__open_contact_region_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t region);
 
+/* derivative_free_rolling.py */
+static inline void derivative_free_rolling__nominal_rate_t(double* out_0, lanes* out_1, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
+
 /* derivative_friction.py */
-static inline void derivative_friction__patch_friction_t(double* found_out, lanes* found_t_out, array_double_1d tables, double friction, lanes friction_t, double angle, lanes angle_t, double sliding, lanes sliding_t);
+static inline int64_t derivative_friction__set_friction_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t, bool resting);
 static inline void derivative_friction__flange_share_t(double* out_0, lanes* out_1, array_double_1d tables, double angle, lanes angle_t);
 static inline void derivative_friction__slope_factor_t(double* factor_out, lanes* factor_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
 static inline int64_t derivative_friction__multiply_creepages_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
@@ -220,11 +239,11 @@ static inline int64_t derivative_march__open_marches_t(array_double_1d work, arr
 static inline int64_t derivative_march__set_pushes_t(array_double_1d work, array_lanes_1d work_t, int64_t march, int64_t number, double plane, lanes plane_t, double spinning, lanes spinning_t, double ratio, lanes ratio_t);
 static inline int64_t derivative_march__set_stick_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t march, int64_t number);
 static inline int64_t derivative_march__add_beyond_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t march, int64_t number, int64_t last);
-static inline int64_t derivative_march__march_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table);
+static inline int64_t derivative_march__march_strips_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, bool falls);
 static inline int64_t derivative_march__march_first_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t);
 static inline int64_t derivative_march__march_second_t(array_double_1d work, array_lanes_1d work_t, double x, lanes x_t, double bound, lanes bound_t, double step, lanes step_t);
 static inline int64_t derivative_march__reach_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double before, lanes before_t, double x, lanes x_t, double bound, lanes bound_t);
-static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double x, lanes x_t, double bound, lanes bound_t);
+static inline int64_t derivative_march__leave_edge_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double x, lanes x_t, double bound, lanes bound_t, double friction, lanes friction_t);
 static inline void derivative_march__stepped_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t, double x, lanes x_t, double step, lanes step_t);
 static inline void derivative_march__slip_traction_t(double* out_0, lanes* out_1, double* out_2, lanes* out_3, array_double_1d work, array_lanes_1d work_t, int64_t i, double bound, lanes bound_t);
 static inline int64_t derivative_march__note_largest_t(array_double_1d work, array_lanes_1d work_t, int64_t i, double p_x, lanes p_x_t, double p_y, lanes p_y_t);
@@ -297,9 +316,9 @@ static inline int64_t derivative_patch_places__place_strips_t(array_double_1d ta
 
 /* derivative_polach.py */
 static inline int64_t derivative_polach__solve_polach_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
-static inline void derivative_polach__mean_coefficient_t(double* v4_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double first, lanes first_t, double second, lanes second_t, double slip, lanes slip_t);
-static inline void derivative_polach__creep_force_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t);
-static inline void derivative_polach__spin_force_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t);
+static inline void derivative_polach__mean_coefficient_t(double* v7_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, double first, lanes first_t, double second, lanes second_t, double own, lanes own_t);
+static inline void derivative_polach__slope_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t);
+static inline void derivative_polach__spin_slope_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, double shear_modulus, lanes shear_modulus_t, int64_t patch, double coefficient, lanes coefficient_t, double whole, lanes whole_t);
 static inline void derivative_polach__spin_share_t(double* out_0, lanes* out_1, double e, lanes e_t);
 static inline int64_t derivative_polach__cut_force_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
 static inline void derivative_polach__largest_shear_t(double* v6_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch);
@@ -346,13 +365,14 @@ static inline void derivative_rails__on_track_t(double* out_0, lanes* out_1, dou
 
 /* derivative_report.py */
 static inline int64_t derivative_report__report_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
+static inline void derivative_report__found_rate_t(double* rate_out, lanes* rate_t_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
 static inline int64_t derivative_report__report_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
 static inline int64_t derivative_report__report_point_t(array_double_1d work, array_lanes_1d work_t, int64_t point, int64_t out, double mirror, lanes mirror_t);
-static inline int64_t derivative_report__report_load_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t);
+static inline int64_t derivative_report__report_load_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t, bool rolling);
 static inline int64_t derivative_report__report_deflection_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side, int64_t out, double mirror, lanes mirror_t);
-static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t);
-static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t);
-static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t);
+static inline int64_t derivative_report__report_patches_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double mirror, lanes mirror_t, bool rolling);
+static inline int64_t derivative_report__report_patch_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t out, double mirror, lanes mirror_t, bool rolling);
+static inline int64_t derivative_report__report_fatigue_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t out, double yield_shear, lanes yield_shear_t, bool rolling);
 static inline int64_t derivative_report__write_vector_t(array_double_1d work, array_lanes_1d work_t, int64_t out, int64_t vector, double plane, lanes plane_t, double across, lanes across_t);
 static inline int64_t derivative_report__report_outline_t(array_double_1d work, array_lanes_1d work_t, int64_t side, int64_t outline, int64_t stations, bool rubbing);
 static inline int64_t derivative_report__report_wear_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index, bool requested);
@@ -360,6 +380,7 @@ static inline int64_t derivative_report__complete_strips_t(array_double_1d work,
 
 /* derivative_requested.py */
 static inline void derivative_requested__side_force_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline void derivative_requested__outer_torque_t(double* torque_out, lanes* torque_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t inputs, int64_t index);
 
 /* derivative_rigid.py */
 static inline int64_t derivative_rigid__solve_rigid_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, double roll, lanes roll_t);
@@ -383,6 +404,9 @@ static inline void derivative_rubbing__strip_slip_t(double* slip_out, lanes* sli
 static inline void derivative_rubbing__strip_power_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t patch, int64_t strip);
 static inline int64_t derivative_rubbing__rub_patches_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline int64_t derivative_rubbing__rub_side_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline int64_t derivative_rubbing__write_side_wear_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t side);
+static inline void derivative_rubbing__side_friction_t(double* friction_out, lanes* friction_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index);
+static inline int64_t derivative_rubbing__rub_wheel_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t index);
 static inline void derivative_rubbing__open_rolling_t(double* factor_out, lanes* factor_t_out, array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch, double friction, lanes friction_t);
 static inline int64_t derivative_rubbing__close_rolling_t(array_double_1d work, array_lanes_1d work_t, int64_t patch, double factor, lanes factor_t);
 
@@ -419,17 +443,20 @@ static inline int64_t derivative_springs__weigh_rail_t(array_double_1d tables, a
 
 /* derivative_stiffness.py */
 static inline int64_t derivative_stiffness__find_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
+static inline int64_t derivative_stiffness__patch_stiffnesses_t(array_double_1d work, array_lanes_1d work_t, array_double_1d tables, int64_t patch);
+static inline int64_t derivative_stiffness__renew_shift_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
 static inline int64_t derivative_stiffness__join_strips_t(array_double_1d work, array_lanes_1d work_t, int64_t patch);
 static inline int64_t derivative_stiffness__fill_equations_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table);
 static inline int64_t derivative_stiffness__reach_beside_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t table, int64_t i, int64_t j, double near, lanes near_t, double far, lanes far_t);
 static inline void derivative_stiffness__reaches_t(double* v6_out, lanes* v6_t_out, double* v7_out, lanes* v7_t_out, double* v8_out, lanes* v8_t_out, array_double_1d tables, int64_t table, double distance, lanes distance_t);
 static inline void derivative_stiffness__reach_cubic_t(double* out_0, lanes* out_1, array_double_1d tables, int64_t table, int64_t at, double u, lanes u_t);
 static inline int64_t derivative_stiffness__solve_blocks_t(array_double_1d work, array_lanes_1d work_t, int64_t equations, int64_t sides);
+static inline int64_t derivative_stiffness__substitute_t(array_double_1d work, array_lanes_1d work_t, int64_t equations, int64_t side);
 static inline void derivative_stiffness__creepage_shift_t(double* v3_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t);
 static inline void derivative_stiffness__mean_share_t(double* share_out, lanes* share_t_out, double ratio, lanes ratio_t);
-static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d work, array_lanes_1d work_t, double share, lanes share_t);
+static inline int64_t derivative_stiffness__spread_turning_t(array_double_1d work, array_lanes_1d work_t, int64_t blocks, double share, lanes share_t);
 static inline void derivative_stiffness__not_below_t(double* value_out, lanes* value_t_out, double value, lanes value_t, double least, lanes least_t);
-static inline void derivative_stiffness__stiffnesses_at_t(double* along_out, lanes* along_t_out, double* across_out, lanes* across_t_out, double* turning_out, lanes* turning_t_out, array_double_1d work, array_lanes_1d work_t, int64_t index, double station, lanes station_t);
+static inline void derivative_stiffness__stiffnesses_at_t(double* along_out, lanes* along_t_out, double* across_out, lanes* across_t_out, double* turning_out, lanes* turning_t_out, array_double_1d work, array_lanes_1d work_t, int64_t blocks, int64_t index, double station, lanes station_t);
 
 /* derivative_strip_contact.py */
 static inline void derivative_strip_contact__strip_contact_t(double* penetration_out, lanes* penetration_t_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t pair, int64_t side, double force, lanes force_t, double prescribed, lanes prescribed_t);
@@ -482,6 +509,8 @@ static inline void derivative_strip_runs__level_end_t(double* station_out, lanes
 static inline void derivative_strip_runs__level_length_t(double* v8_out, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t j, double station, lanes station_t);
 static inline int64_t derivative_strip_runs__raise_axes_t(array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t count);
 static inline int64_t derivative_strip_runs__add_run_t(array_double_1d work, array_lanes_1d work_t, int64_t low, int64_t high, double start, lanes start_t, double stop, lanes stop_t);
+static inline bool derivative_strip_runs__has_room_t(array_double_1d work, array_lanes_1d work_t, double width, lanes width_t);
+static inline void derivative_strip_runs__run_width_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t run);
 static inline int64_t derivative_strip_runs__adopt_runs_t(array_double_1d work, array_lanes_1d work_t);
 static inline void derivative_strip_runs__run_station_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t run, double cosine, lanes cosine_t);
 static inline void derivative_strip_runs__gap_beside_t(double* out_0, lanes* out_1, array_double_1d work, array_lanes_1d work_t, int64_t strip, double x, lanes x_t);
@@ -566,6 +595,9 @@ static inline bool derivative_wheelset_rules__follow_compliant_t(array_double_1d
 static inline bool derivative_wheelset_rules__differentiate_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline bool derivative_wheelset_rules__follow_load_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
 static inline bool derivative_wheelset_rules__follow_wheelset_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
+static inline bool derivative_wheelset_rules__follow_turning_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t);
+static inline bool derivative_wheelset_rules__follow_turn_t(array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last);
+static inline void derivative_wheelset_rules__follow_torque_t(double* torque_out, lanes* torque_t_out, double* scale_out, lanes* out_3, array_double_1d tables, array_double_1d work, array_lanes_1d work_t, int64_t first, int64_t last, double rate, lanes rate_t);
 
 /* derivative_widths.py */
 static inline void derivative_widths__width_limit_t(double* limit_out, lanes* limit_t_out, array_double_1d work, array_lanes_1d work_t, int64_t region, double direction, lanes direction_t);

@@ -92,6 +92,7 @@ static inline int64_t patch_places__place_strips(array_double_1d tables, array_d
 /* normal/strip_contact.py */
 static inline void strip_contact__strip_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double prescribed);
 static inline void strip_contact__sink_strips(double* out_0, int64_t* count_out, array_double_1d tables, array_double_1d work, int64_t pair, int64_t side, double force, double estimate, bool by_penetration);
+static inline bool strip_contact__agrees_with_levels(array_double_1d work, array_double_1d tables);
 static inline void strip_contact__coarse_contact(double* penetration_out, int64_t* count_out, bool* satisfied_out, array_double_1d tables, array_double_1d work, int64_t pair, double force);
 static inline int64_t strip_contact__open_zones(array_double_1d tables, array_double_1d work, int64_t pair);
 static inline int64_t strip_contact__start_runs(array_double_1d tables, array_double_1d work, int64_t pair);
@@ -134,12 +135,16 @@ static inline double strip_pressures__equilibrium_penetration(array_double_1d wo
 
 /* normal/strip_runs.py */
 static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_double_1d work, int64_t waves);
+static inline bool strip_runs__is_one_curve(array_double_1d work, int64_t i);
 static inline double strip_runs__deepen_levels(array_double_1d work, double force);
+static inline void strip_runs__level_contact(double* load_out, double* out_1, array_double_1d work);
 static inline int64_t strip_runs__begin_curve(array_double_1d work, int64_t low, int64_t high);
 static inline double strip_runs__level_end(array_double_1d work, int64_t inside, int64_t outside, int64_t low, int64_t high);
 static inline double strip_runs__level_length(array_double_1d work, int64_t j, double station);
 static inline int64_t strip_runs__raise_axes(array_double_1d work, int64_t first, int64_t count);
 static inline int64_t strip_runs__add_run(array_double_1d work, int64_t low, int64_t high, double start, double stop);
+static inline bool strip_runs__has_room(array_double_1d work, double width);
+static inline double strip_runs__run_width(array_double_1d work, int64_t run);
 static inline int64_t strip_runs__adopt_runs(array_double_1d work);
 static inline double strip_runs__run_station(array_double_1d work, int64_t run, double cosine);
 static inline double strip_runs__gap_beside(array_double_1d work, int64_t strip, double x);
@@ -2132,6 +2137,10 @@ static inline void strip_contact__strip_contact(double* penetration_out, int64_t
         penetration = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_DEPTH);
     }
     satisfied = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT) > 0;
+    if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0 && satisfied)
+    {
+        satisfied = strip_contact__agrees_with_levels(work, tables);
+    }
     if (satisfied)
     {
         strip_patches__add_stiffness(work, tables, count);
@@ -2178,6 +2187,30 @@ static inline void strip_contact__sink_strips(double* out_0, int64_t* count_out,
     strip_contact__start_runs(tables, work, pair);
     *out_0 = strip_contact__sweep_strips(tables, work, pair, (int64_t)AT(tables, layout__TABLES_SWEEPS), force, by_penetration);
     *count_out = count;
+}
+
+/* Whether the load of the strips is about that of ANALYN's levels, which the sweeps leave as they are, and
+ * their largest pressure not far above theirs.
+ *
+ * Below it can be far, where a joint of arcs lets a level be narrow that the strips bridge.
+ */
+static inline bool strip_contact__agrees_with_levels(array_double_1d work, array_double_1d tables)
+{
+    double load, pressure, carried, largest;
+    int64_t i, strip, i_end;
+    strip_runs__level_contact(&load, &pressure, work);
+    carried = 0.0;
+    largest = 0.0;
+    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_COUNT);
+    for (i = 0; i < i_end; i += 1)
+    {
+        strip = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_STRIPS + layout__STRIP_SIZE * i;
+        carried += AT(work, strip + layout__STRIP_HALF_LENGTH) * AT(work, strip + layout__STRIP_WIDTH) * AT(work, strip + layout__STRIP_COUNTED) * AT(work, strip + layout__STRIP_Y);
+        largest = double_max(largest, AT(work, strip + layout__STRIP_Y));
+    }
+    carried *= 0.5 * M_PI * M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
+    largest *= M_PI * AT(tables, layout__TABLES_CONTACT_MODULUS);
+    return carried > load / strip_contact__PARTED && carried < load * strip_contact__PARTED && largest < pressure * strip_contact__PARTED;
 }
 
 /* As ``strip_contact`` for a wheel that is pressed and carries ``force`` [N], from the first sweeps alone
@@ -3076,15 +3109,14 @@ static inline double strip_pressures__equilibrium_penetration(array_double_1d wo
 /* The first runs, where ANALYN's level is above zero. */
 static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_double_1d work, int64_t waves)
 {
-    int64_t low, high, region, k, run, first, j, i, strip, zone, k_end, i_end;
+    int64_t low, high, k, run, first, j, zone, i, strip, k_end, i_end;
     double station;
     AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)0;
     low = 0;
     while (low < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT))
     {
         high = low;
-        region = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION);
-        while (high < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) - 1 && (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (high + 1) + layout__TRACED_STATION_REGION) == region)
+        while (high < (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT) - 1 && strip_runs__is_one_curve(work, high))
         {
             high += 1;
         }
@@ -3098,6 +3130,8 @@ static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_doubl
     {
         run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
         first = k * (int64_t)AT(tables, waves + layout__WAVES_COUNT);
+        j = strip_surfaces__interval(work, (int64_t)AT(work, run + layout__STRIP_RUN_LOW), (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), strip_runs__run_station(work, run, 0.0));
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_REGION);
         j = (int64_t)AT(work, run + layout__STRIP_RUN_LOW);
         i_end = (int64_t)AT(tables, waves + layout__WAVES_COUNT);
         for (i = 0; i < i_end; i += 1)
@@ -3106,12 +3140,30 @@ static inline int64_t strip_runs__begin_runs(array_double_1d tables, array_doubl
             station = strip_runs__run_station(work, run, AT(tables, waves + layout__WAVES_COS + i));
             j = strip_surfaces__interval(work, j, (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), station);
             AT(work, strip + layout__STRIP_AXIS) = strip_runs__level_length(work, j, station) / AT(tables, waves + layout__WAVES_SIN + i);
-            zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * j + layout__TRACED_STATION_REGION);
             AT(work, strip + layout__STRIP_LEAD) = pressed__limited(AT(work, zone + layout__STRIP_ZONE_LEAN) * (station - AT(work, zone + layout__STRIP_ZONE_MIDDLE)), strip_runs__FIRST_LEAD * AT(work, strip + layout__STRIP_AXIS));
         }
         strip_runs__raise_axes(work, first, (int64_t)AT(tables, waves + layout__WAVES_COUNT));
     }
     return 0;
+}
+
+/* Whether a run may go on from traced station ``i`` to the next one: within a zone, and where two zones
+ * meet of which one is a shoulder of the other.
+ */
+static inline bool strip_runs__is_one_curve(array_double_1d work, int64_t i)
+{
+    int64_t at, following;
+    bool one;
+    double shallower;
+    at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+    following = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i + 1);
+    one = AT(work, at + layout__TRACED_STATION_JOINED) == 1.0;
+    if (one && (int64_t)AT(work, at + layout__TRACED_STATION_REGION) != (int64_t)AT(work, following + layout__TRACED_STATION_REGION))
+    {
+        shallower = double_min(AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_DEPTH), AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, following + layout__TRACED_STATION_REGION) + layout__STRIP_ZONE_DEPTH));
+        one = double_min(AT(work, at + layout__TRACED_STATION_OVERLAP), AT(work, following + layout__TRACED_STATION_OVERLAP)) > strip_runs__SHOULDER * shallower;
+    }
+    return one;
 }
 
 /* Raise the levels until they carry ``force`` [N] as ANALYN has it, and how far [m].
@@ -3133,11 +3185,11 @@ static inline double strip_runs__deepen_levels(array_double_1d work, double forc
             at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
             zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION);
             line = AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_COUNTED) * AT(work, zone + layout__STRIP_ZONE_SPACING);
-            level = AT(work, at + layout__TRACED_STATION_LEVEL) + rise;
+            level = AT(work, at + layout__TRACED_STATION_LEVEL) + rise * AT(work, at + layout__TRACED_STATION_SHARE);
             if (level > 0.0)
             {
                 load += line * level;
-                stiffness += line;
+                stiffness += line * AT(work, at + layout__TRACED_STATION_SHARE);
             }
         }
         if (stiffness > 0.0)
@@ -3149,9 +3201,31 @@ static inline double strip_runs__deepen_levels(array_double_1d work, double forc
     for (i = 0; i < i_end_2; i += 1)
     {
         at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
-        AT(work, at + layout__TRACED_STATION_LEVEL) += rise;
+        AT(work, at + layout__TRACED_STATION_LEVEL) += rise * AT(work, at + layout__TRACED_STATION_SHARE);
     }
     return rise;
+}
+
+/* Load [N], as far as it counts, and largest pressure [Pa] that the levels have. */
+static inline void strip_runs__level_contact(double* load_out, double* out_1, array_double_1d work)
+{
+    double load, square;
+    int64_t i, at, zone, i_end;
+    load = 0.0;
+    square = 0.0;
+    i_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED_COUNT);
+    for (i = 0; i < i_end; i += 1)
+    {
+        at = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
+        zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, at + layout__TRACED_STATION_REGION);
+        if (AT(work, at + layout__TRACED_STATION_LEVEL) > 0.0)
+        {
+            load += AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_LEVEL) * AT(work, at + layout__TRACED_STATION_COUNTED) * AT(work, zone + layout__STRIP_ZONE_SPACING);
+            square = double_max(square, AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, zone + layout__STRIP_ZONE_LINE) * AT(work, at + layout__TRACED_STATION_LEVEL) * AT(work, zone + layout__STRIP_ZONE_ONE_ALPHA) * AT(work, at + layout__TRACED_STATION_A));
+        }
+    }
+    *load_out = load;
+    *out_1 = 2.0 / M_PI * sqrt(square);
 }
 
 /* The first runs of the curve of stations ``low`` ... ``high``. */
@@ -3238,18 +3312,17 @@ static inline int64_t strip_runs__raise_axes(array_double_1d work, int64_t first
     return 0;
 }
 
-/* Add a run between two stations [m] of a curve to the next ones, if it is wide enough and there is room;
- * joined to the last one where they overlap.
+/* Add a run between two stations [m] of a curve to the next ones, if it is wide enough; joined to the
+ * last one where they overlap.  Where there is no room, the narrowest one goes.
  */
 static inline int64_t strip_runs__add_run(array_double_1d work, int64_t low, int64_t high, double start, double stop)
 {
-    int64_t at, before, zone, run;
-    bool joins, wide;
-    at = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT);
+    bool joins, wide, room;
+    int64_t before, zone, run;
     joins = false;
-    if (at > 0)
+    if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) > 0)
     {
-        before = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (at - 1);
+        before = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) - 1);
         if ((int64_t)AT(work, before + layout__STRIP_RUN_LOW) == low && AT(work, before + layout__STRIP_RUN_NEXT_STOP) >= start)
         {
             joins = true;
@@ -3260,9 +3333,14 @@ static inline int64_t strip_runs__add_run(array_double_1d work, int64_t low, int
     }
     zone = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_ZONES + layout__STRIP_ZONE_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * low + layout__TRACED_STATION_REGION);
     wide = stop - start > strip_runs__NARROW * (AT(work, zone + layout__STRIP_ZONE_STOP) - AT(work, zone + layout__STRIP_ZONE_START));
-    if (!joins && wide && at < layout__STRIP_RUN_LIMIT)
+    room = false;
+    if (wide && !joins)
     {
-        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * at;
+        room = strip_runs__has_room(work, stop - start);
+    }
+    if (room)
+    {
+        run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT);
         AT(work, run + layout__STRIP_RUN_LOW) = (double)low;
         AT(work, run + layout__STRIP_RUN_HIGH) = (double)high;
         AT(work, run + layout__STRIP_RUN_NEXT_START) = start;
@@ -3270,9 +3348,48 @@ static inline int64_t strip_runs__add_run(array_double_1d work, int64_t low, int
         AT(work, run + layout__STRIP_RUN_START_MOVE) = 0.0;
         AT(work, run + layout__STRIP_RUN_STOP_MOVE) = 0.0;
         AT(work, run + layout__STRIP_RUN_ORIGIN) = (double)(-1);
-        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)(at + 1);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) + 1);
     }
     return 0;
+}
+
+/* Whether there is room for another run of this ``width`` [m], if need be in place of the narrowest. */
+static inline bool strip_runs__has_room(array_double_1d work, double width)
+{
+    int64_t narrowest, k, i_1, k_end, k_end_2;
+    if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) < layout__STRIP_RUN_LIMIT)
+    {
+        return true;
+    }
+    narrowest = 0;
+    k_end = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT);
+    for (k = 1; k < k_end; k += 1)
+    {
+        if (strip_runs__run_width(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k) < strip_runs__run_width(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * narrowest))
+        {
+            narrowest = k;
+        }
+    }
+    if (!(strip_runs__run_width(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * narrowest) < width))
+    {
+        return false;
+    }
+    k_end_2 = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) - 1;
+    for (k = narrowest; k < k_end_2; k += 1)
+    {
+        for (i_1 = 0; i_1 < layout__STRIP_RUN_SIZE; i_1 += 1)
+        {
+            AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * k + i_1) = AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * (k + 1) + i_1);
+        }
+    }
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) = (double)((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) - 1);
+    return true;
+}
+
+/* Width of a run of the next sweep [m]. */
+static inline double strip_runs__run_width(array_double_1d work, int64_t run)
+{
+    return AT(work, run + layout__STRIP_RUN_NEXT_STOP) - AT(work, run + layout__STRIP_RUN_NEXT_START);
 }
 
 /* Let the next runs be those of this sweep. */
@@ -3303,7 +3420,7 @@ static inline double strip_runs__run_station(array_double_1d work, int64_t run, 
 /* Rise of the gap [m] at a distance ``x`` from the ridge. */
 static inline double strip_runs__gap_beside(array_double_1d work, int64_t strip, double x)
 {
-    return x * x * (AT(work, strip + layout__STRIP_A) + AT(work, strip + layout__STRIP_SKEW) * x);
+    return x * x * (AT(work, strip + layout__STRIP_A) + pressed__limited(AT(work, strip + layout__STRIP_SKEW) * x, AT(work, strip + layout__STRIP_ODD)));
 }
 
 /* Wheel and rail under all strips, their half-lengths, widths and gaps; these as the smooth part of the
@@ -3392,6 +3509,7 @@ static inline int64_t strip_runs__lay_strip(array_double_1d work, int64_t strip,
     AT(work, strip + layout__STRIP_X) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_X), AT(work, high + layout__TRACED_STATION_X), u);
     AT(work, strip + layout__STRIP_A) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_A), AT(work, high + layout__TRACED_STATION_A), u);
     AT(work, strip + layout__STRIP_SKEW) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_SKEW), AT(work, high + layout__TRACED_STATION_SKEW), u);
+    AT(work, strip + layout__STRIP_ODD) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_ODD), AT(work, high + layout__TRACED_STATION_ODD), u);
     AT(work, strip + layout__STRIP_SHARE) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_SHARE), AT(work, high + layout__TRACED_STATION_SHARE), u);
     AT(work, strip + layout__STRIP_COUNTED) = strip_surfaces__between(AT(work, low + layout__TRACED_STATION_COUNTED), AT(work, high + layout__TRACED_STATION_COUNTED), u);
     return 0;
@@ -3458,13 +3576,14 @@ static inline int64_t strip_runs__renew_runs(array_double_1d tables, array_doubl
 /* Add run ``k`` to the next runs, with its strips. */
 static inline int64_t strip_runs__keep_run(array_double_1d work, int64_t k)
 {
-    int64_t run, before, kept;
+    int64_t run, last, kept;
     run = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_RUNS + layout__STRIP_RUN_SIZE * k;
-    before = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT);
     strip_runs__add_run(work, (int64_t)AT(work, run + layout__STRIP_RUN_LOW), (int64_t)AT(work, run + layout__STRIP_RUN_HIGH), AT(work, run + layout__STRIP_RUN_NEXT_START), AT(work, run + layout__STRIP_RUN_NEXT_STOP));
-    if ((int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) > before)
+    last = (int64_t)AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_COUNT) - 1;
+    if (last >= 0 && AT(work, layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * last + layout__STRIP_RUN_NEXT_START) == AT(work, run + layout__STRIP_RUN_NEXT_START))
     {
-        kept = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * before;
+        /* neither joined nor left out */
+        kept = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_NEXT_RUNS + layout__STRIP_RUN_SIZE * last;
         AT(work, kept + layout__STRIP_RUN_ORIGIN) = (double)k;
         AT(work, kept + layout__STRIP_RUN_START_MOVE) = AT(work, run + layout__STRIP_RUN_START_MOVE);
         AT(work, kept + layout__STRIP_RUN_STOP_MOVE) = AT(work, run + layout__STRIP_RUN_STOP_MOVE);
@@ -3753,6 +3872,7 @@ static inline int64_t strip_surfaces__trace_station(array_double_1d tables, arra
     AT(work, at + layout__TRACED_STATION_X) = 0.0;
     AT(work, at + layout__TRACED_STATION_A) = 0.5 * curvature;
     AT(work, at + layout__TRACED_STATION_SKEW) = 0.0;
+    AT(work, at + layout__TRACED_STATION_ODD) = 0.0;
     AT(work, at + layout__TRACED_STATION_WHEEL) = AT(work, layout__WORK_CONTACT + layout__CONTACT_FRAME + layout__FRAME_TRACES + layout__TRACE_SIZE * layout__WHEEL + layout__TRACE_ABSCISSA);
     if (frame__is_yawed(work))
     {
@@ -3811,6 +3931,7 @@ static inline int64_t strip_surfaces__measure_ridge(array_double_1d tables, arra
         AT(work, at + layout__TRACED_STATION_A) = 0.5 * curvature__longitudinal_curvature(work, tables, place, z, slope, mean);
         odd = 0.5 * (after - before) - slope * across;
         AT(work, at + layout__TRACED_STATION_SKEW) = odd / (sqrt(1.0 + slope * slope) * away * away * away);
+        AT(work, at + layout__TRACED_STATION_ODD) = fabs(AT(work, at + layout__TRACED_STATION_SKEW)) * away;
     }
     return 0;
 }
@@ -3922,7 +4043,7 @@ static inline int64_t strip_surfaces__bend_gaps(array_double_1d work)
     {
         low = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * i;
         high = layout__WORK_CONTACT + layout__CONTACT_STRIP_PROBLEM + layout__STRIP_PROBLEM_TRACED + layout__TRACED_STATION_SIZE * (i + 1);
-        if ((int64_t)AT(work, low + layout__TRACED_STATION_REGION) == (int64_t)AT(work, high + layout__TRACED_STATION_REGION))
+        if (AT(work, low + layout__TRACED_STATION_JOINED) == 1.0)
         {
             way = AT(work, high + layout__TRACED_STATION_STATION) - AT(work, low + layout__TRACED_STATION_STATION);
             start = way * AT(work, low + layout__TRACED_STATION_RISE);

@@ -7,6 +7,7 @@ static inline int64_t filling__begin_patch(array_double_1d work, int64_t side, i
 static inline int64_t filling__forget(array_double_1d work, int64_t patch);
 static inline int64_t filling__add_load(array_double_1d work, int64_t patch, int64_t region, double load, double moment);
 static inline int64_t filling__finish_patch(array_double_1d work, int64_t side);
+static OUT_OF_LINE int64_t filling__fill_sliver(array_double_1d work, int64_t patch);
 static inline int64_t filling__complete_totals(array_double_1d work, int64_t totals);
 static inline int64_t filling__remove_unloaded(array_double_1d work, int64_t side);
 static inline int64_t filling__remove_patch(array_double_1d work, int64_t side, int64_t index);
@@ -98,11 +99,11 @@ static inline int64_t filling__forget(array_double_1d work, int64_t patch)
     }
     AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = 0.0;
     AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE) = 0.0;
-    for (i_2 = 0; i_2 < 3; i_2 += 1)
+    for (i_2 = 0; i_2 < 4; i_2 += 1)
     {
         AT(work, patch + layout__PATCH_LOADS + i_2) = 0.0;
     }
-    for (i_3 = 0; i_3 < 3; i_3 += 1)
+    for (i_3 = 0; i_3 < 4; i_3 += 1)
     {
         AT(work, patch + layout__PATCH_MOMENTS + i_3) = 0.0;
     }
@@ -152,6 +153,27 @@ static inline int64_t filling__finish_patch(array_double_1d work, int64_t side)
         AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_PRESSURE) = sqrt(AT(work, patch + layout__PATCH_PRESSURE_SQUARE));
         AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_MAX_HALF_LENGTH) = sqrt(AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE));
         filling__complete_totals(work, patch + layout__PATCH_TOTALS);
+        if (AT(work, patch + layout__PATCH_PRESSURE_SQUARE) == 0.0 && AT(work, patch + layout__PATCH_TOTALS + layout__PATCH_TOTALS_LOAD) > 0.0)
+        {
+            filling__fill_sliver(work, patch);
+        }
+    }
+    return 0;
+}
+
+/* Largest pressure and half-length of a loaded patch that lies between two strips: those of an ellipse
+ * with its load, area and width.
+ */
+static OUT_OF_LINE int64_t filling__fill_sliver(array_double_1d work, int64_t patch)
+{
+    int64_t totals;
+    totals = patch + layout__PATCH_TOTALS;
+    if (AT(work, totals + layout__PATCH_TOTALS_AREA) > 0.0 && AT(work, totals + layout__PATCH_TOTALS_WIDTH) > 0.0)
+    {
+        AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) = 1.5 * AT(work, totals + layout__PATCH_TOTALS_LOAD) / AT(work, totals + layout__PATCH_TOTALS_AREA);
+        AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) = 2.0 * AT(work, totals + layout__PATCH_TOTALS_AREA) / (M_PI * AT(work, totals + layout__PATCH_TOTALS_WIDTH));
+        AT(work, patch + layout__PATCH_PRESSURE_SQUARE) = AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE) * AT(work, totals + layout__PATCH_TOTALS_MAX_PRESSURE);
+        AT(work, patch + layout__PATCH_HALF_LENGTH_SQUARE) = AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH) * AT(work, totals + layout__PATCH_TOTALS_MAX_HALF_LENGTH);
     }
     return 0;
 }

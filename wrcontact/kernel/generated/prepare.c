@@ -1413,6 +1413,11 @@ static inline int64_t prepare_tables__write_corrections(array_double_1d tables, 
     {
         AT(tables, table + layout__ROLLING_TABLE_CORRECTIONS + i) = low * AT(fixed, at + i) + middle * AT(fixed, at + layout__CORRECTION_SIZE + i) + high * AT(fixed, at + 2 * layout__CORRECTION_SIZE + i);
     }
+    at += 3 * layout__CORRECTION_SIZE;
+    for (i = 0; i < layout__CORRECTION_SLOPES; i += 1)
+    {
+        AT(tables, table + layout__ROLLING_TABLE_SLOPES + i) = low * AT(fixed, at + i) + middle * AT(fixed, at + layout__CORRECTION_SLOPES + i) + high * AT(fixed, at + 2 * layout__CORRECTION_SLOPES + i);
+    }
     return 0;
 }
 
@@ -1464,6 +1469,7 @@ static inline int64_t prepare_tables__write_settings(array_double_1d setup, arra
     AT(tables, layout__TABLES_PENETRATION + 0) = AT(setup, layout__SETUP_ABSENT);
     AT(tables, layout__TABLES_PENETRATION + 1) = AT(setup, layout__SETUP_ABSENT);
     AT(tables, layout__TABLES_SIDES) = (double)((double)layout__SIDES_BOTH);
+    AT(tables, layout__TABLES_ALONE) = (double)false;
     AT(tables, layout__TABLES_DEPTH) = (double)((double)layout__DEPTH_ALL);
     AT(tables, layout__TABLES_ABSENT) = AT(setup, layout__SETUP_ABSENT);
     AT(tables, layout__TABLES_STATIONS) = (double)((double)layout__STATION_COUNT);

@@ -1497,7 +1497,8 @@ static inline int64_t smallest_gap__search_end(array_double_1d tables, array_dou
             abscissa = AT(tables, pair + (int64_t)AT(tables, pair + layout__PAIR_RAIL) + layout__PROFILE_START);
         }
         bounds__bend_bounds(&least, &most, tables, work, pair + (int64_t)AT(tables, pair + layout__PAIR_SCAN), at, cell, abscissa);
-        smallest_gap__search_cell(tables, work, pair, side, -1.0, most, low, high);
+        /* a minimum is not taken for the only one: the rail's bounds are those of its last cell */
+        smallest_gap__search_cell(tables, work, pair, side, double_min(least, -1.0), most, low, high);
     }
     return 0;
 }

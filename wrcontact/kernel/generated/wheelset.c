@@ -40,11 +40,18 @@ static inline int64_t depth_rates__restore_sides(array_double_1d work);
 static OUT_OF_LINE void elastic__solve_elastic(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double roll, double left, double right);
 static OUT_OF_LINE void elastic__first_estimate(double* height_out, double* move_out, array_double_1d tables, array_double_1d work);
 static OUT_OF_LINE void elastic__iterate(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right);
-static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d tables, array_double_1d work, double roll);
+static OUT_OF_LINE int64_t elastic__note_best(array_double_1d work, double height, double roll);
 static OUT_OF_LINE int64_t elastic__begin_derivatives(array_double_1d work, double arm, double rate);
 static OUT_OF_LINE int64_t elastic__update(array_double_1d work, double left, double right, bool near);
 static OUT_OF_LINE void elastic__renewed(double* out_0, double* out_1, array_double_1d work, double by_height, double by_roll, double change, bool near);
 static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, double rate);
+
+/* wheelset/enclosing.py */
+static OUT_OF_LINE void enclosing__level_both(bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double left, double right, double height);
+static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right);
+static OUT_OF_LINE void enclosing__stand_at_jump(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t steady, double left, double right);
+static OUT_OF_LINE int64_t enclosing__stand_beside(array_double_1d tables, array_double_1d work, int64_t steady, double left, double right, double roll, double height);
+static OUT_OF_LINE bool enclosing__gaps_hold(array_double_1d tables, array_double_1d work, double roll);
 
 /* wheelset/fatigue.py */
 static inline double fatigue__wear_number_damage(double wear_number);
@@ -59,6 +66,23 @@ static inline double forces__about_axle(array_double_1d work, int64_t motion, do
 static inline int64_t forces__add_forces(array_double_1d work, int64_t total, int64_t part, double mirror);
 static inline int64_t forces__add_vector(array_double_1d work, int64_t total, int64_t part, double plane, double across);
 
+/* wheelset/free_rolling.py */
+static inline int64_t free_rolling__release_rates(array_double_1d tables, array_double_1d work);
+static inline double free_rolling__nominal_rate(array_double_1d tables, array_double_1d work, int64_t index);
+static inline bool free_rolling__turns_freely(array_double_1d tables, array_double_1d work);
+static inline int64_t free_rolling__roll_freely(array_double_1d tables, array_double_1d work);
+static inline int64_t free_rolling__turn(array_double_1d tables, array_double_1d work, int64_t first, int64_t last);
+static inline bool free_rolling__is_known_model(array_double_1d tables);
+static inline bool free_rolling__open_turning(array_double_1d tables, array_double_1d work, int64_t first, int64_t last);
+static inline void free_rolling__torque_at(double* out_0, int64_t* VALID_out, array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double rate);
+static inline double free_rolling__rub_at(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double rate);
+static inline int64_t free_rolling__seek(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double start);
+static inline int64_t free_rolling__try_rate(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double rate);
+static inline int64_t free_rolling__seek_falling(array_double_1d tables, array_double_1d work, int64_t first, int64_t last);
+static inline int64_t free_rolling__leave_rest(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double start);
+static inline int64_t free_rolling__seek_between(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double one, double other);
+static inline int64_t free_rolling__seek_peak(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double near, double far);
+
 /* wheelset/leaning.py */
 static inline int64_t leaning__set_reference(array_double_1d work, double height);
 static inline bool leaning__is_leaning(array_double_1d work);
@@ -68,14 +92,15 @@ static inline bool leaning__note_reference(array_double_1d work, double height, 
 
 /* wheelset/report.py */
 static inline int64_t report__report(array_double_1d tables, array_double_1d work);
+static inline double report__found_rate(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t report__report_side(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t report__first_omitted(array_double_1d tables, int64_t index);
 static inline int64_t report__report_point(array_double_1d work, int64_t point, int64_t out, double mirror);
-static inline int64_t report__report_load(array_double_1d work, int64_t side, int64_t out, double mirror);
+static inline int64_t report__report_load(array_double_1d work, int64_t side, int64_t out, double mirror, bool rolling);
 static inline int64_t report__report_deflection(array_double_1d work, array_double_1d tables, int64_t side, int64_t out, double mirror);
-static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror);
-static inline int64_t report__report_patch(array_double_1d work, int64_t patch, int64_t out, double mirror);
-static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear);
+static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror, bool rolling);
+static inline int64_t report__report_patch(array_double_1d work, int64_t patch, int64_t out, double mirror, bool rolling);
+static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear, bool rolling);
 static inline int64_t report__write_vector(array_double_1d work, int64_t out, int64_t vector, double plane, double across);
 static inline int64_t report__outline_place(array_double_1d tables, array_double_1d work, int64_t index);
 static inline int64_t report__report_outline(array_double_1d work, int64_t side, int64_t outline, int64_t stations, bool rubbing);
@@ -87,8 +112,15 @@ static inline int64_t requested__check_inputs(array_double_1d work, array_double
 static inline bool requested__is_rail_far(array_double_1d work, int64_t inputs);
 static inline double requested__side_force(array_double_1d work, int64_t index);
 static inline bool requested__is_requested(array_double_1d tables, int64_t index);
+static inline bool requested__is_needed(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
+static inline int64_t requested__counted_outcome(array_double_1d tables, int64_t index, int64_t status, int64_t outcome);
 static inline int64_t requested__requested_outcome(array_double_1d tables, array_double_1d work, int64_t status);
+static inline bool requested__is_free(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
+static inline double requested__outer_torque(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
+static inline bool requested__is_driven(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index);
 static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables, int64_t inputs);
+static inline bool requested__is_moving(array_double_1d work, array_double_1d tables, int64_t inputs);
+static inline bool requested__is_rail_moving(array_double_1d work, int64_t inputs);
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work);
 static inline bool requested__has_wear(array_double_1d tables);
 
@@ -111,6 +143,9 @@ static inline double rubbing__strip_slip(array_double_1d work, int64_t patch, in
 static inline double rubbing__strip_power(array_double_1d work, int64_t patch, int64_t strip);
 static inline int64_t rubbing__rub_patches(array_double_1d tables, array_double_1d work);
 static inline int64_t rubbing__rub_side(array_double_1d tables, array_double_1d work, int64_t index);
+static inline int64_t rubbing__write_side_wear(array_double_1d work, array_double_1d tables, int64_t side);
+static inline double rubbing__side_friction(array_double_1d work, int64_t index);
+static inline int64_t rubbing__rub_wheel(array_double_1d tables, array_double_1d work, int64_t index);
 static inline double rubbing__open_rolling(array_double_1d work, array_double_1d tables, int64_t patch, double friction);
 static inline int64_t rubbing__close_rolling(array_double_1d work, int64_t patch, double factor);
 
@@ -685,7 +720,7 @@ static OUT_OF_LINE void brackets__bracket_roll(double* roll_out, int64_t* status
 static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, array_double_1d work)
 {
     double roll, height;
-    int64_t status, outcome;
+    int64_t status, index, outcome;
     roll = AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL);
     height = AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_SHIFT);
     leaning__set_reference(work, height);
@@ -708,14 +743,13 @@ static OUT_OF_LINE int64_t compliant__solve_compliant(array_double_1d tables, ar
     status = layout__VALID;
     side__clear_side(work, layout__WORK_SIDES);
     side__clear_side(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1);
-    if (requested__is_requested(tables, 0))
+    for (index = 0; index < 2; index += 1)
     {
-        status = compliant__load_standing(tables, work, 0, height);
-    }
-    if (requested__is_requested(tables, 1))
-    {
-        outcome = compliant__load_standing(tables, work, 1, height);
-        status = int64_max(status, outcome);
+        if (requested__is_needed(work, tables, layout__WORK_INPUTS, index))
+        {
+            outcome = compliant__load_standing(tables, work, index, height);
+            status = requested__counted_outcome(tables, index, status, outcome);
+        }
     }
     return status;
 }
@@ -729,11 +763,11 @@ static OUT_OF_LINE bool compliant__search_requested(array_double_1d tables, arra
     bool above;
     row = roll__nearest_start(tables, (int64_t)AT(tables, layout__TABLES_STARTS), AT(work, layout__WORK_INPUTS + layout__INPUTS_LATERAL_SHIFT));
     above = true;
-    if (requested__is_requested(tables, 0))
+    if (requested__is_needed(work, tables, layout__WORK_INPUTS, 0))
     {
         above = at_height__search_near(tables, work, 0, row);
     }
-    if (requested__is_requested(tables, 1) && !at_height__search_near(tables, work, 1, row))
+    if (requested__is_needed(work, tables, layout__WORK_INPUTS, 1) && !at_height__search_near(tables, work, 1, row))
     {
         above = false;
     }
@@ -770,7 +804,7 @@ static inline int64_t depth_rates__follow_depths(array_double_1d tables, array_d
 {
     int64_t right;
     double speed;
-    if ((int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_ELASTIC && requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if ((int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_ELASTIC && requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
         AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_VELOCITY) = AT(work, right + layout__MOTION_VERTICAL);
@@ -1014,6 +1048,11 @@ static OUT_OF_LINE void elastic__solve_elastic(double* roll_out, int64_t* status
     AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) = (double)false;
     if (status == layout__NOT_CONVERGED)
     {
+        enclosing__enclose_equilibrium(&roll, &status, tables, work, AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_ROLL), AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_HEIGHT), left, right);
+    }
+    if (status == layout__NOT_CONVERGED)
+    {
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
         brackets__bracket_roll(&roll, &status, tables, work, rigid_roll, left, right);
     }
     *roll_out = roll;
@@ -1031,11 +1070,11 @@ static OUT_OF_LINE void elastic__first_estimate(double* height_out, double* move
     lever_left = side__side_lever(tables, work, 0, 0);
     lever_right = side__side_lever(tables, work, 1, 0);
     move = 0.0;
-    if (lever_left + lever_right < -elastic__LEAST_LEVER)
+    if (lever_left + lever_right < -enclosing__LEAST_LEVER)
     {
         move = (AT(work, right + layout__SUPPORT_APPROACH) - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH)) / -(lever_left + lever_right);
     }
-    move = pressed__limited(move, elastic__LONGEST_MOVE / AT(tables, layout__TABLES_ARM));
+    move = pressed__limited(move, enclosing__LONGEST_MOVE / AT(tables, layout__TABLES_ARM));
     /* in one order for a wheelset and its mirror image */
     height = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST) + 0.5 * (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_APPROACH) - lever_left * move + (AT(work, right + layout__SUPPORT_APPROACH) + lever_right * move));
     *height_out = height;
@@ -1055,6 +1094,9 @@ static OUT_OF_LINE void elastic__iterate(double* roll_out, int64_t* NOT_CONVERGE
     AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT) = 0.0;
     AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = 0.0;
     AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = 0.0;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST) = elastic__FARTHEST;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_HEIGHT) = height;
+    AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_ROLL) = roll;
     AT(work, layout__WORK_CONTACT + layout__CONTACT_COARSE) = (double)normal_contact__has_coarse_form(tables);
     for (trial = 0; trial < elastic__TRIALS; trial += 1)
     {
@@ -1069,7 +1111,7 @@ static OUT_OF_LINE void elastic__iterate(double* roll_out, int64_t* NOT_CONVERGE
             AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = 0.0;
             AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = 0.0;
         }
-        else if (trial > 0 && moved < elastic__NOT_LAST)
+        else if (trial > 0 && moved < enclosing__NOT_LAST)
         {
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
             AT(work, layout__WORK_CONTACT + layout__CONTACT_FOLLOWING) = (double)false;
@@ -1091,6 +1133,7 @@ static OUT_OF_LINE void elastic__iterate(double* roll_out, int64_t* NOT_CONVERGE
         {
             elastic__begin_derivatives(work, arm, normal_contact__residual_rate(tables));
         }
+        elastic__note_best(work, height, roll);
         elastic__update(work, AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) - height, AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) - height, fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) + fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) < elastic__NEAR);
         if (!elastic__find_move(work, arm, normal_contact__residual_rate(tables)))
         {
@@ -1098,9 +1141,9 @@ static OUT_OF_LINE void elastic__iterate(double* roll_out, int64_t* NOT_CONVERGE
             *NOT_CONVERGED_out = layout__NOT_CONVERGED;
             return;
         }
-        if (fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) < elastic__ELASTIC_SHARP && fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) < elastic__ELASTIC_SHARP)
+        if (fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) < enclosing__ELASTIC_SHARP && fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) < enclosing__ELASTIC_SHARP)
         {
-            if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0 && elastic__gaps_hold(tables, work, roll))
+            if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0 && enclosing__gaps_hold(tables, work, roll))
             {
                 for (index = 0; index < 2; index += 1)
                 {
@@ -1114,8 +1157,14 @@ static OUT_OF_LINE void elastic__iterate(double* roll_out, int64_t* NOT_CONVERGE
             AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = 0.0;
             AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = 0.0;
         }
-        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = pressed__limited(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT), elastic__LONGEST_MOVE);
-        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = pressed__limited(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL), elastic__LONGEST_MOVE);
+        else if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0 && fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT)) + fabs(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL)) > enclosing__NOT_LAST)
+        {
+            *roll_out = roll;
+            *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+            return;
+        }
+        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = pressed__limited(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT), enclosing__LONGEST_MOVE);
+        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = pressed__limited(AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL), enclosing__LONGEST_MOVE);
         height += AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT);
         roll += AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) / arm;
         if (!(fabs(roll) < layout__ROLL_LIMIT))
@@ -1135,22 +1184,18 @@ static OUT_OF_LINE void elastic__iterate(double* roll_out, int64_t* NOT_CONVERGE
     *NOT_CONVERGED_out = layout__NOT_CONVERGED;
 }
 
-/* Whether both sides' known gaps are the smallest at ``roll`` [rad]; then smaller ones are known.
- *
- * Between trials they are only followed: an answer is certified once.
- */
-static OUT_OF_LINE bool elastic__gaps_hold(array_double_1d tables, array_double_1d work, double roll)
+/* Note ``height`` [m] and ``roll`` [rad] of the trial if its residuals are the smallest so far. */
+static OUT_OF_LINE int64_t elastic__note_best(array_double_1d work, double height, double roll)
 {
-    double left, right;
-    bool hold;
-    left = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y);
-    right = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y);
-    hold = trial__turn_to(tables, work, roll);
-    if (fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y) - left) > elastic__SAME_GAP || fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y) - right) > elastic__SAME_GAP)
+    double lack;
+    lack = fabs(AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) - height) + fabs(AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) - height);
+    if (lack < AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST))
     {
-        hold = false;
+        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST) = lack;
+        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_HEIGHT) = height;
+        AT(work, layout__WORK_BROYDEN + layout__BROYDEN_BEST_ROLL) = roll;
     }
-    return hold;
+    return 0;
 }
 
 /* The residuals' derivatives from both levers [m] and the ``rate`` at which they fall with the height. */
@@ -1225,6 +1270,231 @@ static OUT_OF_LINE bool elastic__find_move(array_double_1d work, double arm, dou
     AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_HEIGHT) = (AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_ROLL) - AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_ROLL)) / determinant;
     AT(work, layout__WORK_BROYDEN + layout__BROYDEN_MOVE_ROLL) = (AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT_HEIGHT) - AT(work, layout__WORK_BROYDEN + layout__BROYDEN_RIGHT) * AT(work, layout__WORK_BROYDEN + layout__BROYDEN_LEFT_HEIGHT)) / determinant;
     return true;
+}
+
+
+/* ---- From wheelset/enclosing.py; change that one.
+ *
+ * Elastic equilibrium where trials that follow the deepest points find none, or contradict a search for them.
+ *
+ * The height at which a wheel carries its load hardly depends on the height of the trial (elastic.py), so that
+ * each trial gives D(roll) = height_right - height_left, and a better height for the next one.  Every trial now
+ * searches for all deepest points.  So D is a function of the roll, which jumps where a region comes or goes.
+ * Newton's method finds its root; where a step has not halved D, the bracket of the roll is halved.  If it
+ * encloses a jump, no roll is an equilibrium, and the one of the jump is taken, at the height at which the wheel
+ * that does not jump carries its load.
+ */
+
+/* Press both wheels at ``height`` [m]; whether both can carry ``left`` and ``right`` [N], and the
+ * outcome. How much lower they do is in their supports.
+ */
+static OUT_OF_LINE void enclosing__level_both(bool* satisfied_out, int64_t* status_out, array_double_1d tables, array_double_1d work, double left, double right, double height)
+{
+    double residual;
+    bool satisfied, also;
+    int64_t status, outcome;
+    AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_ROLL_COUNT) += 1.0;
+    brackets__height_residual(&residual, &satisfied, &status, tables, work, 0, left, height);
+    if (status <= layout__UNLOADED)
+    {
+        brackets__height_residual(&residual, &also, &outcome, tables, work, 1, right, height);
+        satisfied = satisfied && also;
+        status = int64_max(status, outcome);
+    }
+    *satisfied_out = satisfied;
+    *status_out = status;
+}
+
+/* Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome, from
+ * ``roll`` and ``height`` on; NOT_CONVERGED where none is found.
+ */
+static OUT_OF_LINE void enclosing__enclose_equilibrium(double* roll_out, int64_t* NOT_CONVERGED_out, array_double_1d tables, array_double_1d work, double roll, double height, double left, double right)
+{
+    double arm, rate, before, move, moved, lack_left, lack_right, apart, slope, factor, lack, width, following, sink;
+    bool below, above, satisfied, enclosed;
+    int64_t trial, status, steady;
+    arm = AT(tables, layout__TABLES_ARM);
+    rate = normal_contact__residual_rate(tables);
+    below = false;
+    above = false;
+    before = 0.0;
+    move = 0.0;
+    moved = enclosing__LONGEST_MOVE;
+    if (!trial__turn_to(tables, work, roll))
+    {
+        *roll_out = roll;
+        *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+        return;
+    }
+    for (trial = 0; trial < enclosing__ENCLOSINGS; trial += 1)
+    {
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)(moved < enclosing__NOT_LAST);
+        enclosing__level_both(&satisfied, &status, tables, work, left, right, height);
+        if (status > layout__UNLOADED)
+        {
+            *roll_out = roll;
+            *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+            return;
+        }
+        lack_left = (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) - height) / rate;
+        lack_right = (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) - height) / rate;
+        apart = lack_right - lack_left;
+        slope = double_min(AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_LEVER) + AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_LEVER), -enclosing__LEAST_LEVER);
+        if (move != 0.0)
+        {
+            factor = (apart - before) / (slope * move);
+            if (factor > enclosing__REDUCED)
+            {
+                slope *= factor;
+            }
+        }
+        steady = 0;
+        if (fabs(lack_right) < fabs(lack_left))
+        {
+            steady = 1;
+        }
+        lack = (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * steady + layout__SUPPORT_HEIGHT) - height) / rate;
+        if (apart > 0.0)
+        {
+            below = true;
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) = roll;
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW) = height + lack;
+        }
+        else
+        {
+            above = true;
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) = roll;
+            AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH) = height + lack;
+        }
+        enclosed = below && above;
+        width = arm * (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH) - AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW));
+        if (enclosed && width < enclosing__JUMP_SHARP && fabs(apart) > enclosing__STEEPEST * width)
+        {
+            enclosing__stand_at_jump(&roll, &status, tables, work, steady, left, right);
+            *roll_out = roll;
+            *NOT_CONVERGED_out = status;
+            return;
+        }
+        following = roll - apart / slope;
+        if (enclosed && (!(following > AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) && following < AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH)) || fabs(apart) > enclosing__REDUCED * fabs(before)))
+        {
+            following = 0.5 * (AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW) + AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH));
+        }
+        before = apart;
+        move = pressed__limited(following - roll, enclosing__LONGEST_MOVE / arm);
+        sink = lack + (double)(2 * steady - 1) * AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * steady + layout__SUPPORT_LEVER) * move;
+        if (!enclosed)
+        {
+            /* in one order for a wheelset and its mirror image */
+            sink = 0.5 * (lack_left - AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_LEVER) * move + (lack_right + AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_LEVER) * move));
+        }
+        sink = pressed__limited(sink, enclosing__LONGEST_MOVE);
+        moved = fabs(sink) + arm * fabs(move);
+        if (fabs(sink) < enclosing__ELASTIC_SHARP && arm * fabs(move) < enclosing__ELASTIC_SHARP)
+        {
+            if (AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) == 1.0 && satisfied && enclosing__gaps_hold(tables, work, roll))
+            {
+                AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) = height + sink;
+                AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) = height + sink;
+                *roll_out = roll + move;
+                *NOT_CONVERGED_out = trial__depth_outcome(work, status);
+                return;
+            }
+            below = false;
+            above = false;
+        }
+        height += sink;
+        roll += move;
+        if (!(fabs(roll) < layout__ROLL_LIMIT))
+        {
+            *roll_out = roll;
+            *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+            return;
+        }
+        if (!trial__turn_near(tables, work, roll))
+        {
+            *roll_out = roll;
+            *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+            return;
+        }
+    }
+    *roll_out = roll;
+    *NOT_CONVERGED_out = layout__NOT_CONVERGED;
+}
+
+/* Stand at the jump that the bracket encloses, at the end at which the wheel that jumps carries no less
+ * than its load, the one that is not ``steady``, or at the other end if it cannot; roll [rad] and
+ * outcome.
+ */
+static OUT_OF_LINE void enclosing__stand_at_jump(double* roll_out, int64_t* status_out, array_double_1d tables, array_double_1d work, int64_t steady, double left, double right)
+{
+    double roll, height, other, other_height;
+    int64_t status;
+    roll = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH);
+    height = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH);
+    other = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW);
+    other_height = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW);
+    if (steady == 1)
+    {
+        roll = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_LOW);
+        height = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_LOW);
+        other = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_HIGH);
+        other_height = AT(work, layout__WORK_ROLL_BRACKET + layout__BRACKET_AT_HIGH);
+    }
+    status = enclosing__stand_beside(tables, work, steady, left, right, roll, height);
+    if (status == layout__NOT_CONVERGED)
+    {
+        roll = other;
+        status = enclosing__stand_beside(tables, work, steady, left, right, roll, other_height);
+    }
+    *roll_out = roll;
+    *status_out = status;
+}
+
+/* Stand at the ``roll`` of one end of a jump, near ``height``, where the ``steady`` wheel carries its
+ * load; the outcome.
+ */
+static OUT_OF_LINE int64_t enclosing__stand_beside(array_double_1d tables, array_double_1d work, int64_t steady, double left, double right, double roll, double height)
+{
+    bool satisfied;
+    int64_t status;
+    if (!trial__turn_to(tables, work, roll))
+    {
+        return layout__NOT_CONVERGED;
+    }
+    AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)false;
+    enclosing__level_both(&satisfied, &status, tables, work, left, right, height);
+    if (satisfied)
+    {
+        height += (AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * steady + layout__SUPPORT_HEIGHT) - height) / normal_contact__residual_rate(tables);
+        AT(work, layout__WORK_CONTACT + layout__CONTACT_FILLING) = (double)true;
+        enclosing__level_both(&satisfied, &status, tables, work, left, right, height);
+    }
+    if (!satisfied)
+    {
+        status = layout__NOT_CONVERGED;
+    }
+    AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_HEIGHT) = height;
+    AT(work, layout__WORK_SUPPORTS + layout__SUPPORT_SIZE * 1 + layout__SUPPORT_HEIGHT) = height;
+    return trial__depth_outcome(work, status);
+}
+
+/* Whether both sides' known gaps are the smallest at ``roll`` [rad]; then smaller ones are known.
+ *
+ * Between trials they are only followed: an answer is certified once.
+ */
+static OUT_OF_LINE bool enclosing__gaps_hold(array_double_1d tables, array_double_1d work, double roll)
+{
+    double left, right;
+    bool hold;
+    left = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y);
+    right = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y);
+    hold = trial__turn_to(tables, work, roll);
+    if (fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_BEST_Y) - left) > enclosing__SAME_GAP || fabs(AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST_Y) - right) > enclosing__SAME_GAP)
+    {
+        hold = false;
+    }
+    return hold;
 }
 
 
@@ -1456,6 +1726,397 @@ static inline int64_t forces__add_vector(array_double_1d work, int64_t total, in
 }
 
 
+/* ---- From wheelset/free_rolling.py; change that one.
+ *
+ * The rotation of wheels about their axle that follows from the torque on it: zero where they roll freely.
+ *
+ * Contact does not change with the rotation, unless rails stand on springs.  For each rate that is tried the
+ * patches have other creepages, and so other creep forces; what is sought is the rate at which their torque
+ * about the axle cancels the one from outside (creep/turning.py).  Both wheels of a wheelset have one rate;
+ * independent wheels have their own.
+ *
+ * Where friction falls with the sliding velocity, the torque may rise with the rate, and there may be several
+ * rates.  The one that is taken is that with the friction of rest, followed as friction begins to fall: from
+ * there the first one to the side to which the torque turns the wheels.  A torque from outside which only the
+ * friction of rest carries has none: rates are tried at growing distances until the torque is carried, or the
+ * creep forces carry less again.
+ *
+ * Without creep forces or friction no torque tells the rate, which is then that of the nominal radius.
+ */
+
+/* Wheels whose rotation follows begin with that of their nominal radius. */
+static inline int64_t free_rolling__release_rates(array_double_1d tables, array_double_1d work)
+{
+    int64_t index;
+    AT(work, layout__WORK_TURNING + layout__TURNING_SOUGHT) = (double)false;
+    for (index = 0; index < 2; index += 1)
+    {
+        AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index) = free_rolling__nominal_rate(tables, work, index);
+    }
+    return 0;
+}
+
+/* The rotation of a wheel that rolls on its nominal radius [rad/s]. */
+static inline double free_rolling__nominal_rate(array_double_1d tables, array_double_1d work, int64_t index)
+{
+    double radius;
+    radius = AT(tables, layout__TABLES_HEIGHT);
+    if (motion__are_independent(tables))
+    {
+        radius = AT(tables, layout__TABLES_PAIRS + layout__PAIR_SIZE * index + layout__PAIR_RADIUS);
+    }
+    return AT(work, layout__WORK_INPUTS + layout__INPUTS_SPEED) / radius;
+}
+
+/* Whether the rotation of some wheel follows. */
+static inline bool free_rolling__turns_freely(array_double_1d tables, array_double_1d work)
+{
+    bool free;
+    free = requested__is_free(work, tables, layout__WORK_INPUTS, 0) || requested__is_free(work, tables, layout__WORK_INPUTS, 1);
+    return free && requested__has_creep_forces(tables, work);
+}
+
+/* Creepages and creep forces of all patches, with the rotations that follow; VALID, or why there are
+ * none.
+ */
+static inline int64_t free_rolling__roll_freely(array_double_1d tables, array_double_1d work)
+{
+    int64_t status, index, outcome;
+    if (motion__are_independent(tables))
+    {
+        status = layout__VALID;
+        for (index = 0; index < 2; index += 1)
+        {
+            outcome = layout__VALID;
+            if (requested__is_free(work, tables, layout__WORK_INPUTS, index))
+            {
+                outcome = free_rolling__turn(tables, work, index, index);
+            }
+            else
+            {
+                free_rolling__rub_at(tables, work, index, index, AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE));
+            }
+            status = int64_max(status, outcome);
+        }
+    }
+    else
+    {
+        status = free_rolling__turn(tables, work, 0, 1);
+    }
+    AT(work, layout__WORK_TURNING + layout__TURNING_SOUGHT) = (double)true;
+    if (status == layout__VALID)
+    {
+        rubbing__write_side_wear(work, tables, layout__WORK_SIDES);
+        rubbing__write_side_wear(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1);
+    }
+    return status;
+}
+
+/* Find the rotation of the wheels ``first`` ... ``last``, with their creep forces; the outcome. */
+static inline int64_t free_rolling__turn(array_double_1d tables, array_double_1d work, int64_t first, int64_t last)
+{
+    bool found;
+    int64_t status, outcome;
+    double torque, start;
+    found = free_rolling__open_turning(tables, work, first, last);
+    if (!found)
+    {
+        status = layout__VALID;
+        if (AT(work, layout__WORK_TURNING + layout__TURNING_WANTED) != 0.0)
+        {
+            status = layout__BEYOND_ADHESION;
+        }
+        free_rolling__torque_at(&torque, &outcome, tables, work, first, last, free_rolling__nominal_rate(tables, work, first));
+        return int64_max(status, outcome);
+    }
+    start = turning__stand_in_rate(work);
+    if (AT(work, layout__WORK_TURNING + layout__TURNING_SOUGHT) == 1.0 && AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first) > AT(work, layout__WORK_TURNING + layout__TURNING_LOW) && AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first) < AT(work, layout__WORK_TURNING + layout__TURNING_HIGH))
+    {
+        start = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first);
+    }
+    if (!free_rolling__is_known_model(tables))
+    {
+        free_rolling__torque_at(&torque, &status, tables, work, first, last, start);
+        return status;
+    }
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_KEEPING) = (double)(!(AT(tables, layout__TABLES_SPRUNG) == 1.0));
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_KEPT) = (double)false;
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_RESTING) = (double)true;
+    status = free_rolling__seek(tables, work, first, last, start);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_RESTING) = (double)false;
+    if (AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_FRICTION_FALL_RATE) > 0.0 && status <= layout__UNLOADED)
+    {
+        status = free_rolling__seek_falling(tables, work, first, last);
+    }
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_KEEPING) = (double)false;
+    return status;
+}
+
+/* Whether the kernel has the chosen model of creep forces. */
+static inline bool free_rolling__is_known_model(array_double_1d tables)
+{
+    int64_t model;
+    model = (int64_t)AT(tables, layout__TABLES_TANGENTIAL);
+    return model == layout__TANGENTIAL_STRIPS || model == layout__TANGENTIAL_FASTSIM || model == layout__TANGENTIAL_FASTRIP || model == layout__TANGENTIAL_POLACH;
+}
+
+/* Enclosure and stand-in of the wheels ``first`` ... ``last``; whether any friction turns them. */
+static inline bool free_rolling__open_turning(array_double_1d tables, array_double_1d work, int64_t first, int64_t last)
+{
+    int64_t index, side, number, patch, number_end, number_end_2;
+    double middle;
+    turning__begin_turning(work, requested__outer_torque(work, tables, layout__WORK_INPUTS, first), AT(work, layout__WORK_INPUTS + layout__INPUTS_SPEED));
+    for (index = first; index < last + 1; index += 1)
+    {
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+        for (number = 0; number < number_end; number += 1)
+        {
+            turning__enclose_rates(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+        }
+    }
+    AT(work, layout__WORK_TURNING + layout__TURNING_COUNT) = (double)0;
+    middle = 0.5 * (AT(work, layout__WORK_TURNING + layout__TURNING_LOW) + AT(work, layout__WORK_TURNING + layout__TURNING_HIGH));
+    for (index = first; index < last + 1; index += 1)
+    {
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = middle;
+        number_end_2 = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+        for (number = 0; number < number_end_2; number += 1)
+        {
+            patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+            friction__set_friction(work, tables, patch, rubbing__side_friction(work, index), true);
+            turning__add_stand_in(work, tables, side + layout__SIDE_SEARCH_MOTION, patch, AT(work, patch + layout__PATCH_FRICTION));
+        }
+    }
+    turning__widen_enclosure(work);
+    turning__begin_search(work, middle);
+    return AT(work, layout__WORK_TURNING + layout__TURNING_SCALE) > 0.0;
+}
+
+/* Torque of the creep forces about the axle [N m] of the wheels ``first`` ... ``last`` at ``rate``
+ * [rad/s], and the outcome of their contact, which changes with it on springs.
+ */
+static inline void free_rolling__torque_at(double* out_0, int64_t* VALID_out, array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double rate)
+{
+    int64_t index, status;
+    for (index = first; index < last + 1; index += 1)
+    {
+        AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index) = rate;
+    }
+    status = layout__VALID;
+    if (AT(tables, layout__TABLES_SPRUNG) == 1.0)
+    {
+        status = compliant__solve_compliant(tables, work);
+        if (status > layout__UNLOADED)
+        {
+            *out_0 = 0.0;
+            *VALID_out = status;
+            return;
+        }
+        rubbing__open_given_motion(tables, work);
+    }
+    *out_0 = free_rolling__rub_at(tables, work, first, last, rate);
+    *VALID_out = layout__VALID;
+}
+
+/* Creepages and creep forces of wheels whose contact is known, at ``rate`` [rad/s]; their torque about
+ * the axle [N m], summed as the report sums it.
+ */
+static inline double free_rolling__rub_at(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double rate)
+{
+    double torque, own;
+    int64_t index, side, number, number_end;
+    torque = 0.0;
+    for (index = first; index < last + 1; index += 1)
+    {
+        side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+        AT(work, side + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = rate;
+        rubbing__move_side(work, tables, side);
+        own = 0.0;
+        rubbing__rub_wheel(tables, work, index);
+        number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+        for (number = 0; number < number_end; number += 1)
+        {
+            forces__rub_patch(work, side + layout__SIDE_SEARCH_MOTION, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number);
+            own += AT(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number + layout__PATCH_FORCES + layout__FORCES_DRIVING_TORQUE);
+        }
+        torque += own;
+    }
+    return torque;
+}
+
+/* Seek the rate within the enclosure from ``start`` on; the outcome. */
+static inline int64_t free_rolling__seek(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double start)
+{
+    double rate, torque;
+    int64_t i, status;
+    turning__begin_search(work, start);
+    rate = start;
+    for (i = 0; i < turning__TURNS; i += 1)
+    {
+        status = free_rolling__try_rate(tables, work, first, last, rate);
+        if (status > layout__UNLOADED || turning__is_balanced(work))
+        {
+            return status;
+        }
+        if (turning__is_beyond(work))
+        {
+            return layout__BEYOND_ADHESION;
+        }
+        if (turning__is_at_jump(work))
+        {
+            free_rolling__torque_at(&torque, &status, tables, work, first, last, AT(work, layout__WORK_TURNING + layout__TURNING_LOW));
+            return status;
+        }
+        rate = turning__next_rate(work);
+    }
+    return layout__NOT_CONVERGED;
+}
+
+/* Try a rate and keep its torque; the outcome of the contact. */
+static inline int64_t free_rolling__try_rate(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double rate)
+{
+    double torque;
+    int64_t status;
+    free_rolling__torque_at(&torque, &status, tables, work, first, last, rate);
+    AT(work, layout__WORK_ROLLING + layout__ROLLING_KEPT) = (double)true;
+    if (status <= layout__UNLOADED)
+    {
+        turning__note_torque(work, rate, torque);
+    }
+    return status;
+}
+
+/* Seek the rate with falling friction, from the one with the friction of rest; the outcome. */
+static inline int64_t free_rolling__seek_falling(array_double_1d tables, array_double_1d work, int64_t first, int64_t last)
+{
+    double rate;
+    rate = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + first);
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = AT(work, layout__WORK_TURNING + layout__TURNING_END_LOW);
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = AT(work, layout__WORK_TURNING + layout__TURNING_END_HIGH);
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) = (double)false;
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) = (double)false;
+    if (AT(work, layout__WORK_TURNING + layout__TURNING_WANTED) != 0.0)
+    {
+        return free_rolling__leave_rest(tables, work, first, last, rate);
+    }
+    return free_rolling__seek(tables, work, first, last, rate);
+}
+
+/* Seek the first rate beyond ``start`` at which falling friction carries a torque from outside; the
+ * outcome, BEYOND_ADHESION where it carries less again.
+ */
+static inline int64_t free_rolling__leave_rest(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double start)
+{
+    int64_t status, i;
+    double model, slope, away, step, before, rate, least, following;
+    turning__begin_search(work, start);
+    status = free_rolling__try_rate(tables, work, first, last, start);
+    if (status > layout__UNLOADED || turning__is_balanced(work))
+    {
+        return status;
+    }
+    turning__stand_in(&model, &slope, work, start);
+    away = AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE);
+    step = 1e-06 * fabs(start);
+    if (slope < 0.0)
+    {
+        step = double_max(step, fabs(away / slope));
+    }
+    if (away < 0.0)
+    {
+        step = -step;
+    }
+    before = start;
+    rate = start;
+    least = away;
+    for (i = 0; i < turning__TURNS; i += 1)
+    {
+        following = rate + step;
+        status = free_rolling__try_rate(tables, work, first, last, following);
+        if (status > layout__UNLOADED || turning__is_balanced(work))
+        {
+            return status;
+        }
+        if (AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE) * away < 0.0)
+        {
+            return free_rolling__seek_between(tables, work, first, last, rate, following);
+        }
+        if (turning__is_beyond(work))
+        {
+            return layout__BEYOND_ADHESION;
+        }
+        if (fabs(AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE)) >= fabs(least))
+        {
+            return free_rolling__seek_peak(tables, work, first, last, before, following);
+        }
+        least = AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE);
+        before = rate;
+        rate = following;
+        step *= free_rolling__GROWTH;
+    }
+    return layout__NOT_CONVERGED;
+}
+
+/* Seek the rate between two that leave torques of opposite signs; the outcome. */
+static inline int64_t free_rolling__seek_between(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double one, double other)
+{
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW) = double_min(one, other);
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH) = double_max(one, other);
+    AT(work, layout__WORK_TURNING + layout__TURNING_LOW_KNOWN) = (double)true;
+    AT(work, layout__WORK_TURNING + layout__TURNING_HIGH_KNOWN) = (double)true;
+    return free_rolling__seek(tables, work, first, last, 0.5 * (one + other));
+}
+
+/* Seek the largest torque that falling friction carries, between two rates around it, by thirds: where it
+ * is enough, the rate before it; the outcome.
+ */
+static inline int64_t free_rolling__seek_peak(array_double_1d tables, array_double_1d work, int64_t first, int64_t last, double near, double far)
+{
+    double away, inner, outer, at_inner;
+    int64_t i, status;
+    away = AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE);
+    for (i = 0; i < turning__TURNS; i += 1)
+    {
+        if (fabs(far - near) < free_rolling__PEAK_SHARP * fabs(far))
+        {
+            return layout__BEYOND_ADHESION;
+        }
+        inner = near + (far - near) / 3.0;
+        outer = far - (far - near) / 3.0;
+        status = free_rolling__try_rate(tables, work, first, last, inner);
+        if (status > layout__UNLOADED || turning__is_balanced(work))
+        {
+            return status;
+        }
+        at_inner = AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE);
+        if (at_inner * away < 0.0)
+        {
+            return free_rolling__seek_between(tables, work, first, last, near, inner);
+        }
+        status = free_rolling__try_rate(tables, work, first, last, outer);
+        if (status > layout__UNLOADED || turning__is_balanced(work))
+        {
+            return status;
+        }
+        if (AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE) * away < 0.0)
+        {
+            return free_rolling__seek_between(tables, work, first, last, inner, outer);
+        }
+        if (fabs(at_inner) < fabs(AT(work, layout__WORK_TURNING + layout__TURNING_TORQUE)))
+        {
+            far = outer;
+        }
+        else
+        {
+            near = inner;
+        }
+    }
+    return layout__BEYOND_ADHESION;
+}
+
+
 /* ---- From wheelset/leaning.py; change that one.
  *
  * Rails that are rolled: the place of a wheelset over them holds for one vertical shift (surface/rails.py),
@@ -1571,7 +2232,8 @@ static inline bool leaning__note_reference(array_double_1d work, double height, 
  *
  * Outputs of the left wheel are mirrored here.  On the right the creepages of the outputs have the opposite
  * signs of the patch's lateral creepage and spin, and so have their moments: they hold for y to the left and the
- * normal from the rail to the wheel on both sides.
+ * normal from the rail to the wheel on both sides.  Where nothing rolls there is no rolling speed to refer
+ * creepages and wear numbers to: they are zero, also where a wheelset slides.
  */
 
 /* Write the outputs that are requested, and what stands for those that are not. */
@@ -1585,6 +2247,7 @@ static inline int64_t report__report(array_double_1d tables, array_double_1d wor
     report__write_vector(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_PART, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_FORCE, 1.0, 1.0);
     report__write_vector(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_NORMAL_MOMENT, 1.0, 1.0);
     AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(work, layout__WORK_WHEELSET + layout__WHEELSET_FORCES + layout__FORCES_DRIVING_TORQUE);
+    AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_WHEEL_RATE_FOUND) = 0.5 * (report__found_rate(tables, work, 0) + report__found_rate(tables, work, 1));
     for (index = 0; index < 2; index += 1)
     {
         report__report_side(tables, work, index);
@@ -1600,8 +2263,21 @@ static inline int64_t report__report(array_double_1d tables, array_double_1d wor
             AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_NORMAL_MOMENT + i) = AT(tables, layout__TABLES_ABSENT);
         }
         AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_DRIVING_TORQUE) = AT(tables, layout__TABLES_ABSENT);
+        AT(work, layout__WORK_OUTPUTS + layout__OUTPUTS_WHEEL_RATE_FOUND) = AT(tables, layout__TABLES_ABSENT);
     }
     return 0;
+}
+
+/* The rotation that the creepages of side ``index`` hold for [rad/s]. */
+static inline double report__found_rate(array_double_1d tables, array_double_1d work, int64_t index)
+{
+    double rate;
+    rate = 0.0;
+    if (requested__is_rolling(work, tables, layout__WORK_INPUTS) || requested__has_creep_forces(tables, work))
+    {
+        rate = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE);
+    }
+    return rate;
 }
 
 /* The outputs of side ``index``. */
@@ -1609,6 +2285,7 @@ static inline int64_t report__report_side(array_double_1d tables, array_double_1
 {
     int64_t side, out, first, i, outline, i_end;
     double mirror;
+    bool rolling;
     side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
     out = layout__WORK_OUTPUTS + layout__OUTPUTS_LEFT + layout__SIDE_OUTPUTS_SIZE * index;
     mirror = (double)(2 * index - 1);
@@ -1619,12 +2296,14 @@ static inline int64_t report__report_side(array_double_1d tables, array_double_1
     }
     if (first > layout__SIDE_PENETRATION)
     {
-        report__report_load(work, side, out, mirror);
+        rolling = requested__is_rolling(work, tables, layout__WORK_INPUTS);
+        report__report_load(work, side, out, mirror, rolling);
+        AT(work, out + layout__SIDE_OUTPUTS_WHEEL_RATE_FOUND) = report__found_rate(tables, work, index);
         report__report_deflection(work, tables, side, out, mirror);
-        report__report_patches(work, side, out, mirror);
+        report__report_patches(work, side, out, mirror, rolling);
         if (AT(tables, layout__TABLES_FATIGUE) == 1.0)
         {
-            report__report_fatigue(work, side, out, AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR));
+            report__report_fatigue(work, side, out, AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_YIELD_SHEAR), rolling);
         }
     }
     for (i = first; i < layout__SIDE_SIZE; i += 1)
@@ -1701,7 +2380,7 @@ static inline int64_t report__report_point(array_double_1d work, int64_t point, 
 }
 
 /* How a wheel carries its load: totals and forces. */
-static inline int64_t report__report_load(array_double_1d work, int64_t side, int64_t out, double mirror)
+static inline int64_t report__report_load(array_double_1d work, int64_t side, int64_t out, double mirror, bool rolling)
 {
     int64_t totals, forces;
     totals = side + layout__SIDE_SEARCH_TOTALS;
@@ -1719,7 +2398,11 @@ static inline int64_t report__report_load(array_double_1d work, int64_t side, in
     report__write_vector(work, out + layout__SIDE_OUTPUTS_NORMAL_PART, forces + layout__FORCES_NORMAL_FORCE, 1.0, mirror);
     report__write_vector(work, out + layout__SIDE_OUTPUTS_NORMAL_MOMENT, forces + layout__FORCES_NORMAL_MOMENT, mirror, 1.0);
     AT(work, out + layout__SIDE_OUTPUTS_FRICTION_POWER) = AT(work, forces + layout__FORCES_FRICTION_POWER);
-    AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = AT(work, forces + layout__FORCES_WEAR_NUMBER);
+    AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = 0.0;
+    if (rolling)
+    {
+        AT(work, out + layout__SIDE_OUTPUTS_WEAR_NUMBER) = AT(work, forces + layout__FORCES_WEAR_NUMBER);
+    }
     AT(work, out + layout__SIDE_OUTPUTS_DRIVING_TORQUE) = AT(work, forces + layout__FORCES_DRIVING_TORQUE);
     AT(work, out + layout__SIDE_OUTPUTS_DAMPING_POWER) = AT(work, forces + layout__FORCES_DAMPING_POWER);
     /* Y over Q, outwards over downwards, both on the rail */
@@ -1745,7 +2428,7 @@ static inline int64_t report__report_deflection(array_double_1d work, array_doub
 }
 
 /* The heaviest patches of a wheel by falling load, and zeros for missing ones. */
-static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror)
+static inline int64_t report__report_patches(array_double_1d work, int64_t side, int64_t out, double mirror, bool rolling)
 {
     int64_t rank, i_1, number, i_2, number_end;
     for (rank = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT); rank < layout__PATCH_LIMIT; rank += 1)
@@ -1768,14 +2451,14 @@ static inline int64_t report__report_patches(array_double_1d work, int64_t side,
         }
         else if (rank > 0 && rank <= layout__PATCH_LIMIT)
         {
-            report__report_patch(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - 1), mirror);
+            report__report_patch(work, side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number, out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * (rank - 1), mirror, rolling);
         }
     }
     return 0;
 }
 
 /* One patch. */
-static inline int64_t report__report_patch(array_double_1d work, int64_t patch, int64_t out, double mirror)
+static inline int64_t report__report_patch(array_double_1d work, int64_t patch, int64_t out, double mirror, bool rolling)
 {
     int64_t totals;
     totals = patch + layout__PATCH_TOTALS;
@@ -1792,9 +2475,15 @@ static inline int64_t report__report_patch(array_double_1d work, int64_t patch, 
     AT(work, out + layout__PATCH_OUTPUTS_Y_TRACK) = mirror * AT(work, patch + layout__PATCH_Y_TRACK);
     AT(work, out + layout__PATCH_OUTPUTS_Z_TRACK) = AT(work, patch + layout__PATCH_Z_TRACK);
     report__write_vector(work, out + layout__PATCH_OUTPUTS_FORCE, patch + layout__PATCH_FORCES + layout__FORCES_FORCE, 1.0, mirror);
-    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = AT(work, patch + layout__PATCH_CREEPAGE_X);
-    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEPAGE_Y);
-    AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0 - mirror * AT(work, patch + layout__PATCH_SPIN);
+    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = 0.0;
+    AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0;
+    AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0;
+    if (rolling)
+    {
+        AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_X) = AT(work, patch + layout__PATCH_CREEPAGE_X);
+        AT(work, out + layout__PATCH_OUTPUTS_CREEPAGE_Y) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEPAGE_Y);
+        AT(work, out + layout__PATCH_OUTPUTS_SPIN) = 0.0 - mirror * AT(work, patch + layout__PATCH_SPIN);
+    }
     AT(work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_X) = AT(work, patch + layout__PATCH_CREEP_X);
     AT(work, out + layout__PATCH_OUTPUTS_CREEP_FORCE_Y) = AT(work, patch + layout__PATCH_CREEP_Y);
     AT(work, out + layout__PATCH_OUTPUTS_CREEP_MOMENT) = 0.0 - mirror * AT(work, patch + layout__PATCH_CREEP_MOMENT);
@@ -1810,7 +2499,7 @@ static inline int64_t report__report_patch(array_double_1d work, int64_t patch, 
 }
 
 /* The outputs of fatigue of a wheel, for this yield stress in cyclic shear [Pa]. */
-static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear)
+static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t side, int64_t out, double yield_shear, bool rolling)
 {
     int64_t number, patch, found, number_end;
     double ratio, force;
@@ -1821,8 +2510,11 @@ static OUT_OF_LINE int64_t report__report_fatigue(array_double_1d work, int64_t 
         if ((int64_t)AT(work, patch + layout__PATCH_RANK) > 0 && (int64_t)AT(work, patch + layout__PATCH_RANK) <= layout__PATCH_LIMIT)
         {
             found = out + layout__SIDE_OUTPUTS_PATCH + layout__PATCH_OUTPUTS_SIZE * ((int64_t)AT(work, patch + layout__PATCH_RANK) - 1);
-            AT(work, found + layout__PATCH_OUTPUTS_WEAR_NUMBER) = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER);
-            AT(work, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = fatigue__wear_number_damage(AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
+            if (rolling)
+            {
+                AT(work, found + layout__PATCH_OUTPUTS_WEAR_NUMBER) = AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER);
+                AT(work, found + layout__PATCH_OUTPUTS_FATIGUE_DAMAGE) = fatigue__wear_number_damage(AT(work, patch + layout__PATCH_FORCES + layout__FORCES_WEAR_NUMBER));
+            }
             ratio = fatigue__shakedown_ratio(work, patch, yield_shear);
             AT(work, found + layout__PATCH_OUTPUTS_SHAKEDOWN_RATIO) = ratio;
             if (ratio > 0.0)
@@ -2054,6 +2746,32 @@ static inline bool requested__is_requested(array_double_1d tables, int64_t index
     return (int64_t)AT(tables, layout__TABLES_SIDES) == layout__SIDES_BOTH || (int64_t)AT(tables, layout__TABLES_SIDES) == layout__SIDES_LEFT + index;
 }
 
+/* Whether side ``index`` is requested, or the rotation of the wheelset follows from it, too. */
+static inline bool requested__is_needed(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index)
+{
+    bool needed;
+    needed = requested__is_requested(tables, index);
+    if (!needed && !(AT(tables, layout__TABLES_ALONE) == 1.0) && (int64_t)AT(tables, layout__TABLES_DEPTH) != layout__DEPTH_GEOMETRY)
+    {
+        needed = requested__is_free(work, tables, inputs, index) && !motion__are_independent(tables) && requested__is_moving(work, tables, inputs);
+    }
+    return needed;
+}
+
+/* ``status`` with the ``outcome`` of side ``index``; a wheel that is needed and not requested may be
+ * without load.
+ */
+static inline int64_t requested__counted_outcome(array_double_1d tables, int64_t index, int64_t status, int64_t outcome)
+{
+    int64_t counted;
+    counted = status;
+    if (outcome > layout__UNLOADED || requested__is_requested(tables, index))
+    {
+        counted = int64_max(status, outcome);
+    }
+    return counted;
+}
+
 /* The outcome of an elastic wheelset as the requested sides have it: a wheel that is not requested may be
  * without load.
  */
@@ -2071,7 +2789,51 @@ static inline int64_t requested__requested_outcome(array_double_1d tables, array
     return outcome;
 }
 
-/* Whether the wheelset runs or its wheels turn: otherwise there are no creepages. */
+/* Whether the rotation of the wheel of side ``index`` follows from the torque on it, where creep forces
+ * tell of one.
+ */
+static inline bool requested__is_free(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index)
+{
+    double given;
+    if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) == layout__TANGENTIAL_NONE)
+    {
+        return false;
+    }
+    given = AT(work, inputs + layout__INPUTS_WHEEL_RATE);
+    if (motion__are_independent(tables))
+    {
+        given = AT(work, inputs + layout__INPUTS_LEFT_WHEEL_RATE);
+        if (index == 1)
+        {
+            given = AT(work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE);
+        }
+    }
+    return given == 0.0 && AT(work, inputs + layout__INPUTS_FREE_ROLLING) != 0.0 && AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_NOMINAL_ROLLING) == 0.0;
+}
+
+/* Torque from outside on the wheelset, or on the wheel of side ``index`` that turns by itself [N m]. */
+static inline double requested__outer_torque(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index)
+{
+    double torque;
+    torque = AT(work, inputs + layout__INPUTS_AXLE_TORQUE);
+    if (motion__are_independent(tables))
+    {
+        torque = AT(work, inputs + layout__INPUTS_LEFT_AXLE_TORQUE);
+        if (index == 1)
+        {
+            torque = AT(work, inputs + layout__INPUTS_RIGHT_AXLE_TORQUE);
+        }
+    }
+    return torque;
+}
+
+/* Whether a torque from outside is carried by the creep forces of side ``index``. */
+static inline bool requested__is_driven(array_double_1d work, array_double_1d tables, int64_t inputs, int64_t index)
+{
+    return requested__outer_torque(work, tables, inputs, index) != 0.0 && requested__is_free(work, tables, inputs, index);
+}
+
+/* Whether the wheelset runs or its wheels turn: otherwise there is no rolling speed for creepages. */
 static inline bool requested__is_rolling(array_double_1d work, array_double_1d tables, int64_t inputs)
 {
     bool rolling;
@@ -2080,13 +2842,37 @@ static inline bool requested__is_rolling(array_double_1d work, array_double_1d t
     {
         rolling = AT(work, inputs + layout__INPUTS_SPEED) != 0.0 || AT(work, inputs + layout__INPUTS_LEFT_WHEEL_RATE) != 0.0 || AT(work, inputs + layout__INPUTS_RIGHT_WHEEL_RATE) != 0.0;
     }
-    return rolling;
+    return rolling || requested__is_driven(work, tables, inputs, 0) || requested__is_driven(work, tables, inputs, 1);
 }
 
-/* Whether there are creep forces: a model is chosen, and the wheelset rolls. */
+/* Whether wheelset or rails have a velocity: otherwise nothing rolls or slides. */
+static inline bool requested__is_moving(array_double_1d work, array_double_1d tables, int64_t inputs)
+{
+    bool moving;
+    if (requested__is_rolling(work, tables, inputs) || AT(work, inputs + layout__INPUTS_LATERAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_YAW_RATE) != 0.0)
+    {
+        return true;
+    }
+    moving = requested__is_rail_moving(work, inputs);
+    if ((int64_t)AT(tables, layout__TABLES_MODE) == layout__MODE_COMPLIANT && (AT(work, inputs + layout__INPUTS_VERTICAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_ROLL_RATE) != 0.0))
+    {
+        moving = true;
+    }
+    return moving;
+}
+
+/* Whether a rail is given a velocity. */
+static inline bool requested__is_rail_moving(array_double_1d work, int64_t inputs)
+{
+    bool left;
+    left = AT(work, inputs + layout__INPUTS_LEFT_RAIL_LATERAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_LEFT_RAIL_VERTICAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_LEFT_RAIL_ROLL_VELOCITY) != 0.0;
+    return left || AT(work, inputs + layout__INPUTS_RIGHT_RAIL_LATERAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_RIGHT_RAIL_VERTICAL_VELOCITY) != 0.0 || AT(work, inputs + layout__INPUTS_RIGHT_RAIL_ROLL_VELOCITY) != 0.0;
+}
+
+/* Whether there are creep forces: a model is chosen, and the wheelset rolls or slides. */
 static inline bool requested__has_creep_forces(array_double_1d tables, array_double_1d work)
 {
-    return (int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE && requested__is_rolling(work, tables, layout__WORK_INPUTS);
+    return (int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE && requested__is_moving(work, tables, layout__WORK_INPUTS);
 }
 
 /* Whether the outputs of wear are requested. */
@@ -2174,20 +2960,19 @@ static inline void rigid__find_leaning_roll(double* roll_out, int64_t* NOT_CONVE
 /* Both wheels touch at ``roll``, and each carries its load there; the outcome. */
 static inline int64_t rigid__solve_rigid(array_double_1d tables, array_double_1d work, double roll)
 {
-    int64_t status, outcome;
+    int64_t status, index, outcome;
     status = layout__VALID;
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_ROLL) = roll;
     AT(work, layout__WORK_WHEELSET + layout__WHEELSET_VERTICAL_SHIFT) = AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_BEST);
     side__clear_side(work, layout__WORK_SIDES);
     side__clear_side(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1);
-    if (requested__is_requested(tables, 0))
+    for (index = 0; index < 2; index += 1)
     {
-        status = side__solve_side(tables, work, 0, requested__side_force(work, 0));
-    }
-    if (requested__is_requested(tables, 1))
-    {
-        outcome = side__solve_side(tables, work, 1, requested__side_force(work, 1));
-        status = int64_max(status, outcome);
+        if (requested__is_needed(work, tables, layout__WORK_INPUTS, index))
+        {
+            outcome = side__solve_side(tables, work, index, requested__side_force(work, index));
+            status = requested__counted_outcome(tables, index, status, outcome);
+        }
     }
     return status;
 }
@@ -2223,7 +3008,7 @@ static inline int64_t rigid__keep_roll(array_double_1d work, array_double_1d sta
 /* The motion as the inputs give it, at the wheelset's pose. */
 static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_double_1d work)
 {
-    int64_t right;
+    int64_t right, index;
     right = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_MOTION;
     motion__open_motion(work, tables, right, layout__WORK_INPUTS);
     motion__mirror_motion(work, right, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION);
@@ -2238,6 +3023,13 @@ static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_d
         motion__carry_rail(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_DEFLECTION);
         motion__carry_rail(work, right + layout__MOTION_RAIL, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * 1 + layout__SIDE_SEARCH_DEFLECTION);
     }
+    for (index = 0; index < 2; index += 1)
+    {
+        if (requested__is_free(work, tables, layout__WORK_INPUTS, index))
+        {
+            AT(work, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index + layout__SIDE_SEARCH_MOTION + layout__MOTION_WHEEL_RATE) = AT(work, layout__WORK_TURNING + layout__TURNING_RATES + index);
+        }
+    }
     motion__set_rates(work, layout__WORK_SIDES + layout__SIDE_SEARCH_MOTION, right, AT(work, layout__WORK_INPUTS + layout__INPUTS_VERTICAL_VELOCITY), AT(work, layout__WORK_INPUTS + layout__INPUTS_ROLL_RATE));
     return 0;
 }
@@ -2248,7 +3040,7 @@ static inline int64_t rubbing__open_given_motion(array_double_1d tables, array_d
  */
 static inline int64_t rubbing__move_wheelset(array_double_1d tables, array_double_1d work)
 {
-    if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         rubbing__open_given_motion(tables, work);
         if ((int64_t)AT(tables, layout__TABLES_MODE) != layout__MODE_COMPLIANT)
@@ -2265,7 +3057,7 @@ static inline int64_t rubbing__move_wheelset(array_double_1d tables, array_doubl
 static inline int64_t rubbing__move_patches(array_double_1d tables, array_double_1d work)
 {
     int64_t index;
-    if (!requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (!requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         return 0;
     }
@@ -2285,7 +3077,7 @@ static inline int64_t rubbing__move_side(array_double_1d work, array_double_1d t
     {
         patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
         creepage__move_patch(work, side + layout__SIDE_SEARCH_MOTION, patch);
-        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE && AT(work, patch + layout__PATCH_SPEED) > creepage__STANDSTILL)
+        if ((int64_t)AT(tables, layout__TABLES_TANGENTIAL) != layout__TANGENTIAL_NONE)
         {
             creepage__move_strips(work, side + layout__SIDE_SEARCH_MOTION, patch);
         }
@@ -2307,7 +3099,7 @@ static inline int64_t rubbing__constrain_side(array_double_1d tables, array_doub
     }
     else
     {
-        if (!requested__is_requested(tables, index))
+        if (!requested__is_needed(work, tables, layout__WORK_INPUTS, index))
         {
             side__touch_side(tables, work, index);
         }
@@ -2433,25 +3225,14 @@ static inline int64_t rubbing__rub_patches(array_double_1d tables, array_double_
 /* Creep forces of the patches of side ``index``, and shear and slip over its outline. */
 static inline int64_t rubbing__rub_side(array_double_1d tables, array_double_1d work, int64_t index)
 {
-    int64_t side, number, patch, number_end;
-    double friction, factor;
-    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
-    friction = AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION);
-    if (index == 1)
-    {
-        friction = AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION);
-    }
-    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
-    for (number = 0; number < number_end; number += 1)
-    {
-        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
-        if (AT(work, patch + layout__PATCH_SPEED) > creepage__STANDSTILL)
-        {
-            factor = rubbing__open_rolling(work, tables, patch, friction);
-            creep_force__solve_creep_force(work, tables, patch);
-            rubbing__close_rolling(work, patch, factor);
-        }
-    }
+    rubbing__rub_wheel(tables, work, index);
+    rubbing__write_side_wear(work, tables, layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index);
+    return 0;
+}
+
+/* Shear and slip over the outline of a side, if it is requested. */
+static inline int64_t rubbing__write_side_wear(array_double_1d work, array_double_1d tables, int64_t side)
+{
     if ((int64_t)AT(tables, layout__TABLES_DEPTH) == layout__DEPTH_ALL)
     {
         rubbing__write_wear(work, side, (int64_t)AT(tables, layout__TABLES_STATIONS));
@@ -2459,14 +3240,44 @@ static inline int64_t rubbing__rub_side(array_double_1d tables, array_double_1d 
     return 0;
 }
 
+/* The coefficient of friction of side ``index``. */
+static inline double rubbing__side_friction(array_double_1d work, int64_t index)
+{
+    double friction;
+    friction = AT(work, layout__WORK_INPUTS + layout__INPUTS_LEFT_FRICTION);
+    if (index == 1)
+    {
+        friction = AT(work, layout__WORK_INPUTS + layout__INPUTS_RIGHT_FRICTION);
+    }
+    return friction;
+}
+
+/* Creep forces of the patches of side ``index``. */
+static inline int64_t rubbing__rub_wheel(array_double_1d tables, array_double_1d work, int64_t index)
+{
+    int64_t side, number, patch, number_end;
+    double friction, factor;
+    side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
+    friction = rubbing__side_friction(work, index);
+    number_end = (int64_t)AT(work, side + layout__SIDE_SEARCH_PATCH_COUNT);
+    for (number = 0; number < number_end; number += 1)
+    {
+        patch = side + layout__SIDE_SEARCH_PATCHES + layout__PATCH_SIZE * number;
+        AT(work, layout__WORK_ROLLING + layout__ROLLING_PLACE) = (double)(layout__SOLVED_PATCH_LIMIT * index + number);
+        factor = rubbing__open_rolling(work, tables, patch, friction);
+        creep_force__solve_creep_force(work, tables, patch);
+        rubbing__close_rolling(work, patch, factor);
+    }
+    return 0;
+}
+
 /* Friction of a patch, and the factor of its creepages that stands for a reduced slope. */
 static inline double rubbing__open_rolling(array_double_1d work, array_double_1d tables, int64_t patch, double friction)
 {
-    double sliding, factor;
+    double factor;
     AT(work, layout__WORK_ROLLING + layout__ROLLING_BARE) = (double)false;
     AT(work, layout__WORK_ROLLING + layout__ROLLING_PUBLISHED) = (double)(AT(tables, layout__TABLES_PARAMETERS + layout__PARAMETERS_PUBLISHED_SPIN) == 1.0);
-    sliding = AT(work, patch + layout__PATCH_SPEED) * sqrt(AT(work, patch + layout__PATCH_CREEPAGE_X) * AT(work, patch + layout__PATCH_CREEPAGE_X) + AT(work, patch + layout__PATCH_CREEPAGE_Y) * AT(work, patch + layout__PATCH_CREEPAGE_Y));
-    AT(work, patch + layout__PATCH_FRICTION) = friction__patch_friction(tables, friction, AT(work, patch + layout__PATCH_CONTACT_ANGLE), sliding);
+    friction__set_friction(work, tables, patch, friction, AT(work, layout__WORK_ROLLING + layout__ROLLING_RESTING) == 1.0);
     factor = friction__slope_factor(work, tables, patch);
     if (factor != 1.0)
     {
@@ -2780,7 +3591,7 @@ static OUT_OF_LINE int64_t settling_brackets__press_rail(array_double_1d tables,
     {
         return layout__OFF_PROFILE;
     }
-    if (at_height__is_damped(tables) || requested__is_rolling(work, tables, layout__WORK_INPUTS))
+    if (at_height__is_damped(tables) || requested__is_moving(work, tables, layout__WORK_INPUTS))
     {
         rubbing__open_given_motion(tables, work);
     }
@@ -3439,7 +4250,7 @@ static inline int64_t springs__weigh_rail(array_double_1d tables, array_double_1
     {
         side = layout__WORK_SIDES + layout__SIDE_SEARCH_SIZE * index;
         rubbing = requested__has_creep_forces(tables, work);
-        if (requested__is_rolling(work, tables, layout__WORK_INPUTS))
+        if (requested__is_moving(work, tables, layout__WORK_INPUTS))
         {
             rubbing__move_side(work, tables, side);
         }
@@ -3471,7 +4282,8 @@ static inline bool springs__has_settled(array_double_1d work, int64_t side, doub
  *
  * The recipe: check the inputs, find the roll at which both wheels touch, describe each contact and
  * solve its normal contact; for an elastic wheelset, find the height and roll at which both wheels carry
- * their loads. If the wheelset rolls, creepages follow, and from them the creep forces; all forces are added up.
+ * their loads. If the wheelset rolls, creepages follow, and from them the creep forces, with the rotation that is
+ * given or that follows from the torque on the axle; all forces are added up.
  * Where the load is a vertical one, friction carries some of it, and the wheelset is solved again. The report
  * writes the outputs.
  */
@@ -3486,6 +4298,7 @@ static inline int64_t step__evaluate(array_double_1d tables, array_double_1d wor
         return status;
     }
     vertical_load__release_friction(work);
+    free_rolling__release_rates(tables, work);
     status = step__solve_wheelset(tables, work, state);
     if (status <= layout__UNLOADED && vertical_load__carries_friction(tables, work))
     {
@@ -3520,14 +4333,23 @@ static inline int64_t step__solve_with_friction(array_double_1d tables, array_do
 /* Contact of both wheels, their patches' creepages and creep forces, and all forces; the status. */
 static inline int64_t step__solve_wheelset(array_double_1d tables, array_double_1d work, array_double_1d state)
 {
-    int64_t status;
+    int64_t status, outcome;
     status = step__stand(tables, work, state);
     if (status <= layout__UNLOADED)
     {
         rubbing__move_wheelset(tables, work);
         depth_rates__follow_depths(tables, work);
-        rubbing__move_patches(tables, work);
-        rubbing__rub_patches(tables, work);
+        outcome = layout__VALID;
+        if (free_rolling__turns_freely(tables, work))
+        {
+            outcome = free_rolling__roll_freely(tables, work);
+        }
+        else
+        {
+            rubbing__move_patches(tables, work);
+            rubbing__rub_patches(tables, work);
+        }
+        status = int64_max(status, outcome);
         forces__sum_forces(tables, work);
     }
     return status;
