@@ -2,8 +2,8 @@
 planted.py."""
 
 PROFILES = "wrcontact/profiles"
-STRANGERS, FOREIGN, HEADS = (
-    f"profiles/test_{name}.py" for name in ("strangers", "foreign_files", "orientation")
+STRANGERS, FOREIGN, HEADS, SMOOTH = (
+    f"profiles/test_{name}.py" for name in ("strangers", "foreign_files", "orientation", "smoothing")
 )
 FLEET = "fleet/test_fleet.py"
 
@@ -34,8 +34,8 @@ FILED = [
     ),
     (
         "silent_cut",
-        "        if abs(last - end) > CUT:",
-        "        if abs(last - end) > 1e9:",
+        "        if outwards * (last - end) > CUT:",
+        "        if outwards * (last - end) > 1e9:",
         "a flange that is lost behind a fold is not told",
         FOREIGN,
         f"{PROFILES}/repair.py",
@@ -135,5 +135,29 @@ FILED = [
         "one of two heads is cut out in metres of a file in millimetres",
         STRANGERS,
         f"{PROFILES}/repair.py",
+    ),
+    (
+        "noise_everywhere",
+        "    return float(most), most / noise\n",
+        "    return float(most), np.ones(len(noise))\n",
+        "the noise of a part of a file smooths all of it",
+        SMOOTH,
+        f"{PROFILES}/repair.py",
+    ),
+    (
+        "joints_as_noise",
+        "PLACE, UNEVEN, JOINTS = 61, 3.0, 1e-3",
+        "PLACE, UNEVEN, JOINTS = 61, 3.0, 1e-6",
+        "joints of exact points count as noise by place",
+        SMOOTH,
+        f"{PROFILES}/smoothing.py",
+    ),
+    (
+        "rough_unsaid",
+        "    if scatter > ROUGH:\n",
+        "    if scatter > 1e9:\n",
+        "only a check tells that the contact follows noise",
+        SMOOTH,
+        f"{PROFILES}/plausible.py",
     ),
 ]

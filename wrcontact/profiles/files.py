@@ -26,6 +26,11 @@ from .zones import Arc, Polynomial
 SMOOTHING = PARAMETERS["smoothing"].number
 #: Largest permitted file [bytes].
 LARGEST_FILE = 4_000_000
+#: A curve may reach so far beyond its points [mm]: a wall that is drawn less steep does, by a thousandth of
+#: its height and by the noise.
+OUTSIDE = 1.0
+#: Largest ratio of weights in an even file: those of flat and of steep places.
+EVEN = 25.0
 #: Points of a rail within this height of its highest point count as equally high [mm].
 LEVEL = 1e-9
 
@@ -140,7 +145,9 @@ def _zones_along(found, name, kind, tolerance, asked, remarks):
     """Zones through or, to ``tolerance`` [mm], along ``found`` points, and whether they meet smoothly."""
     if tolerance == 0.0 and np.all(np.diff(found.y) > 0.0):
         return zones_through(found.y, found.z, name, kind), True
-    curve = Curve(found.y, found.z, found.weight, tolerance)
+    # an asked smoothing is that of all places
+    weight = np.minimum(found.weight, EVEN * found.weight.min()) if asked else found.weight
+    curve = Curve(found.y, found.z, weight, tolerance)
     if tolerance > 0.0:
         done = (
             f"smoothed to {1e3 * tolerance:.3g} um"
@@ -156,8 +163,19 @@ def _zones_along(found, name, kind, tolerance, asked, remarks):
             f"permitted is a distance of {WIDTHS[0]:g} mm or more between"
         )
     ends = np.array([zones[0].start, zones[-1].stop])
-    remarks.extend(words_on_cuts(ends, found.y - curve.origin[0]))
+    across = found.y - curve.origin[0]
+    if ends[0] < across.min() - OUTSIDE or ends[1] > across.max() + OUTSIDE:
+        raise Refusal(f"has points that no smooth curve follows: {_sharpest(found)}")
+    remarks.extend(words_on_cuts(ends, across))
     return zones, smooth
+
+
+def _sharpest(found):
+    """Where ``found`` points turn most, in words."""
+    heading = np.diff(np.arctan2(np.diff(found.z), np.diff(found.y)))
+    turn = np.abs((heading + np.pi) % (2.0 * np.pi) - np.pi)
+    worst = int(np.argmax(turn))
+    return f"they turn by {math.degrees(turn[worst]):.3g} deg at y = {found.y[worst + 1]:.4g} mm"
 
 
 def zones_through(y, z, name, kind):
