@@ -232,7 +232,7 @@ class Stepper:
         ValueError
             where the contact mode is not rigid, or the penetration is out of its range.
         """
-        if penetration is self._penetration:
+        if penetration is None and self._penetration is None:
             return
         settings = layout.Tables.at(self._tables)
         if settings.mode != layout.MODE_RIGID:
@@ -244,18 +244,21 @@ class Stepper:
             given = np.asarray(np.nan if penetration is None else penetration)
             if given.dtype.kind in "Ub":  # numpy takes texts and truth values for numbers
                 raise TypeError
-            left, right = np.broadcast_to(given.astype(float), 2)
+            left, right = np.broadcast_to(given.astype(float), 2).tolist()
         except (TypeError, ValueError):
             raise ValueError(
                 f"penetration is {penetration!r}; permitted is one number or (left, right) [m]"
             ) from None
+        prescribed = None if penetration is None else (left, right)
+        if prescribed == self._penetration:  # by value: an array may have changed in place
+            return
         low, high = PENETRATION_RANGE
         for side, value in (("left", left), ("right", right)):
             if not (math.isnan(value) or low <= value <= high):
                 raise ValueError(f"penetration ({side}) is {value:g} m; permitted is {low:g} ... {high:g} m")
         settings.penetration[:] = left, right
         layout.Work.at(self._workspace).known = False
-        self._penetration = penetration
+        self._penetration = prescribed
 
     def want(self, side="both", outputs="all"):
         """Compute only this from now on; the arguments of :meth:`wrcontact.ContactSystem.stepper`."""

@@ -204,8 +204,16 @@ def greatest_slip(given, name, patch):
         + np.abs(given["speed"] * given["track_curvature"])
         + rolling * np.abs(patch.creepage.spin)
     )
+    # a wheelset that slides and does not roll has no creepages, but velocities; the rails move it, too
+    moves = sum(
+        np.abs(given.get(f"{side}_rail_{part}_velocity", zero))
+        for side in SIDES
+        for part in ("lateral", "vertical", "roll")
+    )
+    sliding = np.where(rolling + free > 0.0, 0.0, 3.0 * (approach + moves))
     return (
-        1.1 * rolling * np.hypot(patch.creepage.x, patch.creepage.y)
+        sliding
+        + 1.1 * rolling * np.hypot(patch.creepage.x, patch.creepage.y)
         + (patch.length + patch.width) * turning
         + approach * np.minimum(1.0, patch.width / SHARPEST)
     )

@@ -9,10 +9,75 @@ ROLLING_STEP, ORIENTATION = "wrcontact/halfspace/rolling_step.py", "wrcontact/pr
 LAW, SLIP, THEORY, OF_STRIPS = (
     f"creep/test_{name}.py" for name in ("friction_law", "full_slip", "strip_theory", "strip_laws")
 )
+FALLS, FALLING = "creep/test_falling_friction.py", f"{CREEP}/falling.py"
 DAMPING, RAILS, HEADS = "wheelset/test_damping.py", "creep/test_rails.py", "profiles/test_orientation.py"
 
 LAWS = [
     # --- friction
+    (
+        "fall_spin",
+        "across = falling.slide_y[i] + falling.slide_turn[i] * x",
+        "across = falling.slide_y[i]",
+        "falling friction leaves out spin",
+        FALLS,
+        FALLING,
+    ),
+    (
+        "fall_place",
+        "falling.slide_turn[i] = patch.fall_rate * strip.spin * strip.half_length",
+        "falling.slide_turn[i] = -patch.fall_rate * strip.spin * strip.half_length",
+        "spin slides the other way where friction falls",
+        FALLS,
+        FALLING,
+    ),
+    (
+        "fall_edge",
+        "        if falls:\n            find_shares(falling, x)\n        if slipping:",
+        "        if slipping:\n            if falls:\n                find_shares(falling, x)",
+        "the point behind a stick zone has the friction of the point before",
+        FALLS,
+        MARCH,
+    ),
+    (
+        "fall_limit",
+        "falling.lost[i] += bound * bound * slips * (1.0 - share)",
+        "falling.lost[i] += bound * bound * (1.0 - share)",
+        "what sticks loses friction too, in the limit of the force",
+        FALLS,
+        FALLING,
+    ),
+    (
+        "fall_correction",
+        "bound = patch.friction * patch.totals.load * share",
+        "bound = patch.friction * patch.totals.load",
+        "the correction has the friction of rest where that falls",
+        FALLS,
+        "wrcontact/kernel/creep/correction.py",
+    ),
+    (
+        "fall_wet",
+        "    patch.fall_rate /= factor",
+        "    patch.fall_rate *= 1.0",
+        "on wet rails friction falls with the reduced creepages",
+        FALLS,
+        FRICTION,
+    ),
+    (
+        "fall_jump",
+        "push = NEAR_STICK * sqrt(",
+        "push = 1e-9 * sqrt(",
+        "FASTSIM's points have fallen friction as soon as they slip",
+        FALLS,
+        "wrcontact/kernel/creep/fastsim.py",
+    ),
+    (
+        "fall_memory",
+        "kept = np.exp(-slip * field.steps[1] / MEMORY)",
+        "kept = 0.0 * slip",
+        "friction of the half-space's cells has no memory",
+        FALLS,
+        "wrcontact/halfspace/rolling/contact.py",
+    ),
     (
         "wet_knee",
         "                * initial\n                * c11",
@@ -47,11 +112,11 @@ LAWS = [
     ),
     (
         "sliding_across",
-        "patch.creepage_x * patch.creepage_x + patch.creepage_y * patch.creepage_y)\n    patch.fr",
-        "patch.creepage_x * patch.creepage_x)\n    patch.fr",
+        "patch.creepage_x * patch.creepage_x + patch.creepage_y * patch.creepage_y)\n            sliding",
+        "patch.creepage_x * patch.creepage_x)\n            sliding",
         "sliding across does not let friction fall",
         LAW,
-        RUBBING,
+        FRICTION,
     ),
     (
         "flange_range",

@@ -66,13 +66,13 @@ the pressures alone.</p>
 <p><code>creepage.x</code>, <code>creepage.y</code> and <code>creepage.spin</code> of a patch are the velocity of the wheel
 against the rail forward and to the left in the plane of the patch, and its rotation about the normal from the rail to the
 wheel, over the mean of the speed and the speed of the wheel's circumference. Velocities are inputs; in rigid and elastic
-contact the vertical velocity and the roll rate follow from contact with both rails. Without <code>speed</code> and
-<code>wheel_rate</code> there are no creepages.</p>
+contact the vertical velocity and the roll rate follow from contact with both rails. Without any velocity there are no
+creepages.</p>
 
 <h2>Creep forces</h2>
 <p><code>tangential_model</code> decides how creep forces follow from a solved patch, its creepages and the coefficient of
 friction of its side, <code>left.friction</code> or <code>right.friction</code>: {models}.
-Without <code>speed</code> and <code>wheel_rate</code> nothing rolls, and there are no creep forces.</p>
+Without any velocity nothing rolls or slides, and there are no creep forces.</p>
 <p><code>tangential.x</code> is the force on the wheel forward, <code>tangential.y</code> that in the plane of the patch to the
 field side, on both sides; <code>tangential.moment</code> is the moment on the wheel about the normal from the rail to the
 wheel, on both sides. The force is opposite to the creepages: a driven wheel has creepage.x &lt; 0 and tangential.x &gt; 0.
@@ -85,7 +85,7 @@ the axle, positive where they turn the wheels forward; it is negative on a drive
 <code>slip</code> is the friction power per area over the outline. With <code>load</code> vertical creep forces are part of the
 vertical load.</p>
 <p><code>flange_friction_ratio</code> lubricates the flange; <code>friction_fall</code> A and <code>friction_fall_rate</code> B let
-friction fall with the sliding velocity w,</p>
+friction fall with the sliding velocity w of each point,</p>
 <p class="equation">&mu; ((1 &minus; A) exp(&minus;B w) + A);</p>
 <p><code>slope_reduction</code> and its floor and rate are those of wet and dirty rails (Spiryagin, Polach and Cole 2013).</p>
 

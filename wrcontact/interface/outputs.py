@@ -253,6 +253,12 @@ SIDE = (
         1e-3,
         "displacement of the rail from the foot of its springs, down; zero where it is rigid",
     ),
+    Output(
+        "wheel_rate_found",
+        "rad/s",
+        20.0,
+        "rotation about the axle that creepages hold for: the one that is given, or that follows",
+    ),
     Blocks("patch", PATCH_LIMIT, PATCH, "patch"),
     Run(
         "station",
@@ -303,6 +309,13 @@ WHEELSET = (
         "N.m",
         1e3,
         "Torque of the creep forces about the axle, positive where they turn the wheels forward",
+    ),
+    Output(
+        "wheel_rate_found",
+        "rad/s",
+        20.0,
+        "Rotation about the axle that creepages hold for: the one that is given, or that follows; with "
+        "independent_wheels the mean of both wheels",
     ),
 )
 

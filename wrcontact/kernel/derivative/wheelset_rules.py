@@ -15,7 +15,7 @@ they speak of rates.
 
 from math import fabs
 
-from ..creep.motion import constraint_residual, set_rates
+from ..creep.motion import are_independent, constraint_residual, set_rates
 from ..layout import MODE_COMPLIANT, MODE_ELASTIC, MODE_RIGID, Inputs, Tables, Work
 from ..search.roll import lean_both, place_both, turn_both
 from ..surface.gap import gap_per_roll, vertical_gap
@@ -23,10 +23,24 @@ from ..surface.rails import is_sprung
 from ..wheelset.at_height import is_damped, load_at_height
 from ..wheelset.depth_rates import DISPLACED, displace_inputs, keep_sides, motion_size, restore_sides
 from ..wheelset.elastic import UNBALANCED
-from ..wheelset.forces import sum_forces
-from ..wheelset.requested import is_requested, is_rolling, side_force
+from ..wheelset.forces import rub_patch, sum_forces
+from ..wheelset.free_rolling import UNCARRIED, nominal_rate, turns_freely
+from ..wheelset.requested import (
+    is_free,
+    is_moving,
+    is_needed,
+    outer_torque,
+    side_force,
+)
 from ..wheelset.leaning import set_reference
-from ..wheelset.rubbing import move_patches, move_wheelset, open_given_motion, rub_patches
+from ..wheelset.rubbing import (
+    move_patches,
+    move_side,
+    move_wheelset,
+    open_given_motion,
+    rub_patches,
+    rub_side,
+)
 from ..wheelset.report import report
 from ..wheelset.rigid import solve_rigid
 from ..wheelset.springs import UNSETTLED, deflect, has_settled, open_settling, weigh_rail
@@ -237,7 +251,7 @@ def follow_deflection(tables: Tables, work: Work, index: int, lateral: float, ve
     """A side at the height and roll of the inputs with its rail deflected."""
     deflect(work, index, lateral, vertical)
     place_moving(tables, work, work.inputs, work.inputs.roll)
-    if is_damped(tables) or is_rolling(tables, work.inputs):
+    if is_damped(tables) or is_moving(tables, work.inputs):
         open_given_motion(tables, work)
     follow_minimum(tables, work, index)
     weigh_rail(tables, work, index, work.inputs.vertical_shift)
@@ -286,7 +300,7 @@ def follow_compliant(tables: Tables, work: Work) -> bool:
     if is_damped(tables):
         open_given_motion(tables, work)
     for index in range(2):
-        if is_requested(tables, index):
+        if is_needed(tables, work.inputs, index):
             if is_sprung(tables, index):
                 undefined = follow_settled(tables, work, index)
                 outcome = outcome or undefined
@@ -355,10 +369,72 @@ def follow_wheelset(tables: Tables, work: Work) -> bool:
     if mode == MODE_COMPLIANT:
         outcome = follow_compliant(tables, work)
     move_wheelset(tables, work)
-    if mode == MODE_ELASTIC and is_rolling(tables, work.inputs):
+    if mode == MODE_ELASTIC and is_moving(tables, work.inputs):
         if work.wheelset.settled and not outcome:
             follow_rates(tables, work)
-    move_patches(tables, work)
-    rub_patches(tables, work)
+    if turns_freely(tables, work):
+        undefined = follow_turning(tables, work)
+        outcome = outcome or undefined
+    else:
+        move_patches(tables, work)
+        rub_patches(tables, work)
     sum_forces(tables, work)
     return outcome
+
+
+def follow_turning(tables: Tables, work: Work) -> bool:
+    """The rotations that follow from the torque on the axle (``free_rolling.roll_freely``); whether their
+    rates are not defined."""
+    undefined = False
+    if are_independent(tables):
+        for index in range(2):
+            if is_free(tables, work.inputs, index):
+                lost = follow_turn(tables, work, index, index)
+                undefined = undefined or lost
+            else:
+                move_side(tables, work.sides[index])
+                rub_side(tables, work, index)
+    else:
+        undefined = follow_turn(tables, work, 0, 1)
+    return undefined
+
+
+def follow_turn(tables: Tables, work: Work, first: int, last: int) -> bool:
+    """The rotation of the wheels ``first`` ... ``last``: the torque that is left vanishes; whether it does
+    not, or does not change with the rotation."""
+    rate = held(work.turning.rates[first])
+    torque, scale = follow_torque(tables, work, first, last, rate)
+    if not scale > 0.0:
+        follow_torque(tables, work, first, last, nominal_rate(tables, work, first))
+        return False
+    if fabs(torque) > UNCARRIED * scale:
+        return True
+    missing = rate_of(torque)
+    torque, scale = follow_torque(tables, work, first, last, seeded(rate, 1.0))
+    slope = rate_of(torque) - missing
+    if not nonzero(slope):
+        return True
+    follow_torque(tables, work, first, last, seeded(rate, -missing / slope))
+    return False
+
+
+def follow_torque(tables: Tables, work: Work, first: int, last: int, rate: float):
+    """What ``rate`` leaves of the torques about the axle, and the torque of all friction [N m]."""
+    for index in range(first, last + 1):
+        work.turning.rates[index] = rate
+    if tables.sprung:
+        follow_compliant(tables, work)
+        open_given_motion(tables, work)
+    scale = 0.0
+    torque = outer_torque(tables, work.inputs, first)
+    for index in range(first, last + 1):
+        side = work.sides[index]
+        side.motion.wheel_rate = rate
+        move_side(tables, side)
+        rub_side(tables, work, index)
+        for number in range(side.patch_count):
+            patch = side.patches[number]
+            rub_patch(side.motion, patch)
+            torque += patch.forces.driving_torque
+            scale += held(patch.friction * patch.totals.load * patch.rolling_radius)
+    return torque, scale

@@ -19,12 +19,15 @@ from .strip_surfaces import between, interval, rest_gap, way_through
 RAISED: Final[float] = 0.02
 #: Axes of a new run are no less than this share of its largest.
 FLAT_START: Final[float] = 0.25
+#: A zone is a shoulder of the one that it touches where the overlap falls no lower between them than to this
+#: share of its depth.
+SHOULDER: Final[float] = 0.99
 #: Steps of Newton's method to the levels that carry the force.
 LEVEL_ITERATIONS: Final[int] = 6
 #: The middle of a strip begins before its ridge by no more than this share of its axis.
 FIRST_LEAD: Final[float] = 0.5
 #: Runs that are narrower than this share of their zone are none.
-NARROW: Final[float] = 2e-3
+NARROW: Final[float] = 0.02
 #: A strip pulls where its pressure is below this share of the largest one, with the other sign.
 PULLING: Final[float] = 1e-3
 #: A part of a run that is a single strip counts from this share of the largest pressure on.
@@ -37,8 +40,7 @@ def begin_runs(problem: StripProblem, waves: Waves):
     low = 0
     while low < problem.traced_count:
         high = low
-        region = problem.traced[low].region
-        while high < problem.traced_count - 1 and problem.traced[high + 1].region == region:
+        while high < problem.traced_count - 1 and is_one_curve(problem, high):
             high += 1
         begin_curve(problem, low, high)
         low = high + 1
@@ -47,15 +49,28 @@ def begin_runs(problem: StripProblem, waves: Waves):
     for k in range(problem.run_count):
         run = problem.runs[k]
         first = k * waves.count
+        j = interval(problem, run.low, run.high, run_station(run, 0.0))
+        zone = problem.zones[problem.traced[j].region]
         j = run.low
         for i in range(waves.count):
             strip = problem.strips[first + i]
             station = run_station(run, waves.cos[i])
             j = interval(problem, j, run.high, station)
             strip.axis = level_length(problem, j, station) / waves.sin[i]
-            zone = problem.zones[problem.traced[j].region]
             strip.lead = limited(zone.lean * (station - zone.middle), FIRST_LEAD * strip.axis)
         raise_axes(problem, first, waves.count)
+
+
+def is_one_curve(problem: StripProblem, i: int) -> bool:
+    """Whether a run may go on from traced station ``i`` to the next one: within a zone, and where two zones
+    meet of which one is a shoulder of the other."""
+    at = problem.traced[i]
+    following = problem.traced[i + 1]
+    one = at.joined
+    if one and at.region != following.region:
+        shallower = min(problem.zones[at.region].depth, problem.zones[following.region].depth)
+        one = min(at.overlap, following.overlap) > SHOULDER * shallower
+    return one
 
 
 def deepen_levels(problem: StripProblem, force: float):
@@ -71,16 +86,29 @@ def deepen_levels(problem: StripProblem, force: float):
             at = problem.traced[i]
             zone = problem.zones[at.region]
             line = zone.line * at.counted * zone.spacing
-            level = at.level + rise
+            level = at.level + rise * at.share
             if level > 0.0:
                 load += line * level
-                stiffness += line
+                stiffness += line * at.share
         if stiffness > 0.0:
             rise += (force - load) / stiffness
     for i in range(problem.traced_count):
         at = problem.traced[i]
-        at.level += rise
+        at.level += rise * at.share
     return rise
+
+
+def level_contact(problem: StripProblem):
+    """Load [N], as far as it counts, and largest pressure [Pa] that the levels have."""
+    load = 0.0
+    square = 0.0
+    for i in range(problem.traced_count):
+        at = problem.traced[i]
+        zone = problem.zones[at.region]
+        if at.level > 0.0:
+            load += zone.line * at.level * at.counted * zone.spacing
+            square = max(square, zone.line * zone.line * at.level * zone.one_alpha * at.A)
+    return load, 2.0 / pi * sqrt(square)
 
 
 def begin_curve(problem: StripProblem, low: int, high: int):
@@ -136,12 +164,11 @@ def raise_axes(problem: StripProblem, first: int, count: int):
 
 
 def add_run(problem: StripProblem, low: int, high: int, start: float, stop: float):
-    """Add a run between two stations [m] of a curve to the next ones, if it is wide enough and there is room;
-    joined to the last one where they overlap."""
-    at = problem.next_count
+    """Add a run between two stations [m] of a curve to the next ones, if it is wide enough; joined to the
+    last one where they overlap.  Where there is no room, the narrowest one goes."""
     joins = False
-    if at > 0:
-        before = problem.next_runs[at - 1]
+    if problem.next_count > 0:
+        before = problem.next_runs[problem.next_count - 1]
         if before.low == low and before.next_stop >= start:
             joins = True
             before.next_start = min(before.next_start, start)
@@ -149,8 +176,11 @@ def add_run(problem: StripProblem, low: int, high: int, start: float, stop: floa
             before.origin = -1
     zone = problem.zones[problem.traced[low].region]
     wide = stop - start > NARROW * (zone.stop - zone.start)
-    if not joins and wide and at < STRIP_RUN_LIMIT:
-        run = problem.next_runs[at]
+    room = False
+    if wide and not joins:
+        room = has_room(problem, stop - start)
+    if room:
+        run = problem.next_runs[problem.next_count]
         run.low = low
         run.high = high
         run.next_start = start
@@ -158,7 +188,28 @@ def add_run(problem: StripProblem, low: int, high: int, start: float, stop: floa
         run.start_move = 0.0
         run.stop_move = 0.0
         run.origin = -1
-        problem.next_count = at + 1
+        problem.next_count = problem.next_count + 1
+
+
+def has_room(problem: StripProblem, width: float) -> bool:
+    """Whether there is room for another run of this ``width`` [m], if need be in place of the narrowest."""
+    if problem.next_count < STRIP_RUN_LIMIT:
+        return True
+    narrowest = 0
+    for k in range(1, problem.next_count):
+        if run_width(problem.next_runs[k]) < run_width(problem.next_runs[narrowest]):
+            narrowest = k
+    if not run_width(problem.next_runs[narrowest]) < width:
+        return False
+    for k in range(narrowest, problem.next_count - 1):
+        copy(problem.next_runs[k + 1], problem.next_runs[k])
+    problem.next_count = problem.next_count - 1
+    return True
+
+
+def run_width(run: StripRun):
+    """Width of a run of the next sweep [m]."""
+    return run.next_stop - run.next_start
 
 
 def adopt_runs(problem: StripProblem):
@@ -178,7 +229,7 @@ def run_station(run: StripRun, cosine: float):
 
 def gap_beside(strip: Strip, x: float):
     """Rise of the gap [m] at a distance ``x`` from the ridge."""
-    return x * x * (strip.A + strip.skew * x)
+    return x * x * (strip.A + limited(strip.skew * x, strip.odd))
 
 
 def lay_strips(problem: StripProblem, waves: Waves, smooth: bool):
@@ -236,6 +287,7 @@ def lay_strip(strip: Strip, low: TracedStation, high: TracedStation, u: float):
     strip.x = between(low.x, high.x, u)
     strip.A = between(low.A, high.A, u)
     strip.skew = between(low.skew, high.skew, u)
+    strip.odd = between(low.odd, high.odd, u)
     strip.share = between(low.share, high.share, u)
     strip.counted = between(low.counted, high.counted, u)
 
@@ -275,10 +327,11 @@ def renew_runs(problem: StripProblem, waves: Waves):
 def keep_run(problem: StripProblem, k: int):
     """Add run ``k`` to the next runs, with its strips."""
     run = problem.runs[k]
-    before = problem.next_count
     add_run(problem, run.low, run.high, run.next_start, run.next_stop)
-    if problem.next_count > before:
-        kept = problem.next_runs[before]
+    last = problem.next_count - 1
+    if last >= 0 and problem.next_runs[last].next_start == run.next_start:
+        # neither joined nor left out
+        kept = problem.next_runs[last]
         kept.origin = k
         kept.start_move = run.start_move
         kept.stop_move = run.stop_move

@@ -1,9 +1,19 @@
 """How a model of normal contact fills the patches of a wheel: one after the other by rising station, then
 totals and ranks."""
 
-from math import sqrt
+from math import pi, sqrt
 
-from ..layout import REGION_LIMIT, SOLVED_PATCH_LIMIT, Patch, PatchTotals, Region, SideSearch, clear, copy
+from ..layout import (
+    REGION_LIMIT,
+    SOLVED_PATCH_LIMIT,
+    Patch,
+    PatchTotals,
+    Region,
+    SideSearch,
+    clear,
+    copy,
+    seldom,
+)
 
 
 def clear_patches(side: SideSearch):
@@ -85,6 +95,20 @@ def finish_patch(side: SideSearch):
         patch.totals.max_pressure = sqrt(patch.pressure_square)
         patch.totals.max_half_length = sqrt(patch.half_length_square)
         complete_totals(patch.totals)
+        if patch.pressure_square == 0.0 and patch.totals.load > 0.0:
+            fill_sliver(patch)
+
+
+@seldom
+def fill_sliver(patch: Patch):
+    """Largest pressure and half-length of a loaded patch that lies between two strips: those of an ellipse
+    with its load, area and width."""
+    totals = patch.totals
+    if totals.area > 0.0 and totals.width > 0.0:
+        totals.max_pressure = 1.5 * totals.load / totals.area
+        totals.max_half_length = 2.0 * totals.area / (pi * totals.width)
+        patch.pressure_square = totals.max_pressure * totals.max_pressure
+        patch.half_length_square = totals.max_half_length * totals.max_half_length
 
 
 def complete_totals(totals: PatchTotals):

@@ -18,6 +18,7 @@ from ..layout import (
     CORRECTION_RADII,
     CORRECTION_SCALES,
     CORRECTION_SIZE,
+    CORRECTION_SLOPES,
     DEPTH_ALL,
     LATERAL_LIMIT,
     MODEL_ANALYN_STRIP,
@@ -180,6 +181,13 @@ def write_corrections(table: RollingTable, fixed: "float[:]", first: int, poisso
             + middle * fixed[at + CORRECTION_SIZE + i]
             + high * fixed[at + 2 * CORRECTION_SIZE + i]
         )
+    at += 3 * CORRECTION_SIZE
+    for i in range(CORRECTION_SLOPES):
+        table.slopes[i] = (
+            low * fixed[at + i]
+            + middle * fixed[at + CORRECTION_SLOPES + i]
+            + high * fixed[at + 2 * CORRECTION_SLOPES + i]
+        )
 
 
 def copy_definition(definition: "float[:]", work: "float[:]", at: int):
@@ -217,6 +225,7 @@ def write_settings(setup: Setup, tables: Tables):
     tables.penetration[0] = setup.absent
     tables.penetration[1] = setup.absent
     tables.sides = float(SIDES_BOTH)
+    tables.alone = False
     tables.depth = float(DEPTH_ALL)
     tables.absent = setup.absent
     tables.stations = float(STATION_COUNT)

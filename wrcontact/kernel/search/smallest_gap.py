@@ -245,7 +245,8 @@ def search_end(pair: Pair, side: SideSearch, node: int, outward: int):
         if beyond < abscissa:
             abscissa = pair.rail.start
         least, most = bend_bounds(pair.scan, at, cell, abscissa)
-        search_cell(pair, side, -1.0, most, low, high)
+        # a minimum is not taken for the only one: the rail's bounds are those of its last cell
+        search_cell(pair, side, min(least, -1.0), most, low, high)
 
 
 def search_side(pair: Pair, side: SideSearch, known: bool) -> bool:

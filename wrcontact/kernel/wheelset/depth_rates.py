@@ -17,7 +17,7 @@ from ..normal.normal_contact import residual_rate
 from ..search.roll import place_both
 from .elastic import find_move, update
 from .leaning import set_reference
-from .requested import is_rolling, side_force
+from .requested import is_moving, side_force
 from .trial import balance_side
 
 #: So far both ways a wheel is displaced against its rail [m].
@@ -30,7 +30,7 @@ PASSES: Final[int] = 6
 
 def follow_depths(tables: Tables, work: Work):
     """Correct the vertical velocity and roll rate of an elastic wheelset by how its depth changes."""
-    if tables.mode == MODE_ELASTIC and is_rolling(tables, work.inputs):
+    if tables.mode == MODE_ELASTIC and is_moving(tables, work.inputs):
         right = work.sides[1].motion
         work.wheelset.vertical_velocity = right.vertical
         work.wheelset.roll_rate = right.turn_x * right.ahead_x + right.turn_y * right.ahead_y

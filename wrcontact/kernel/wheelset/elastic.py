@@ -34,22 +34,14 @@ from ..layout import (
 )
 from ..normal.normal_contact import has_coarse_form, residual_rate
 from .brackets import bracket_roll
+from .enclosing import enclose_equilibrium, gaps_hold, ELASTIC_SHARP, NOT_LAST, LONGEST_MOVE, LEAST_LEVER
 from .side import side_lever
 from .trial import balance_both, depth_outcome, estimate_approach, turn_near, turn_to
 
 #: Broyden's method needs eight trials; what it has not found after so many, it will not.
-TRIALS: Final[int] = 25
-#: Height and roll are found when either wheel moves by less [m], and this move is still made. Patches are
-#: those before it: 1e-11 would let their differences over less than a micrometre miss their derivatives by up
-#: to 1e-4.
-ELASTIC_SHARP: Final[float] = 1e-13
+TRIALS: Final[int] = 18
 #: Where the sum of both residuals is larger, brackets have found a jump and no equilibrium [m].
 UNBALANCED: Final[float] = 1e-9
-#: After a longer move a trial is not the last one: it leaves out the patches, and follows the deepest points
-#: of the one before instead of a search for all [m].
-NOT_LAST: Final[float] = 1e-10
-#: A smallest gap that has moved by less than this along the wheel is the same one, found anew [m].
-SAME_GAP: Final[float] = 1e-9
 #: Strips are solved coarsely in the first trials, until a move is shorter [m]: the residual that it leaves is
 #: then as large as what is off in coarse penetrations.
 COARSE: Final[float] = 1.5e-5
@@ -59,13 +51,11 @@ NEAR: Final[float] = 2e-6
 #: from it, and the factor has to lie between SMALLEST_FACTOR and its inverse [-].
 CLEAR_SHARE: Final[float] = 0.15
 SMALLEST_FACTOR: Final[float] = 0.5
-#: Longest move of a wheel in one trial [m].
-LONGEST_MOVE: Final[float] = 2e-4
+#: Larger than any sum of residuals [m].
+FARTHEST: Final[float] = 1.0
 #: Smallest determinant of the residuals' derivatives [-]; -(lever_left + lever_right) / arm
 #: to begin with, 0.3 ... 2.
 SINGULAR: Final[float] = 0.02
-#: Smallest sum of both levers [m] for a first estimate of the roll; flanges of 73 deg have none.
-LEAST_LEVER: Final[float] = 1e-2
 
 
 @seldom
@@ -87,6 +77,11 @@ def solve_elastic(tables: Tables, work: Work, roll: float, left: float, right: f
     work.contact.coarse = False
     work.contact.following = False
     if status == NOT_CONVERGED:
+        roll, status = enclose_equilibrium(
+            tables, work, work.broyden.best_roll, work.broyden.best_height, left, right
+        )
+    if status == NOT_CONVERGED:
+        work.contact.filling = True
         roll, status = bracket_roll(tables, work, rigid_roll, left, right)
     return roll, status
 
@@ -120,6 +115,9 @@ def iterate(tables: Tables, work: Work, roll: float, height: float, left: float,
     method.right = 0.0
     method.move_height = 0.0
     method.move_roll = 0.0
+    method.best = FARTHEST
+    method.best_height = height
+    method.best_roll = roll
     work.contact.coarse = has_coarse_form(tables)
     for trial in range(TRIALS):
         moved = fabs(method.move_height) + fabs(method.move_roll)
@@ -143,6 +141,7 @@ def iterate(tables: Tables, work: Work, roll: float, height: float, left: float,
             return roll, NOT_CONVERGED
         if trial == 0:
             begin_derivatives(method, work.supports, arm, residual_rate(tables))
+        note_best(method, work.supports, height, roll)
         update(
             method,
             work.supports[0].height - height,
@@ -159,6 +158,8 @@ def iterate(tables: Tables, work: Work, roll: float, height: float, left: float,
             # the same place again, with patches, or with the smaller gap that was found
             method.move_height = 0.0
             method.move_roll = 0.0
+        elif work.contact.filling and fabs(method.move_height) + fabs(method.move_roll) > NOT_LAST:
+            return roll, NOT_CONVERGED
         method.move_height = limited(method.move_height, LONGEST_MOVE)
         method.move_roll = limited(method.move_roll, LONGEST_MOVE)
         height += method.move_height
@@ -171,17 +172,13 @@ def iterate(tables: Tables, work: Work, roll: float, height: float, left: float,
 
 
 @seldom
-def gaps_hold(tables: Tables, work: Work, roll: float) -> bool:
-    """Whether both sides' known gaps are the smallest at ``roll`` [rad]; then smaller ones are known.
-
-    Between trials they are only followed: an answer is certified once.
-    """
-    left = work.sides[0].best_y
-    right = work.sides[1].best_y
-    hold = turn_to(tables, work, roll)
-    if fabs(work.sides[0].best_y - left) > SAME_GAP or fabs(work.sides[1].best_y - right) > SAME_GAP:
-        hold = False
-    return hold
+def note_best(method: Broyden, supports: Supports, height: float, roll: float):
+    """Note ``height`` [m] and ``roll`` [rad] of the trial if its residuals are the smallest so far."""
+    lack = fabs(supports[0].height - height) + fabs(supports[1].height - height)
+    if lack < method.best:
+        method.best = lack
+        method.best_height = height
+        method.best_roll = roll
 
 
 @seldom

@@ -1,0 +1,190 @@
+"""Elastic equilibrium where trials that follow the deepest points find none, or contradict a search for them.
+
+The height at which a wheel carries its load hardly depends on the height of the trial (elastic.py), so that
+each trial gives D(roll) = height_right - height_left, and a better height for the next one.  Every trial now
+searches for all deepest points.  So D is a function of the roll, which jumps where a region comes or goes.
+Newton's method finds its root; where a step has not halved D, the bracket of the roll is halved.  If it
+encloses a jump, no roll is an equilibrium, and the one of the jump is taken, at the height at which the wheel
+that does not jump carries its load.
+"""
+
+from math import fabs
+from typing import Final
+
+from ..contact.pressed import limited
+from ..layout import NOT_CONVERGED, ROLL_LIMIT, UNLOADED, Tables, Work, seldom
+from ..normal.normal_contact import residual_rate
+from .brackets import height_residual
+from .trial import depth_outcome, turn_near, turn_to
+
+#: Height and roll are found when either wheel moves by less [m], and this move is still made. Patches are
+#: those before it: 1e-11 would let their differences over less than a micrometre miss their derivatives by up
+#: to 1e-4.
+ELASTIC_SHARP: Final[float] = 1e-13
+#: After a longer move a trial is not the last one: it leaves out the patches, and follows the deepest points
+#: of the one before instead of a search for all [m].
+NOT_LAST: Final[float] = 1e-10
+#: A smallest gap that has moved by less than this along the wheel is the same one, found anew [m].
+SAME_GAP: Final[float] = 1e-9
+#: Longest move of a wheel in one trial [m].
+LONGEST_MOVE: Final[float] = 2e-4
+#: Smallest sum of both levers [m] for a first estimate of the roll; flanges of 73 deg have none.
+LEAST_LEVER: Final[float] = 1e-2
+#: Trials at most, and how narrow the bracket of a jump becomes [m].
+ENCLOSINGS: Final[int] = 40
+JUMP_SHARP: Final[float] = 1e-9
+#: In so narrow a bracket a value of D above this multiple of the width is a jump [-].
+STEEPEST: Final[float] = 100.0
+#: A step that has not reduced D by this factor halves the bracket; D falls by at least this share of what the
+#: levers say, where it is taken to be smooth [-].
+REDUCED: Final[float] = 0.5
+
+
+@seldom
+def level_both(tables: Tables, work: Work, left: float, right: float, height: float):
+    """Press both wheels at ``height`` [m]; whether both can carry ``left`` and ``right`` [N], and the
+    outcome. How much lower they do is in their supports."""
+    work.sides[1].roll_count += 1.0
+    residual, satisfied, status = height_residual(tables, work, 0, left, height)
+    if status <= UNLOADED:
+        residual, also, outcome = height_residual(tables, work, 1, right, height)
+        satisfied = satisfied and also
+        status = max(status, outcome)
+    return satisfied, status
+
+
+@seldom
+def enclose_equilibrium(tables: Tables, work: Work, roll: float, height: float, left: float, right: float):
+    """Roll [rad] of the wheelset in equilibrium under ``left`` and ``right`` [N], and the outcome, from
+    ``roll`` and ``height`` on; NOT_CONVERGED where none is found."""
+    bracket = work.roll_bracket
+    supports = work.supports
+    arm = tables.arm
+    rate = residual_rate(tables)
+    below = False
+    above = False
+    before = 0.0
+    move = 0.0
+    moved = LONGEST_MOVE
+    if not turn_to(tables, work, roll):
+        return roll, NOT_CONVERGED
+    for trial in range(ENCLOSINGS):
+        work.contact.filling = moved < NOT_LAST
+        satisfied, status = level_both(tables, work, left, right, height)
+        if status > UNLOADED:
+            return roll, NOT_CONVERGED
+        lack_left = (supports[0].height - height) / rate
+        lack_right = (supports[1].height - height) / rate
+        apart = lack_right - lack_left
+        slope = min(supports[0].lever + supports[1].lever, -LEAST_LEVER)
+        if move != 0.0:
+            factor = (apart - before) / (slope * move)
+            if factor > REDUCED:
+                slope *= factor
+        steady = 0
+        if fabs(lack_right) < fabs(lack_left):
+            steady = 1
+        lack = (supports[steady].height - height) / rate
+        if apart > 0.0:
+            below = True
+            bracket.low = roll
+            bracket.at_low = height + lack
+        else:
+            above = True
+            bracket.high = roll
+            bracket.at_high = height + lack
+        enclosed = below and above
+        width = arm * (bracket.high - bracket.low)
+        if enclosed and width < JUMP_SHARP and fabs(apart) > STEEPEST * width:
+            roll, status = stand_at_jump(tables, work, steady, left, right)
+            return roll, status
+        following = roll - apart / slope
+        if enclosed and (
+            not (following > bracket.low and following < bracket.high) or fabs(apart) > REDUCED * fabs(before)
+        ):
+            following = 0.5 * (bracket.low + bracket.high)
+        before = apart
+        move = limited(following - roll, LONGEST_MOVE / arm)
+        sink = lack + float(2 * steady - 1) * supports[steady].lever * move
+        if not enclosed:
+            # in one order for a wheelset and its mirror image
+            sink = 0.5 * ((lack_left - supports[0].lever * move) + (lack_right + supports[1].lever * move))
+        sink = limited(sink, LONGEST_MOVE)
+        moved = fabs(sink) + arm * fabs(move)
+        if fabs(sink) < ELASTIC_SHARP and arm * fabs(move) < ELASTIC_SHARP:
+            if work.contact.filling and satisfied and gaps_hold(tables, work, roll):
+                supports[0].height = height + sink
+                supports[1].height = height + sink
+                return roll + move, depth_outcome(work, status)
+            below = False
+            above = False
+        height += sink
+        roll += move
+        if not fabs(roll) < ROLL_LIMIT:
+            return roll, NOT_CONVERGED
+        if not turn_near(tables, work, roll):
+            return roll, NOT_CONVERGED
+    return roll, NOT_CONVERGED
+
+
+@seldom
+def stand_at_jump(tables: Tables, work: Work, steady: int, left: float, right: float):
+    """Stand at the jump that the bracket encloses, at the end at which the wheel that jumps carries no less
+    than its load, the one that is not ``steady``, or at the other end if it cannot; roll [rad] and
+    outcome."""
+    bracket = work.roll_bracket
+    roll = bracket.high
+    height = bracket.at_high
+    other = bracket.low
+    other_height = bracket.at_low
+    if steady == 1:
+        roll = bracket.low
+        height = bracket.at_low
+        other = bracket.high
+        other_height = bracket.at_high
+    status = stand_beside(tables, work, steady, left, right, roll, height)
+    if status == NOT_CONVERGED:
+        roll = other
+        status = stand_beside(tables, work, steady, left, right, roll, other_height)
+    return roll, status
+
+
+@seldom
+def stand_beside(
+    tables: Tables,
+    work: Work,
+    steady: int,
+    left: float,
+    right: float,
+    roll: float,
+    height: float,
+):
+    """Stand at the ``roll`` of one end of a jump, near ``height``, where the ``steady`` wheel carries its
+    load; the outcome."""
+    if not turn_to(tables, work, roll):
+        return NOT_CONVERGED
+    work.contact.filling = False
+    satisfied, status = level_both(tables, work, left, right, height)
+    if satisfied:
+        height += (work.supports[steady].height - height) / residual_rate(tables)
+        work.contact.filling = True
+        satisfied, status = level_both(tables, work, left, right, height)
+    if not satisfied:
+        status = NOT_CONVERGED
+    work.supports[0].height = height
+    work.supports[1].height = height
+    return depth_outcome(work, status)
+
+
+@seldom
+def gaps_hold(tables: Tables, work: Work, roll: float) -> bool:
+    """Whether both sides' known gaps are the smallest at ``roll`` [rad]; then smaller ones are known.
+
+    Between trials they are only followed: an answer is certified once.
+    """
+    left = work.sides[0].best_y
+    right = work.sides[1].best_y
+    hold = turn_to(tables, work, roll)
+    if fabs(work.sides[0].best_y - left) > SAME_GAP or fabs(work.sides[1].best_y - right) > SAME_GAP:
+        hold = False
+    return hold
