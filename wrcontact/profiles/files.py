@@ -31,6 +31,8 @@ LARGEST_FILE = 4_000_000
 OUTSIDE = 1.0
 #: Largest ratio of weights in an even file: those of flat and of steep places.
 EVEN = 25.0
+#: Largest wear of a rail's inner face [m].
+MOST_WORN = 0.05
 #: Points of a rail within this height of its highest point count as equally high [mm].
 LEVEL = 1e-9
 
@@ -225,8 +227,10 @@ def _top(spline):
 def prepared_text(profile):
     """The text of a prepared file, from which :func:`read_profile` restores ``profile`` bit by bit."""
     zones = [{"family": type(zone).__name__.lower(), **vars(zone)} for zone in profile.zones]
+    worn = {"worn_face": profile.worn_face} if profile.worn_face else {}
     return json.dumps(
-        {"name": profile.name, "kind": profile.kind, "smooth": profile.smooth, "zones": zones}, indent=1
+        {"name": profile.name, "kind": profile.kind, "smooth": profile.smooth, **worn, "zones": zones},
+        indent=1,
     )
 
 
@@ -240,6 +244,10 @@ def prepared_profile(text, kind, make):
             )
         zones = tuple(_zone(dict(entry)) for entry in content["zones"])
         profile = make(str(content["name"]), content["kind"], zones, bool(content["smooth"]))
+        worn = float(content.get("worn_face", 0.0))
+        if not abs(worn) <= MOST_WORN:
+            raise ValueError(f"worn_face is {worn} m")
+        profile = replace(profile, worn_face=worn) if worn else profile
     except Refusal:
         raise
     except (ValueError, LookupError, TypeError, AttributeError, RecursionError, OverflowError) as error:
