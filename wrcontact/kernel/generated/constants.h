@@ -1811,7 +1811,8 @@ static const double prepare_tables__STARTS_EACH_METRE = 2000.0;
 /* prepare/zones.py */
 static const int64_t prepare_zones__DEFINITION_COUNT = INT64_C(0);
 static const int64_t prepare_zones__DEFINITION_ROW = INT64_C(1);
-static const int64_t prepare_zones__DEFINITION_ZONES = INT64_C(2);
+static const int64_t prepare_zones__DEFINITION_WORN = INT64_C(2);
+static const int64_t prepare_zones__DEFINITION_ZONES = INT64_C(3);
 static const int64_t prepare_zones__ZONE_FAMILY = INT64_C(0);
 static const int64_t prepare_zones__ZONE_START = INT64_C(1);
 static const int64_t prepare_zones__ZONE_STOP = INT64_C(2);
