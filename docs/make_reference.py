@@ -21,7 +21,7 @@ WHEN = {
     "outside": "out of range",
     "negative": "negative",
     "zero": "zero",
-    "nonzero": "not zero",
+    "nonzero": "",
     "always": "",
 }
 MODE = {None: "", True: " (compliant contact)", False: " (rigid and elastic contact)"}
