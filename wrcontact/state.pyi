@@ -297,6 +297,3 @@ class WheelsetState(View[_N], Generic[_N, _K, _S]):
     @property
     def vertical_shift(self) -> _N:
         """Vertical shift of the wheelset, positive down [m]."""
-    @property
-    def wheel_rate_found(self) -> _N:
-        """Rotation about the axle that creepages hold for: the one that is given, or that follows; with independent_wheels the mean of both wheels [rad/s]."""

@@ -37,17 +37,17 @@ def distance_to(run, depth):
 
 @pytest.mark.full
 def test_half_the_step_is_the_same_run():
-    """3 % in the distance to 0.4 mm, and no waves on the tread."""
+    """3 % in the distance to 0.3 mm, and no waves on the tread."""
     runs = [
         wrcontact.wear_run(simulate, system(), wrcontact.Usfd(), 2750e3, step, mirrored=True)
         for step in (1e-4, 0.5e-4)
     ]
-    whole, half = (distance_to(run, 0.4e-3) for run in runs)
-    assert deepest(runs[0])[-1] > 0.4e-3
+    whole, half = (distance_to(run, 0.3e-3) for run in runs)
+    assert deepest(runs[0])[-1] > 0.3e-3
     assert whole == pytest.approx(half, rel=0.03)
     y = np.linspace(-30e-3, 30e-3, 3001)
     for run in runs:
-        assert run.shape("curvature").max() < 1.5 * run.shape("curvature")[0]
+        assert run.shape("curvature").max() < 2.0 * run.shape("curvature")[0]
         assert run.distance[-1] == pytest.approx(2750e3, rel=1e-12)
         assert run.shape("flange_thickness")[-1] < run.shape("flange_thickness")[0] - 0.05e-3
         assert run.profiles("left")[-1].zones == run.profiles("right")[-1].zones  # mirrored

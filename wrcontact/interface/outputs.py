@@ -310,13 +310,6 @@ WHEELSET = (
         1e3,
         "Torque of the creep forces about the axle, positive where they turn the wheels forward",
     ),
-    Output(
-        "wheel_rate_found",
-        "rad/s",
-        20.0,
-        "Rotation about the axle that creepages hold for: the one that is given, or that follows; with "
-        "independent_wheels the mean of both wheels",
-    ),
 )
 
 #: Outputs of one wheel that follow all others, if the parameter wear_outputs is true.

@@ -61,7 +61,6 @@ def report(tables: Tables, work: Work):
     write_vector(outputs.normal_part, forces.normal_force, 1.0, 1.0)
     write_vector(outputs.normal_moment, forces.normal_moment, 1.0, 1.0)
     outputs.driving_torque = forces.driving_torque
-    outputs.wheel_rate_found = 0.5 * (found_rate(tables, work, 0) + found_rate(tables, work, 1))
     for index in range(2):
         report_side(tables, work, index)
     if tables.sides != SIDES_BOTH or tables.depth == DEPTH_GEOMETRY:
@@ -72,7 +71,6 @@ def report(tables: Tables, work: Work):
             outputs.normal_part[i] = tables.absent
             outputs.normal_moment[i] = tables.absent
         outputs.driving_torque = tables.absent
-        outputs.wheel_rate_found = tables.absent
 
 
 def found_rate(tables: Tables, work: Work, index: int):
