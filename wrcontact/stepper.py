@@ -206,9 +206,7 @@ class Stepper:
         outputs, status = np.empty((most, len(self.outputs))), np.empty(most)
         start, count = 0, FIRST_ROWS
         while start < len(inputs):
-            if start % SHARED_ROWS == 0:
-                self._begin_anew()
-            rows = slice(start, min(start + count, len(inputs), start + SHARED_ROWS - start % SHARED_ROWS))
+            rows = slice(start, min(start + count, len(inputs)))
             part = outputs[: rows.stop - start]
             part[:] = math.nan
             began = time.perf_counter()
@@ -217,11 +215,6 @@ class Stepper:
             count = min(count, most)
             yield rows, part if places is None else part[:, places], status[: len(part)].astype(int)
             start = rows.stop
-
-    def _begin_anew(self):
-        """Forget the steps before: the last bits of a roll depend on where its search begins."""
-        self.state[:] = 0.0
-        layout.Work.at(self._workspace).known = False
 
     def prescribe(self, penetration):
         """Prescribe the penetration [m], one value or (left, right), instead of the force; None returns to
@@ -303,7 +296,6 @@ def threaded_parts(steppers, rows, places=None):
     def evaluated(first):
         stepper, block = free.get(), slice(first, min(first + SHARED_ROWS, len(rows)))
         count = block.stop - first
-        stepper._begin_anew()
         outputs, status = np.full((count, len(stepper.outputs)), math.nan), np.empty(count)
         stepper.step_many(rows[block], outputs, status)
         free.put(stepper)

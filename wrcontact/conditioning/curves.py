@@ -79,7 +79,7 @@ def geometry(system, lateral_shift, yaw=0.0):
     compliant one at zero roll."""
     return system.evaluate_many(
         lateral_shift=lateral_shift, yaw=yaw, vertical_shift_input=LIFTED, outputs="geometry", threads=1
-    )  # their blocks would decide last bits
+    )
 
 
 def radius_difference(system, lateral_shift):

@@ -33,12 +33,21 @@ from ..layout import (
 from ..surface.locus import around_wheel, outline_point
 from ..surface.tables import height_slope
 from .bounds import REACH_SHARE, node_below
-from .roll import any_roll, follow_side, newton_move, roll_between, search_both, turn_both
+from .roll import any_roll, equalize_minima, follow_side, newton_move, roll_between, search_both, turn_both
 from .smallest_gap import search_side
 
 #: Roots of D closer than this are one [rad]; the gaps between differ by no more than 1e-13 m.
 APART: Final[float] = 1e-13
 ROOT_TRIALS: Final[int] = 300
+#: Adding and subtracting it rounds to a multiple of GRID, 2^-30.
+ROUNDS: Final[float] = 6291456.0
+GRID: Final[float] = 9.313225746154785e-10
+#: What a search has found differs by less than this from what another start finds [rad, m]; a value this close
+#: to the middle between two places of the grid may have been rounded to either.
+UNSURE: Final[float] = 2e-12
+#: A settled roll and its places of contact are no farther than this from those before [rad, m].
+SETTLED_ROLL: Final[float] = 1e-12
+SETTLED_PLACE: Final[float] = 1e-9
 #: How a lever changes with roll and yaw, as shares of what slopes change at first order [-].
 LEVER_TURNED_SHARE: Final[float] = 1.1
 LEVER_YAWED_SHARE: Final[float] = 1.2
@@ -53,12 +62,68 @@ def solve_roll(tables: Tables, inputs: Inputs, sides: Sides, trials: RollTrials,
     """Roll [rad] of the wheelset and outcome; the smallest gaps of both sides are known at it.
 
     With ``warm`` = 1 ``best_y`` of both sides holds minima to start from. A start from which there is
-    no roll does not decide that.
+    no roll does not decide that. The roll and both places of contact depend on the inputs alone, to the last bit.
     """
     roll, status = certified_roll(tables, inputs, sides, trials, guess, warm)
-    if status != VALID and (guess != 0.0 or warm):
+    settled = False
+    if status == VALID:
+        roll, settled = settled_roll(tables, sides, roll)
+    if not settled and (guess != 0.0 or warm):
         roll, status = certified_roll(tables, inputs, sides, trials, 0.0, False)
+        if status == VALID:
+            roll, settled = settled_roll(tables, sides, roll)
     return roll, status
+
+
+def on_grid(x: float):
+    """The multiple of GRID that is nearest to ``x``."""
+    return (x + ROUNDS) - ROUNDS
+
+
+def is_unsure(x: float) -> bool:
+    """Whether ``x`` is so close to the middle between two places of the grid that its last bits decide to
+    which of them it is rounded."""
+    return fabs(x - on_grid(x)) > 0.5 * GRID - UNSURE
+
+
+def on_other_grid(x: float):
+    """The place of the grid that is nearest to ``x``, or where that is unsure the middle between two."""
+    place = on_grid(x)
+    if is_unsure(x):
+        place = on_grid(x + 0.25 * GRID) - 0.5 * GRID
+    return place
+
+
+def settled_roll(tables: Tables, sides: Sides, roll: float):
+    """The ``roll`` [rad] and the known minima once more, from the nearest places of a grid; second value:
+    whether they are found there.
+
+    They were found to 1e-14, from somewhere else for every start. The places of the grid are the same for
+    all, and so is each bit of what Newton's method finds from there. Where one of the three lies in the
+    middle between two places of the grid, two starts may have gone on from different ones, and what they have
+    found is rounded to other places.
+    """
+    left = sides[0].best_y
+    right = sides[1].best_y
+    sides[0].best_y = on_grid(left)
+    sides[1].best_y = on_grid(right)
+    settled, found = equalize_minima(tables, sides, on_grid(roll), -ROLL_LIMIT, ROLL_LIMIT)
+    if found and (is_unsure(settled) or is_unsure(sides[0].best_y) or is_unsure(sides[1].best_y)):
+        sides[0].best_y = on_other_grid(sides[0].best_y)
+        sides[1].best_y = on_other_grid(sides[1].best_y)
+        settled, found = equalize_minima(tables, sides, on_other_grid(settled), -ROLL_LIMIT, ROLL_LIMIT)
+    if (
+        found
+        and fabs(settled - roll) < SETTLED_ROLL
+        and fabs(sides[0].best_y - left) < SETTLED_PLACE
+        and fabs(sides[1].best_y - right) < SETTLED_PLACE
+    ):
+        return settled, True
+    sides[0].best_y = left
+    sides[1].best_y = right
+    turn_both(sides, roll)
+    search_both(tables, sides, False)
+    return roll, False
 
 
 def certified_roll(
