@@ -39,6 +39,7 @@ from .motion.names import listed
 from .motion.reaction import rail_reaction
 from .motion.standing import stand_at
 from .profiles.catalogue import find_profiles
+from .profiles.corners import remark_corners
 from .profiles.plausible import remark_wheels
 from .results.columns import selected
 from .state import Equilibrium, WheelsetState
@@ -99,6 +100,7 @@ class ContactSystem:
         warn_of_parameters(checked)
         self._set_up(checked, methods, find_profiles(checked))
         remark_wheels(self)
+        remark_corners(self)
 
     def _set_up(self, parameters, methods, profiles):
         """Prepare for checked ``parameters`` and the ``profiles`` of :func:`find_profiles`."""

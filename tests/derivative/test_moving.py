@@ -17,7 +17,7 @@ pytestmark = pytest.mark.skipif(
     reason="the derivatives are those of the compiled library, and none is here",
 )
 INPUTS = [v for v in VARIABLES if v.causality == INPUT]
-STEPS = (1e-5, 1e-4, 1e-3)  # [of an input's nominal value]; one of them is to be met
+STEPS = (1e-5, 1e-4, 3e-4, 1e-3)  # [of an input's nominal value]; one of them is to be met
 #: Where it stands and touches, what it carries, and how it slips.
 CREEPAGES = np.array(
     [

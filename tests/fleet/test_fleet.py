@@ -404,10 +404,10 @@ def test_a_script_without_the_question_for_its_name_is_told(files, tmp_path):
         "from concurrent.futures import ProcessPoolExecutor\n"
         "import wrcontact\n"
         "if multiprocessing.current_process().name == 'SpawnProcess-2':\n"
-        "    ProcessPoolExecutor.submit = lambda *arguments: time.sleep(60)\n"
+        "    ProcessPoolExecutor.submit = lambda *arguments: time.sleep(3600)\n"
         f"wrcontact.check_fleet({str(files[0])!r}, {str(files[1])!r}, processes=2)\n"
     )
-    done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 1 and "a process of 2 has ended early" in done.stderr.splitlines()[-1]
     assert "leaked" not in done.stderr
 

@@ -6,6 +6,8 @@
         only these
     python -m tests.helpers.plant_errors roll_sign --tests tests/search tests/wheelset/test_forces.py
         and only the tests of these files and folders
+    python -m tests.helpers.plant_errors --own
+        and only those of the room or the file that the error names
     python -m tests.helpers.plant_errors --full
         the full tests too
     python -m tests.helpers.plant_errors --list
@@ -13,7 +15,8 @@
     python -m tests.helpers.plant_errors --share 6 --turn 3
         so many of those that one test file sees, and only that file; every turn has others
     python -m tests.helpers.plant_errors --random 20 --seed 1
-        as many at random places of the kernel instead, to measure the tests
+        as many at random places of the kernel instead, to measure the tests; --room search: of this room of it,
+        with the tests of the same room first
     python -m tests.helpers.plant_errors --lines 20 --seed 1
         plants nothing: so many lines of kernel, interface and FMUs at random, for errors by hand
 
@@ -183,10 +186,21 @@ def ordered_tests(tree, first, short):
     return [name for name in names if name not in NO_WITNESS]
 
 
-def examine(error, plain, tree, tests, options):
+def own_tests(tree, error):
+    """The test files of a copy that the error names, a room or a file."""
+    return [
+        name
+        for name in ordered_tests(tree, error.first, True)
+        if name == f"tests/{error.first}" or name.startswith(f"tests/{error.first}/")
+    ]
+
+
+def examine(error, plain, tests_of, options):
     """Compile the copy with the error in it and run the tests there, up to the first one that fails: those of
     the error's room that ask for no derivative with a kernel that has none, then the others."""
     begin = time.perf_counter()
+    tree = copy_with(error, plain)
+    tests = tests_of(error, tree)
     left_out = [f"--deselect={name}" for name in NO_WITNESS if "::" in name]
     own = [name for name in tests if name.startswith(f"tests/{error.first}")]
     first = [name for name in own if (tree / name).is_file() and not asks_for_derivatives(tree, name)]
@@ -226,27 +240,28 @@ def row(outcome):
 
 def copies(errors, folder):
     """A copy of the repository without error, and one with each of ``errors``, not yet translated."""
-    plain, *trees = [Path(folder, name) for name in ["plain", *(error.name for error in errors)]]
+    plain = Path(folder, "plain")
     shutil.copytree(ROOT, plain, ignore=NOT_COPIED)
     (plain / "conftest.py").unlink()
-    for error, tree in zip(errors, trees):
-        shutil.copytree(plain, tree)
-        path = source_of(error, tree)
-        path.write_bytes(planted(path.read_text(encoding="utf-8"), error).encode())
-    return plain, trees
+    return plain, [copy_with(error, plain) for error in errors]
+
+
+def copy_with(error, plain):
+    """A copy of the copy ``plain`` with an error in it."""
+    tree = plain.with_name(error.name)
+    shutil.copytree(plain, tree)
+    path = source_of(error, tree)
+    path.write_bytes(planted(path.read_text(encoding="utf-8"), error).encode())
+    return tree
 
 
 def plant(errors, workers, tests, options=()):
     """Plant each error in a copy of its own and run there what ``tests`` gives for it; what came of it, and
     whether the tests that have failed pass without any error. ``options`` are pytest's."""
     with tempfile.TemporaryDirectory() as folder:
-        plain, trees = copies(errors, folder)
+        plain, _ = copies([], folder)
         with ThreadPoolExecutor(workers) as pool:
-            outcomes = list(
-                pool.map(
-                    lambda pair: examine(pair[0], plain, pair[1], tests(*pair), options), zip(errors, trees)
-                )
-            )
+            outcomes = list(pool.map(lambda error: examine(error, plain, tests, options), errors))
         make_kernel(plain, plain)
         seen_by = sorted({outcome.test for outcome in outcomes if outcome.test.startswith("tests/")})
         return outcomes, not seen_by or run_tests(plain, seen_by, *options)[0] == 0
@@ -260,6 +275,9 @@ def main(arguments=None):
     parser.add_argument("--list", action="store_true")
     parser.add_argument(
         "--workers", type=int, default=2, help="copies that are tested at a time (default: 2)"
+    )
+    parser.add_argument(
+        "--own", action="store_true", help="run only the tests of the room or the file that the error names"
     )
     parser.add_argument("--short", action="store_true", help="run the kernel's tests only")
     parser.add_argument(
@@ -279,6 +297,7 @@ def main(arguments=None):
     parser.add_argument(
         "--random", type=int, default=0, metavar="N", help="plant so many errors at random places instead"
     )
+    parser.add_argument("--room", default="", help="with --random: only in this room of the kernel")
     parser.add_argument(
         "--lines", type=int, default=0, metavar="N", help="plant nothing, but show so many lines at random"
     )
@@ -288,7 +307,7 @@ def main(arguments=None):
     if unknown:
         parser.error(f"there is no error called {', '.join(sorted(unknown))}; --list tells the names")
     errors = (
-        list(random_errors(options.random, options.seed))
+        list(random_errors(options.random, options.seed, options.room))
         if options.random
         else [error for error in ERRORS if not options.names or error.name in options.names]
     )
@@ -305,7 +324,7 @@ def main(arguments=None):
     print("| error | module | meaning | seen by | after |\n|---|---|---|---|---|", flush=True)
 
     def tests(error, tree):
-        alone = [f"tests/{error.first}"] if options.share else []
+        alone = [f"tests/{error.first}"] if options.share else own_tests(tree, error) if options.own else []
         return options.tests or alone or ordered_tests(tree, error.first, options.short)
 
     chosen = ["-m", "not complete"] if options.full or options.share else []

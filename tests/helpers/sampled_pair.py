@@ -21,9 +21,17 @@ STEEPEST = np.radians(80.0)  # profiles are read up to here
 #: between two points is no more than so much below both. A corner of 0.2 rad, or a bend of 2e5 1/m, hides
 #: 2.5 um between points 10 um apart.
 SCREENS = (1e-5, 3e-6), (2e-7, 5e-8), (5e-9, 0.0)
-#: A corner turns by more than this [rad]; it is rounded over this [mm] on either side, or more for a radius
-#: of about RADIUS [mm].
-CORNER, WIDTH, RADIUS = 1e-8, 0.05, 1.0
+#: A corner turns by more than this [rad], or this beside a step in height of more than STEP [mm]; it is
+#: rounded over WIDTH [mm] on either side, or more for a radius of about RADIUS [mm].
+CORNER, STEPPED, WIDTH, RADIUS = 1e-8, 1e-5, 0.05, 1.0
+#: Steps in height are led over this [mm] on either side, or twice a corner's width.
+STEP, REPAIR = 1e-6, 0.5
+#: Ends of zones this close meet [mm]: steps in height part those of a rail that is turned.
+MEETING = 1e-4
+ROLLS = 0.1  # [rad] rolls are permitted up to here
+JUMP = 1e-9  # [m] gaps that differ by more where no roll is left between jump there
+AT_END = 3e-6  # [m] a place this close to the end of a profile is on it
+PIECE = 400  # points of a piece that joins two zones
 
 
 def jet(zone, t):
@@ -76,7 +84,7 @@ class Turned:
             seen = np.linspace(zone.start, zone.stop, 65)
             t = even(zone.start, zone.stop, np.abs(jet(zone, seen)[2]).max())
             z, slope, _ = jet(zone, t)
-            if self.angle and np.abs(np.arctan(slope[[0, -1]]) + self.angle).max() > steepest:
+            if np.abs(np.arctan(slope[[0, -1]]) + self.angle).max() > steepest:
                 return np.zeros((2, 0))
         return self.place(t, z)
 
@@ -114,41 +122,69 @@ def hermite(low, high, first, last):
     return np.polynomial.Polynomial([*known, *np.linalg.solve(np.array(rows)[:, 3:], right)])
 
 
-def corner_piece(before, after, x, room):
-    """The points (2, n) [mm] that round the corner between two turned zones at ``x``, with zones as long as
-    ``room`` on either side; None where there is none."""
-    one, other = before.jet(x)[1], after.jet(x)[1]
-    turn = abs(np.arctan(other) - np.arctan(one))
-    if turn <= CORNER:
-        return None
-    width = min(
-        max(WIDTH, 0.5 * RADIUS * turn / np.sqrt(1.0 + min(one**2, other**2))), 0.25 * room[0], 0.25 * room[1]
-    )
-    piece = hermite(x - width, x + width, before.jet(x - width), after.jet(x + width))
-    u = np.linspace(0.0, 2.0 * width, 400)
-    return np.array([x - width + u, piece(u)])
+def sampled(low, high, first, last):
+    """Points (2, PIECE) [mm] of ``hermite``."""
+    u = np.linspace(0.0, high - low, PIECE)
+    return np.array([low + u, hermite(low, high, first, last)(u)])
 
 
-def outline(zones, angle=0.0, corners=True):
-    """Points (2, n) [mm] of a profile that is turned by ``angle`` [rad], around y = 0."""
+def raised(values, height):
+    """Height, slope and second derivative with another height."""
+    return values[0] + height, values[1], values[2]
+
+
+def joining(before, after, x, room):
+    """The points (2, n) [mm] that join two turned zones at ``x``, which are as long as ``room``: where there
+    is a corner or a step in height. None where they just meet."""
+    one, other = before.jet(x), after.jet(x)
+    turn, step = abs(np.arctan(other[1]) - np.arctan(one[1])), other[0] - one[0]
+    stepped = abs(step) > STEP
+    width = 0.0
+    if turn > (STEPPED if stepped else CORNER):
+        steep = min(abs(one[1]), abs(other[1]))
+        width = max(WIDTH, 0.5 * RADIUS * turn / np.hypot(1.0, steep))
+        width = min(width, 0.25 * room[0], 0.25 * room[1])
+    if not stepped:
+        return sampled(x - width, x + width, before.jet(x - width), after.jet(x + width)) if width else None
+    reach = [min(max(REPAIR, 2.0 * width), 0.5 * length) for length in room]
+    first, last = x - reach[0], x + reach[1]
+    if not width:
+        middle = 0.5 * (np.array(one) + other)
+        parts = [
+            sampled(first, x, before.jet(first), middle),
+            sampled(x, last, middle, after.jet(last)),
+        ]
+        return np.concatenate(parts, axis=1)
+    low = raised(before.jet(x - width), 0.5 * step)
+    high = raised(after.jet(x + width), -0.5 * step)
+    parts = [
+        sampled(first, x - width, before.jet(first), low),
+        sampled(x - width, x + width, low, high),
+        sampled(x + width, last, high, after.jet(last)),
+    ]
+    return np.concatenate(parts, axis=1)
+
+
+def outline(zones, angle=0.0, steepest=STEEPEST):
+    """Points (2, n) [mm] of a profile that is turned by ``angle`` [rad], around y = 0, without zones that are
+    steeper than ``steepest`` [rad]."""
     turned = [Turned(zone, angle) for zone in zones]
-    rows = [zone.points() for zone in turned]
+    rows = [zone.points(steepest) for zone in turned]
     first = last = next(k for k, (x, _) in enumerate(rows) if len(x) and x[0] <= 0.0 <= x[-1])
-    while first > 0 and rows[first - 1].size and abs(rows[first - 1][0, -1] - rows[first][0, 0]) < 1e-9:
+    while first > 0 and rows[first - 1].size and abs(rows[first - 1][0, -1] - rows[first][0, 0]) < MEETING:
         first -= 1
     while (
-        last + 1 < len(rows) and rows[last + 1].size and abs(rows[last][0, -1] - rows[last + 1][0, 0]) < 1e-9
+        last + 1 < len(rows)
+        and rows[last + 1].size
+        and abs(rows[last][0, -1] - rows[last + 1][0, 0]) < MEETING
     ):
         last += 1
     found = rows[first : last + 1]
     room = [row[0, -1] - row[0, 0] for row in found]
     parts = [found[0]]
     for k in range(1, len(found)):
-        piece = None
-        if corners:
-            piece = corner_piece(
-                turned[first + k - 1], turned[first + k], found[k][0, 0], room[k - 1 : k + 1]
-            )
+        one, other = turned[first + k - 1 : first + k + 1]
+        piece = joining(one, other, found[k][0, 0], room[k - 1 : k + 1])
         if piece is None:
             parts.append(found[k])
             continue
@@ -171,16 +207,18 @@ class SampledPair:
 
     @cached_property
     def wheel_points(self):
-        return outline(self.wheel) * MM
+        return outline(self.wheel, steepest=0.5 * np.pi) * MM
 
     @cached_property
     def rail_points(self):
         """Points (2, n) [m] of the placed rail: lateral and downward coordinate in the track."""
         angle = -np.arctan(self.inclination)
-        sharp = np.concatenate(
-            [part for part in (Turned(zone, angle).points(np.pi) for zone in self.rail) if part.size], axis=1
-        )
-        top = np.argmin(sharp[1])
+        rows = [Turned(zone, angle).points(np.pi) for zone in self.rail]
+        sharp = np.concatenate([row for row in rows if row.size], axis=1)
+        # where the height steps the later zone counts
+        counts = np.concatenate([row[0] < row[0, -1] - 3.0 * LONGEST for row in rows if row.size])
+        counts |= np.concatenate([row[0] == row[0, 0] for row in rows if row.size])
+        top = np.argmin(np.where(counts, sharp[1], np.inf))
         inner = slice(top, None, -1)
         depth = sharp[1, inner] - sharp[1, top] - self.gauge_depth / MM
         k = np.argmax(depth >= 0.0)
@@ -200,7 +238,8 @@ class SampledPair:
         return np.interp(across, *self.rail_points, left=np.nan, right=np.nan) - down
 
     def smallest(self, shift, roll):
-        """Smallest gap [m] of the right wheel without yaw, and its wheel abscissa [m]."""
+        """Smallest gap [m] of the right wheel without yaw, its wheel abscissa [m], and a zero, the angle
+        around the wheel."""
         y, z = self.wheel_points
         low, high = y[:1], y[-1:]
         for step, hidden in SCREENS:
@@ -210,4 +249,67 @@ class SampledPair:
             near = np.nonzero(np.fmin(gaps[:-1], gaps[1:]) < np.nanmin(gaps) + hidden)
             low, high = seen[:-1][near], seen[1:][near]
         best = np.nanargmin(gaps)
-        return gaps.flat[best], seen.flat[best]
+        return gaps.flat[best], seen.flat[best], 0.0
+
+    def on_surface(self, y, around, shift, roll, yaw):
+        """Lateral and downward track coordinate [m] of points of the wheel's surface: at abscissae ``y`` [m]
+        and angles ``around`` it [rad]."""
+        r = self.radius + np.interp(y, *self.wheel_points)
+        s, c = np.sin(roll), np.cos(roll)
+        lateral = (self.arm + y) * c - r * np.cos(around) * s
+        across = shift + np.sin(yaw) * r * np.sin(around) + np.cos(yaw) * lateral
+        return across, (self.arm + y) * s + r * np.cos(around) * c - self.radius
+
+    def surface_gaps(self, y, around, shift, roll, yaw):
+        """Gap [m] of points of the wheel's surface; infinite beside the rail."""
+        across, down = self.on_surface(y, around, shift, roll, yaw)
+        return np.interp(across, *self.rail_points, left=np.inf, right=np.inf) - down
+
+    def smallest_yawed(self, shift, roll, yaw, places=()):
+        """Smallest gap [m] of the yawed right wheel, and its abscissa [m] and angle [rad]: on a raster over
+        its surface, refined around the lowest places and around these ``places`` (abscissa, angle)."""
+        y = np.linspace(*self.wheel_points[0, [0, -1]], 2001)
+        around = np.linspace(-0.16, 0.16, 161)
+        gaps = self.surface_gaps(y[:, None], around, shift, roll, yaw)
+        lowest = gaps.min(axis=1)
+        turns = (lowest <= np.roll(lowest, 1)) & (lowest <= np.roll(lowest, -1))
+        near = np.flatnonzero(turns & (lowest < lowest.min() + 60e-6))
+        starts = [(y[k], around[gaps[k].argmin()], 1.5 * (y[1] - y[0]), 3e-3) for k in near]
+        starts += [(*place, 1e-6, 1e-4) for place in places]
+        return min(self.refined(*start, shift, roll, yaw) for start in starts)
+
+    def refined(self, at, angle, reach, turn, shift, roll, yaw):
+        """The smallest gap [m] beside a place of the wheel's surface, its abscissa and angle, by finer and
+        finer rasters.
+
+        Many arguments because a place has two coordinates and two reaches, and a pose three.
+        """
+        share, found = np.linspace(-1.0, 1.0, 31), (np.inf, at, angle)
+        for _ in range(14):
+            y = np.clip(found[1] + reach * share, *self.wheel_points[0, [0, -1]])
+            around = found[2] + turn * share
+            gaps = self.surface_gaps(y[:, None], around, shift, roll, yaw)
+            i, k = np.unravel_index(gaps.argmin(), gaps.shape)
+            found = min(found, (gaps[i, k], y[i], around[k]))
+            reach, turn = 0.35 * reach, 0.35 * turn
+        return found
+
+    def touches_end(self, shift, yaw):
+        """Whether a wheelset of two such pairs rests on the end of a profile, or on nothing within the
+        permitted rolls."""
+        found = self.smallest_yawed if yaw else lambda shift, roll, yaw: self.smallest(shift, roll)
+        low, high = -ROLLS, ROLLS
+        for _ in range(40):
+            roll = 0.5 * (low + high)
+            right, left = found(shift, roll, yaw), found(-shift, -roll, -yaw)
+            if not np.isfinite(right[0] + left[0]):
+                return True
+            low, high = (roll, high) if right[0] > left[0] else (low, roll)
+        if abs(right[0] - left[0]) > JUMP:
+            return True
+        for sign, (_, y, around) in ((1.0, right), (-1.0, left)):
+            across, _ = self.on_surface(y, around, sign * shift, sign * roll, sign * yaw)
+            ends = [y - self.wheel_points[0, [0, -1]], across - self.rail_points[0, [0, -1]]]
+            if np.abs(ends).min() < AT_END:
+                return True
+        return False

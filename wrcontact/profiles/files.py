@@ -18,7 +18,7 @@ import numpy as np
 from ..conventions import MILLIMETRE as MM
 from ..interface.parameters import PARAMETERS
 from .readers import read_points
-from .remarks import Reading, Refusal, by_weight, remark
+from .remarks import Reading, Refusal, by_weight, remark, stretch
 from .repair import LEAST_POINTS, WIDTHS, mend, words_on_cuts
 from .smoothing import LEAST_NOISE, Curve, pieces_of
 from .zones import Arc, Polynomial
@@ -26,6 +26,9 @@ from .zones import Arc, Polynomial
 SMOOTHING = PARAMETERS["smoothing"].number
 #: Largest permitted file [bytes].
 LARGEST_FILE = 4_000_000
+#: [1/m] No wheel or rail is sharper, a radius of 0.5 mm, between points this close [mm].  What is steeper than
+#: STEEPEST [-], 80 degrees, is not read.
+SHARPEST, CLOSE, STEEPEST = 2e3, 0.02, math.tan(math.radians(80.0))
 #: Points of a rail within this height of its highest point count as equally high [mm].
 LEVEL = 1e-9
 
@@ -120,7 +123,25 @@ def _smooth_profile(found, name, kind, tolerance, remarks, make):
         raise
     except ValueError as problem:
         raise Refusal(f"has points through which no smooth curve can be drawn ({problem})") from None
+    remark_sharpest(profile, remarks)
     return replace(profile, reading=_reading(found, tolerance, remarks))
+
+
+def remark_sharpest(profile, remarks):
+    """Say where points no farther than CLOSE apart make the curve sharper than SHARPEST: rounded coordinates
+    do."""
+    width = np.diff([*(zone.start for zone in profile.zones), profile.zones[-1].stop])
+    ends = np.array([(zone.start, 0.5 * (zone.start + zone.stop), zone.stop) for zone in profile.zones]) * MM
+    _, slope, bend = profile.evaluate(np.clip(ends, profile.start, profile.stop))
+    curvature = np.where(np.abs(slope) < STEEPEST, np.abs(bend) / (1.0 + slope**2) ** 1.5, 0.0).max(axis=1)
+    sharp = np.flatnonzero((curvature > SHARPEST) & (width < CLOSE))
+    if len(sharp):
+        worst = sharp[np.argmax(curvature[sharp])]
+        remarks.append(
+            f"points {1e3 * width[worst]:.3g} um apart make a radius of {1e6 / curvature[worst]:.2g} um "
+            f"({stretch([profile.zones[k].start for k in sharp])}), as rounded coordinates do: contacts follow "
+            "it, and the search takes longer; more smoothing removes it"
+        )
 
 
 def _reading(found, tolerance, remarks):

@@ -31,7 +31,7 @@ from ..wheelset.trial import balance_side
 from ..wheelset.vertical_load import carried_share, carries_friction
 from .compliant_rules import follow_compliant, follow_minimum, place_moving
 from .turning_rules import follow_turning
-from .intrinsics import common_rate, held, moving, nonzero, rate_of, seeded
+from .intrinsics import held, moving, nonzero, rate_of, seeded
 
 
 def follow_roll(tables: Tables, work: Work):
@@ -116,11 +116,6 @@ def follow_elastic(tables: Tables, work: Work) -> bool:
         return True
     height_rate = (residual_right * left_roll - residual_left * right_roll) / determinant
     roll_rate = (residual_left * right_height - residual_right * left_height) / determinant
-    method = work.broyden
-    method.left_height = common_rate(left_height)
-    method.right_height = common_rate(right_height)
-    method.left_roll = common_rate(left_roll)
-    method.right_roll = common_rate(right_roll)
     follow_position(tables, work, seeded(roll, roll_rate), seeded(height, height_rate))
     work.wheelset.roll = seeded(roll, roll_rate)
     work.wheelset.vertical_shift = seeded(height, height_rate)
@@ -128,8 +123,9 @@ def follow_elastic(tables: Tables, work: Work) -> bool:
 
 
 def follow_residuals(tables: Tables, work: Work, time: float, vertical: float, roll_rate: float):
-    """How fast each side of an elastic wheelset comes down [m/s], from ``time`` [s] before to after or, in a
-    standing one, until then (``depth_rates.find_residuals``)."""
+    """How much faster than the wheelset each side of an elastic one comes down [m/s], from ``time`` [s] before
+    to after or, in a standing one, until then (``depth_rates.find_residuals``)."""
+    set_rates(work.sides[0].motion, work.sides[1].motion, vertical, roll_rate)
     follow_displaced(tables, work, time, vertical, roll_rate)
     left = work.supports[0].height
     right = work.supports[1].height
@@ -139,8 +135,8 @@ def follow_residuals(tables: Tables, work: Work, time: float, vertical: float, r
     else:
         work.supports[0].height = work.wheelset.vertical_shift
         work.supports[1].height = work.wheelset.vertical_shift
-    left = (left - work.supports[0].height) / time
-    right = (right - work.supports[1].height) / time
+    left = (left - work.supports[0].height) / time - vertical
+    right = (right - work.supports[1].height) / time - vertical
     if not side_force(work, 0) > 0.0:
         left = constraint_residual(work.sides[0].motion)
     if not side_force(work, 1) > 0.0:
@@ -164,7 +160,8 @@ def follow_displaced(tables: Tables, work: Work, time: float, vertical: float, r
 
 def follow_rates(tables: Tables, work: Work):
     """Vertical velocity and roll rate of an elastic wheelset: the residuals of both sides vanish
-    (``depth_rates.settle_rates``), whose derivatives are those of the heights.
+    (``depth_rates.settle_rates``).  Their own derivatives by both are taken where the sides are displaced to: a
+    kink may lie on the way, and then those of the heights in between are others.
 
     A wheelset that stands still has none, but begins to move; time, by which rates are multiplied, is any
     then."""
@@ -172,18 +169,26 @@ def follow_rates(tables: Tables, work: Work):
     roll_rate = held(work.wheelset.roll_rate)
     left_motion = work.sides[0].motion
     right_motion = work.sides[1].motion
-    set_rates(left_motion, right_motion, vertical, roll_rate)
     speed = motion_size(tables, work.inputs)
     time = 1.0
     if speed > 0.0:
-        time = DISPLACED / held(speed)
+        time = DISPLACED / speed
     keep_sides(work)
+    left, right = follow_residuals(tables, work, time, seeded(vertical, 1.0), roll_rate)
+    left_vertical = rate_of(left)
+    right_vertical = rate_of(right)
+    left, right = follow_residuals(tables, work, time, vertical, seeded(roll_rate, 1.0))
+    left_roll = rate_of(left)
+    right_roll = rate_of(right)
     left, right = follow_residuals(tables, work, time, vertical, roll_rate)
     restore_sides(work)
-    method = work.broyden
-    determinant = method.left_height * method.right_roll - method.right_height * method.left_roll
-    vertical_rate = (rate_of(right) * method.left_roll - rate_of(left) * method.right_roll) / determinant
-    rate = (rate_of(left) * method.right_height - rate_of(right) * method.left_height) / determinant
+    left_vertical -= rate_of(left)
+    right_vertical -= rate_of(right)
+    left_roll -= rate_of(left)
+    right_roll -= rate_of(right)
+    determinant = left_vertical * right_roll - right_vertical * left_roll
+    vertical_rate = (rate_of(right) * left_roll - rate_of(left) * right_roll) / determinant
+    rate = (rate_of(left) * right_vertical - rate_of(right) * left_vertical) / determinant
     set_rates(left_motion, right_motion, seeded(vertical, vertical_rate), seeded(roll_rate, rate))
 
 
