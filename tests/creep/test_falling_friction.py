@@ -148,8 +148,8 @@ def test_friction_that_falls_by_nothing_is_constant_to_the_last_bit(model):
 @pytest.mark.parametrize("model", MODELS)
 def test_friction_takes_power_and_no_force_is_above_its_limit(model):
     poses = random_poses(3)
-    table = wrcontact.ContactSystem(tangential_model=model, **STEEP).evaluate_many(**poses)
-    constant = wrcontact.ContactSystem(tangential_model=model).evaluate_many(**poses)
+    table = wrcontact.ContactSystem(tangential_model=model, nominal_rolling=True, **STEEP).evaluate_many(**poses)
+    constant = wrcontact.ContactSystem(tangential_model=model, nominal_rolling=True).evaluate_many(**poses)
     for side in ("left", "right"):
         wheel = getattr(table, side)
         friction = poses[f"{side}_friction"]

@@ -11,7 +11,7 @@ static const int64_t layout__WEAR_STRIPS = INT64_C(336);
 static const int64_t layout__WEAR_END = INT64_C(673);
 static const int64_t layout__INPUT_COUNT = INT64_C(39);
 static const int64_t layout__OUTPUT_COUNT = INT64_C(579);
-static const int64_t layout__WORK_SIZE = INT64_C(73380);
+static const int64_t layout__WORK_SIZE = INT64_C(73390);
 static const int64_t layout__STATE_SIZE = INT64_C(5);
 static const int64_t layout__SETTING_COUNT = INT64_C(95);
 static const int64_t layout__SETUP_SIZE = INT64_C(51);
@@ -663,7 +663,12 @@ static const int64_t layout__SPRING_LATERAL_STIFFNESS = INT64_C(0);
 static const int64_t layout__SPRING_VERTICAL_STIFFNESS = INT64_C(1);
 static const int64_t layout__SPRING_LATERAL_DAMPING = INT64_C(2);
 static const int64_t layout__SPRING_VERTICAL_DAMPING = INT64_C(3);
-static const int64_t layout__SETTLING_SIZE = INT64_C(14);
+static const int64_t layout__SETTLED_SIZE = INT64_C(4);
+static const int64_t layout__SETTLED_LATERAL = INT64_C(0);
+static const int64_t layout__SETTLED_VERTICAL = INT64_C(1);
+static const int64_t layout__SETTLED_RESIDUAL_LATERAL = INT64_C(2);
+static const int64_t layout__SETTLED_RESIDUAL_VERTICAL = INT64_C(3);
+static const int64_t layout__SETTLING_SIZE = INT64_C(24);
 static const int64_t layout__SETTLING_LATERAL_STIFFNESS = INT64_C(0);
 static const int64_t layout__SETTLING_VERTICAL_STIFFNESS = INT64_C(1);
 static const int64_t layout__SETTLING_LATERAL_REST = INT64_C(2);
@@ -678,6 +683,10 @@ static const int64_t layout__SETTLING_VERTICAL_LATERAL = INT64_C(10);
 static const int64_t layout__SETTLING_VERTICAL_VERTICAL = INT64_C(11);
 static const int64_t layout__SETTLING_MOVE_LATERAL = INT64_C(12);
 static const int64_t layout__SETTLING_MOVE_VERTICAL = INT64_C(13);
+static const int64_t layout__SETTLING_ONE = INT64_C(14);
+static const int64_t layout__SETTLING_OTHER = INT64_C(18);
+static const int64_t layout__SETTLING_AWAY_LATERAL = INT64_C(22);
+static const int64_t layout__SETTLING_AWAY_VERTICAL = INT64_C(23);
 static const int64_t layout__REFERENCE_SIZE = INT64_C(10);
 static const int64_t layout__REFERENCE_HEIGHT = INT64_C(0);
 static const int64_t layout__REFERENCE_LOW_LOAD = INT64_C(1);
@@ -779,10 +788,10 @@ static const int64_t layout__WORK_ROLL_BRACKET = INT64_C(69089);
 static const int64_t layout__WORK_TRIALS = INT64_C(69093);
 static const int64_t layout__WORK_REFERENCE = INT64_C(69337);
 static const int64_t layout__WORK_SETTLING = INT64_C(69347);
-static const int64_t layout__WORK_WHEELSET = INT64_C(69361);
-static const int64_t layout__WORK_TURNING = INT64_C(69382);
-static const int64_t layout__WORK_ROLLING = INT64_C(69500);
-static const int64_t layout__WORK_PATCH = INT64_C(72985);
+static const int64_t layout__WORK_WHEELSET = INT64_C(69371);
+static const int64_t layout__WORK_TURNING = INT64_C(69392);
+static const int64_t layout__WORK_ROLLING = INT64_C(69510);
+static const int64_t layout__WORK_PATCH = INT64_C(72995);
 static const int64_t layout__PIECE_START = INT64_C(0);
 static const int64_t layout__PIECE_C0 = INT64_C(1);
 static const int64_t layout__PIECE_C1 = INT64_C(2);
@@ -1503,6 +1512,12 @@ static const double strip_lengths__FARTHEST_EDGE = 0.25;
 static const double strip_lengths__SWING = 0.05;
 static const double strip_lengths__LEAST_ROOT = 0.05;
 
+/* normal/strip_levels.py */
+static const double strip_levels__RAISED = 0.02;
+static const double strip_levels__SHOULDER = 0.99;
+static const int64_t strip_levels__LEVEL_ITERATIONS = INT64_C(6);
+static const double strip_levels__FIRST_LEAD = 0.5;
+
 /* normal/strip_patches.py */
 static const double strip_patches__CLOSE = 1e-06;
 static const int64_t strip_patches__SMOOTH_ENDS = INT64_C(2);
@@ -1521,11 +1536,7 @@ static const double strip_pressures__FIRST_SPACING = -6.907755278982137;
 static const double strip_pressures__SPACINGS_EACH = 18.624588386459845;
 
 /* normal/strip_runs.py */
-static const double strip_runs__RAISED = 0.02;
 static const double strip_runs__FLAT_START = 0.25;
-static const double strip_runs__SHOULDER = 0.99;
-static const int64_t strip_runs__LEVEL_ITERATIONS = INT64_C(6);
-static const double strip_runs__FIRST_LEAD = 0.5;
 static const double strip_runs__NARROW = 0.02;
 static const double strip_runs__PULLING = 0.001;
 static const double strip_runs__SINGLE = 0.1;
@@ -1688,16 +1699,31 @@ static const int64_t settling__ESTIMATES = INT64_C(5);
 static const double settling__SAME_PLACE = 1e-05;
 static const int64_t settling__FORCE_STEPS = INT64_C(12);
 static const int64_t settling__SETTLING_TRIALS = INT64_C(25);
-static const double settling__SETTLED = 2e-14;
-static const double settling__LONGEST_SETTLING = 0.0005;
-static const double settling__GROWTH = 1.5;
-static const double settling__SINGULAR_SPRINGS = 0.01;
 
 /* wheelset/settling_brackets.py */
 static const double settling_brackets__NOT_DEEPEST = 0.999;
 static const double settling_brackets__BALANCED = 1e-12;
+static const double settling_brackets__STEEPEST_FORCE = 100000000000.0;
+static const double settling_brackets__JUMP_WIDTH = 1e-08;
+static const double settling_brackets__LEAST_FALL = 0.75;
+static const double settling_brackets__STEEPEST_WAY = 3.0;
 static const double settling_brackets__NEAR_END = 0.0002;
 static const int64_t settling_brackets__DOUBLINGS = INT64_C(10);
+
+/* wheelset/settling_enclosing.py */
+static const double settling_enclosing__SETTLED = 2e-14;
+static const double settling_enclosing__LONGEST_SETTLING = 0.0005;
+static const int64_t settling_enclosing__ENCLOSINGS = INT64_C(60);
+static const int64_t settling_enclosing__RETREATS = INT64_C(12);
+static const double settling_enclosing__JUMP_SHARP = 1e-10;
+static const double settling_enclosing__STEEPEST = 10000.0;
+static const double settling_enclosing__REDUCED = 0.5;
+
+/* wheelset/settling_slopes.py */
+static const double settling_slopes__GROWTH = 1.5;
+static const double settling_slopes__SINGULAR_SPRINGS = 0.01;
+static const double settling_slopes__RATE_SHARE = 1e-06;
+static const double settling_slopes__LEAST_RATE = 1e-06;
 
 /* wheelset/side.py */
 static const double side__PARALLEL = 1e-06;
@@ -1785,7 +1811,8 @@ static const double prepare_tables__STARTS_EACH_METRE = 2000.0;
 /* prepare/zones.py */
 static const int64_t prepare_zones__DEFINITION_COUNT = INT64_C(0);
 static const int64_t prepare_zones__DEFINITION_ROW = INT64_C(1);
-static const int64_t prepare_zones__DEFINITION_ZONES = INT64_C(2);
+static const int64_t prepare_zones__DEFINITION_WORN = INT64_C(2);
+static const int64_t prepare_zones__DEFINITION_ZONES = INT64_C(3);
 static const int64_t prepare_zones__ZONE_FAMILY = INT64_C(0);
 static const int64_t prepare_zones__ZONE_START = INT64_C(1);
 static const int64_t prepare_zones__ZONE_STOP = INT64_C(2);

@@ -263,9 +263,9 @@ class TracedStation:
     cos: float  # of the inclination of that curve
     sin: float
     x: float  # track coordinate x of the ridge [m]
-    A: float  # the gap beside the ridge, at a distance x: A x^2 + skew x^3 [1/m]
+    A: float  # the gap beside the ridge, at a distance x: x^2 (A + skew x) [1/m]
     skew: float  # [1/m^2]
-    odd: float  # largest part of the gap over x^2 that differs by side [1/m]
+    odd: float  # skew x is within +-this, its value where it was measured [1/m]
     share: float  # of the penetration that comes along its normal [-]
     counted: float  # share of its load that counts for the prescribed force [-]
     gaps: Float * 4  # cubic of the gap on the way to the next station, 0 ... 1 [m]
@@ -296,9 +296,9 @@ class Strip:
     cos: float  # of the inclination of that curve
     sin: float
     x: float  # track coordinate x of the ridge [m]
-    A: float  # the gap beside the ridge, at a distance x: A x^2 + skew x^3 [1/m]
+    A: float  # the gap beside the ridge, at a distance x: x^2 (A + skew x) [1/m]
     skew: float  # [1/m^2]
-    odd: float  # largest part of the gap over x^2 that differs by side [1/m]
+    odd: float  # skew x is within +-this, its value where it was measured [1/m]
     share: float  # of the penetration that comes along its normal [-]
     counted: float  # share of its load that counts for the prescribed force [-]
     gap: float  # on its middle, where nothing penetrates [m]

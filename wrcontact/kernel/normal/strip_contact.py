@@ -3,7 +3,7 @@
 
 Each strip has a place s_j along the rail, a middle x_j and a half-length a_j along the track, and the
 pressure p_j sqrt(1 - ((x - x_j) / a_j)^2).  What it displaces is eq. (S1).  Wheel and rail are traced once
-(strip_surfaces); the strips lie in runs from edge to edge, which begin like ANALYN's patches (strip_runs).
+(strip_surfaces); the strips lie in runs from edge to edge, which begin like ANALYN's patches (strip_levels).
 One round of
 
 1. solve sum_j F_ij y_j = c_i penetration - g_i with y = p / (pi E*) and the given force, eq. (S5)
@@ -25,10 +25,11 @@ from ..contact.pressed_regions import gather_overlaps, sink_wheel
 from ..layout import Contact, Pair, SideSearch, StripProblem, Tables
 from .analyn_contact import solve_analyn
 from .estimate import first_penetration
+from .strip_levels import begin_runs, deepen_levels, level_contact
 from .strip_lengths import RELAXED, correct_lengths
 from .strip_patches import add_stiffness, fill_from_strips
 from .strip_pressures import solve_pressures
-from .strip_runs import begin_runs, deepen_levels, lay_strips, level_contact, renew_runs
+from .strip_runs import lay_strips, renew_runs
 from .strip_surfaces import find_zones, measure_ridges, trace_zones
 
 #: Sweeps of the form for first trials.
