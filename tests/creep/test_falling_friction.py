@@ -13,7 +13,8 @@ import pytest
 import wrcontact
 from tests.helpers.cases import system
 from tests.helpers.paths import DATA
-from wrcontact.kernel.creep.falling import decay
+from wrcontact.kernel import layout
+from wrcontact.kernel.creep.falling import decay, restore_slips, weigh_slips
 
 MODELS = ("strips", "fastsim", "fastrip")
 #: A steep law, whose friction has fallen by half at a metre per second.
@@ -93,6 +94,17 @@ def test_decay_is_an_exponential():
     assert 0.0 < decay(1e300) < 1e-17
 
 
+def test_only_what_slips_loses_friction():
+    """A quarter slips, with two fifths of the friction of rest."""
+    marches, falling = layout.RollingMarches(), layout.FallingFriction()
+    marches.slips[3], marches.noted[3], falling.share[3] = 0.25, 0.0625, 0.4
+    weigh_slips(marches, falling, 0.8)
+    assert falling.lost[3] == pytest.approx(0.8**2 * 0.25 * 0.6)
+    assert (marches.slips[3], marches.noted[3]) == pytest.approx((0.1, 0.01))
+    restore_slips(marches, falling)
+    assert (marches.slips[3], marches.noted[3]) == (0.25, 0.0625)
+
+
 @pytest.mark.parametrize("model", (*MODELS, pytest.param("halfspace", marks=pytest.mark.full)))
 @pytest.mark.parametrize("across", [0.0, -0.9])
 def test_a_locked_wheel_has_the_friction_of_its_velocity(model, across):
@@ -148,7 +160,9 @@ def test_friction_that_falls_by_nothing_is_constant_to_the_last_bit(model):
 @pytest.mark.parametrize("model", MODELS)
 def test_friction_takes_power_and_no_force_is_above_its_limit(model):
     poses = random_poses(3)
-    table = wrcontact.ContactSystem(tangential_model=model, nominal_rolling=True, **STEEP).evaluate_many(**poses)
+    table = wrcontact.ContactSystem(tangential_model=model, nominal_rolling=True, **STEEP).evaluate_many(
+        **poses
+    )
     constant = wrcontact.ContactSystem(tangential_model=model, nominal_rolling=True).evaluate_many(**poses)
     for side in ("left", "right"):
         wheel = getattr(table, side)

@@ -81,14 +81,6 @@ LAWS = [
         FALLING,
     ),
     (
-        "fall_edge",
-        "        if falls:\n            find_shares(falling, x)\n        if slipping:",
-        "        if slipping:\n            if falls:\n                find_shares(falling, x)",
-        "the point behind a stick zone has the friction of the point before",
-        FALLS,
-        MARCH,
-    ),
-    (
         "fall_limit",
         "falling.lost[i] += bound * bound * slips * (1.0 - share)",
         "falling.lost[i] += bound * bound * (1.0 - share)",
@@ -111,14 +103,6 @@ LAWS = [
         "on wet rails friction falls with the reduced creepages",
         FALLS,
         FRICTION,
-    ),
-    (
-        "fall_jump",
-        "push = NEAR_STICK * sqrt(",
-        "push = 1e-9 * sqrt(",
-        "FASTSIM's points have fallen friction as soon as they slip",
-        FALLS,
-        "wrcontact/kernel/creep/fastsim.py",
     ),
     (
         "fall_memory",
