@@ -13,7 +13,8 @@ import pytest
 import wrcontact
 from tests.helpers.cases import system
 from tests.helpers.paths import DATA
-from wrcontact.kernel.creep.falling import decay
+from wrcontact.kernel import layout
+from wrcontact.kernel.creep.falling import decay, restore_slips, weigh_slips
 
 MODELS = ("strips", "fastsim", "fastrip")
 #: A steep law, whose friction has fallen by half at a metre per second.
@@ -91,6 +92,17 @@ def test_decay_is_an_exponential():
     for t in [0.0, 1e-9, *np.linspace(0.0, 39.9, 400).tolist()]:
         assert decay(t) == pytest.approx(math.exp(-t), rel=0, abs=2e-14)
     assert 0.0 < decay(1e300) < 1e-17
+
+
+def test_only_what_slips_loses_friction():
+    """A quarter slips, with two fifths of the friction of rest."""
+    marches, falling = layout.RollingMarches(), layout.FallingFriction()
+    marches.slips[3], marches.noted[3], falling.share[3] = 0.25, 0.0625, 0.4
+    weigh_slips(marches, falling, 0.8)
+    assert falling.lost[3] == pytest.approx(0.8**2 * 0.25 * 0.6)
+    assert (marches.slips[3], marches.noted[3]) == pytest.approx((0.1, 0.01))
+    restore_slips(marches, falling)
+    assert (marches.slips[3], marches.noted[3]) == (0.25, 0.0625)
 
 
 @pytest.mark.parametrize("model", (*MODELS, pytest.param("halfspace", marks=pytest.mark.full)))

@@ -62,7 +62,7 @@ LAWS = [
         "left_roll -= 1.02 * rate_of(left)",
         "the roll rate of an elastic wheelset follows another slope",
         STRAIGHT,
-        "wrcontact/kernel/derivative/motion_rules.py",
+        "wrcontact/kernel/derivative/wheelset_rules.py",
     ),
     (
         "fall_spin",
@@ -79,14 +79,6 @@ LAWS = [
         "spin slides the other way where friction falls",
         FALLS,
         FALLING,
-    ),
-    (
-        "fall_edge",
-        "        if falls:\n            find_shares(falling, x)\n        if slipping:",
-        "        if slipping:\n            if falls:\n                find_shares(falling, x)",
-        "the point behind a stick zone has the friction of the point before",
-        FALLS,
-        MARCH,
     ),
     (
         "fall_limit",
@@ -111,14 +103,6 @@ LAWS = [
         "on wet rails friction falls with the reduced creepages",
         FALLS,
         FRICTION,
-    ),
-    (
-        "fall_jump",
-        "push = NEAR_STICK * sqrt(",
-        "push = 1e-9 * sqrt(",
-        "FASTSIM's points have fallen friction as soon as they slip",
-        FALLS,
-        "wrcontact/kernel/creep/fastsim.py",
     ),
     (
         "fall_memory",
